@@ -9,8 +9,8 @@
 #include <cmath>
 
 #include "nlmech/spacecraft/control/closed_loop.hpp"
-#include "nlmech/spacecraft/plant/assumed_modes.hpp"
 #include "nlmech/spacecraft/plant/closed_form.hpp"
+#include "nlmech/spacecraft/plant/discrete_model.hpp"
 #include "nlmech/spacecraft/plant/poles.hpp"
 #include "nlmech/spacecraft/response.hpp"
 #include "tests/errata/erratum.hpp"

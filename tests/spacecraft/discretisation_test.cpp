@@ -8,8 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "nlmech/spacecraft/plant/assumed_modes.hpp"
-#include "nlmech/spacecraft/plant/finite_elements.hpp"
+#include "nlmech/spacecraft/plant/discrete_model.hpp"
 #include "nlmech/spacecraft/plant/poles.hpp"
 #include "tests/spacecraft/random_spacecraft.hpp"
 

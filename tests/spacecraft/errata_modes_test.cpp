@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "nlmech/spacecraft/plant/assumed_modes.hpp"
 #include "nlmech/spacecraft/plant/closed_form.hpp"
+#include "nlmech/spacecraft/plant/discrete_model.hpp"
 #include "nlmech/spacecraft/plant/plant.hpp"
 #include "nlmech/spacecraft/plant/poles.hpp"
 #include "tests/errata/erratum.hpp"

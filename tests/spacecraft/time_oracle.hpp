@@ -1,17 +1,44 @@
 /// @file
-/// The controlled spacecraft in time without poles and residues: finite elements and the exponential of their
-/// matrix.
+/// Motion in time without poles and residues: the trapezoidal sum of the Bromwich integral, and finite
+/// elements with the exponential of their matrix.
 #pragma once
 
 #include <Eigen/Core>
 #include <Eigen/LU>
 #include <cmath>
+#include <complex>
+#include <functional>
+#include <numbers>
+#include <span>
 #include <unsupported/Eigen/MatrixFunctions>
+#include <vector>
 
 #include "nlmech/spacecraft/control/closed_loop.hpp"
-#include "nlmech/spacecraft/plant/finite_elements.hpp"
+#include "nlmech/spacecraft/plant/discrete_model.hpp"
 
 namespace nlmech::spacecraft::oracle {
+
+/// The line Re s = shift up to a frequency, in steps of pi/half_period. The defaults suit times up to 60 s of
+/// the spacecraft of Table 3.1.
+struct BromwichLine {
+  double half_period = 60, shift = 0.25, frequency = 1.2e4;
+};
+
+/// Durbin's sum f(t) ~ e^(ct)/T { F(c)/2 + sum Re[F(c + i k pi/T) e^(i k pi t/T)] } for several times.
+/// Errors: aliasing, f(t + 2T) e^(-2cT), and the rest beyond the highest frequency.
+inline std::vector<double> bromwich(const std::function<Complex(Complex)>& transform,
+                                    std::span<const double> times, const BromwichLine& line = {}) {
+  const double step = std::numbers::pi / line.half_period;
+  std::vector<double> values(times.size(), 0);
+  for (int k = 0; k * step <= line.frequency; ++k) {
+    const Complex value = transform({line.shift, k * step}) * (k == 0 ? 0.5 : 1.);
+    for (std::size_t i = 0; i < times.size(); ++i)
+      values[i] += (value * std::polar(1., k * step * times[i])).real();
+  }
+  for (std::size_t i = 0; i < times.size(); ++i)
+    values[i] *= std::exp(line.shift * times[i]) / line.half_period;
+  return values;
+}
 
 /// theta, theta', y(x) and y'(x) at one time.
 struct Moved {

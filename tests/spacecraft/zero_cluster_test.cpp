@@ -6,7 +6,6 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "nlmech/spacecraft/control/missed_residues.hpp"
 #include "nlmech/spacecraft/plant/roots.hpp"
 
 namespace nlmech::spacecraft::zero_cluster_test {
@@ -76,21 +75,6 @@ TEST(FindRoots, SeparatesWhatLiesNextToZero) {
   EXPECT_NEAR(r.roots[1].real() / -1e-11, 1, 1e-9);
   EXPECT_LT(std::abs(r.roots[2] - zeros[4]), 1e-14);
   EXPECT_LT(std::abs((r.roots[3] + r.roots[4]) / 2. - zeros[2]), 1e-13);
-}
-
-TEST(MissedResidues, AreThoseBeyondTheBoundary) {
-  const auto pair = [](double w, double amplitude) {
-    return [w, amplitude](Complex s) { return 1. / (s + 1.) + amplitude * s / (s * s + w * w); };
-  };
-  // The residue of a cosine is half its amplitude, and so is that of its conjugate.
-  EXPECT_GT(missed_residues(pair(100, 0.3), 1, {.radius = 10}).amplitude, 0.29);
-  EXPECT_GT(missed_residues(pair(1e9, 0.3), 1, {.radius = 10}).amplitude, 0.29);
-  EXPECT_LT(missed_residues(pair(3, 0.3), 1, {.radius = 10}).amplitude, 1e-10);
-  // 0.15 t sin(100 t): no residue at all.
-  const auto twice = [](Complex s) { return 30. * s / ((s * s + 1e4) * (s * s + 1e4)); };
-  EXPECT_GT(missed_residues(twice, 1, {.radius = 10}).amplitude, 0.1);
-  EXPECT_TRUE(
-      std::isnan(missed_residues([](Complex s) { return std::exp(-s); }, 1, {.radius = 1}).amplitude));
 }
 
 }  // namespace

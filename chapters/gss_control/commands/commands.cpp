@@ -1,11 +1,255 @@
-#include "chapters/gss_control/commands/commands.hpp"
+/// @file
+/// The chapter's commands: `poles`, `zeros`, `response`, `step` and `optimal-gains` of a user's own
+/// spacecraft.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "chapters/gss_control/commands/spacecraft_file.hpp"
+#include "chapters/gss_control/commands/words.hpp"
+#include "nlmech/spacecraft/control/optimal_gains.hpp"
+#include "nlmech/spacecraft/plant/poles.hpp"
+#include "nlmech/spacecraft/response.hpp"
+#include "nlmech/support/errors.hpp"
 
 namespace nlmech::chapters::gss_control {
+namespace {
+
+using spacecraft::Complex;
+
+/// Options of `poles`, `zeros` and `response`.
+struct FrequencyOptions {
+  Craft craft;
+  int count = 10;
+  std::string at, omega;
+};
+
+void declare_poles(scene::Options& options, FrequencyOptions& typed) {
+  declare_craft(options, typed.craft);
+  options.add("--count", typed.count, "how many").range(1, 1000);
+}
+
+void declare_zeros(scene::Options& options, FrequencyOptions& typed) {
+  declare_poles(options, typed);
+  options.add("--at", typed.at, "place on the appendage, its distance from the rim");
+}
+
+void declare_response(scene::Options& options, FrequencyOptions& typed) {
+  declare_craft(options, typed.craft);
+  options.add("--omega", typed.omega, "w1,w2,... or LO:HI:N, N logarithmically spaced, rad/s").required();
+  options.add("--at", typed.at, "places on the appendage x1,x2,..., their distances from the rim");
+}
+
+std::string table_of(const std::vector<Complex>& points, int count) {
+  std::string text = "index,real,imag\n";
+  for (std::size_t i = 0; i < std::min(std::size_t(count), points.size()); ++i)
+    text += fmt::format("{},{:.17g},{:.17g}\n", i + 1, points[i].real() + 0., points[i].imag() + 0.);
+  return text;
+}
+
+std::vector<Complex> on_axis(const spacecraft::Frequencies& f) {
+  if (!f.status.ok()) throw Failure(f.status);
+  std::vector<Complex> all;
+  for (const double omega : f.omega) all.emplace_back(0, omega);
+  return all;
+}
+
+std::string print_poles(const FrequencyOptions& typed) {
+  const spacecraft::Parameters craft = read_spacecraft(typed.craft.file);
+  if (typed.craft.gains.empty())
+    return table_of(on_axis(spacecraft::poles(spacecraft::Plant(craft), typed.count)), typed.count);
+  const spacecraft::LoopPoles found = typed_loop(craft, typed.craft.gains).poles(typed.count);
+  if (!found.status.ok()) throw Failure(found.status);
+  return table_of(found.s, typed.count);
+}
+
+/// The first zeros of y(x)/u with Im s >= 0, by modulus.
+std::vector<Complex> deflection_zeros(const spacecraft::Plant& plant, double x, int count) {
+  // About as many zeros as poles below a frequency; the square grows until there are enough.
+  const spacecraft::Frequencies guide = spacecraft::poles(plant, count);
+  if (!guide.status.ok()) throw Failure(guide.status);
+  double omega = 1.2 * guide.omega.back();
+  std::vector<Complex> all;
+  for (int k = 0; k < 12; ++k, omega *= 1.5) {
+    const spacecraft::Zeros found = spacecraft::deflection_zeros(plant, x, omega);
+    if (!found.status.ok()) throw Failure(found.status);
+    all.clear();
+    for (const Complex& s : found.s) {
+      all.push_back(s);
+      if (s.imag() == 0 && s.real() > 0) all.push_back(-s);  // a real pair has no imaginary part below 0
+    }
+    // Beyond this modulus the square of z = s^2 does not hold them all.
+    const auto complete = std::count_if(all.begin(), all.end(),
+                                        [omega](const Complex& s) { return std::abs(s) < 0.99 * omega; });
+    if (complete >= count) break;
+  }
+  std::stable_sort(all.begin(), all.end(), [](const Complex& a, const Complex& b) {
+    return std::abs(a) < std::abs(b) * (1 - 1e-14);
+  });
+  return all;
+}
+
+std::string print_zeros(const FrequencyOptions& typed) {
+  const int count = typed.count;
+  const spacecraft::Parameters craft = read_spacecraft(typed.craft.file);
+  // Feedback from the hub moves no zero, but a loop that cannot be is refused all the same.
+  if (!typed.craft.gains.empty()) static_cast<void>(typed_loop(craft, typed.craft.gains));
+  const spacecraft::Plant plant(craft);
+  if (typed.at.empty()) return table_of(on_axis(spacecraft::hub_zeros(plant, count)), count);
+  const std::vector<Place> places = typed_places("--at", typed.at, craft);
+  if (places.size() != 1) throw InputError(fmt::format("--at {}: zeros are those of one place", typed.at));
+  if (places[0].x == 0) throw InputError(fmt::format("--at {}: y is 0 at the root, at any s", typed.at));
+  const std::vector<Complex> found = deflection_zeros(plant, places[0].x, count);
+  if (found.size() < std::size_t(count))
+    throw Failure(
+        Status::failure(Outcome::not_converged,
+                        fmt::format("zeros: {} of {} found; ask for fewer by --count", found.size(), count)));
+  return table_of(found, count);
+}
+
+std::string print_response(const FrequencyOptions& typed) {
+  const spacecraft::Parameters craft = read_spacecraft(typed.craft.file);
+  const std::vector<double> omega = typed_frequencies("--omega", typed.omega);
+  const std::vector<Place> places = typed_places("--at", typed.at, craft);
+  const spacecraft::Plant plant(craft);
+  std::optional<spacecraft::ClosedLoop> loop;
+  if (!typed.craft.gains.empty()) loop.emplace(typed_loop(craft, typed.craft.gains));
+  std::vector<double> x;
+  std::string text = "omega,theta_re,theta_im";
+  for (const Place& p : places) {
+    text += fmt::format(",y@{0}_re,y@{0}_im", p.text);
+    x.push_back(p.x);
+  }
+  text += '\n';
+  std::vector<Complex> y(x.size());
+  for (const double w : omega) {
+    const Complex s(0, w);
+    Complex theta;
+    Outcome outcome = Outcome::success;
+    if (loop) {
+      const spacecraft::LoopResponse r = loop->response(s);
+      theta = r.theta;
+      outcome = r.outcome;
+      for (std::size_t i = 0; i < x.size(); ++i) y[i] = loop->response(s, x[i]).deflection;
+    } else {
+      outcome = plant.response(s, x, theta, y);
+    }
+    if (outcome != Outcome::success) throw Failure(plant.status(outcome, s));
+    text += fmt::format("{:.17g},{:.17g},{:.17g}", w, theta.real() + 0., theta.imag() + 0.);
+    for (const Complex& value : y)
+      text += fmt::format(",{:.17g},{:.17g}", value.real() + 0., value.imag() + 0.);
+    text += '\n';
+  }
+  return text;
+}
+
+/// Options of `step`.
+struct StepOptions {
+  Craft craft;
+  std::string at;
+  std::optional<double> angle, every;
+  double until = 0;
+};
+
+void declare_step(scene::Options& options, StepOptions& typed) {
+  declare_craft(options, typed.craft);
+  options.add("--final-angle", typed.angle, "theta_f, rad; 1 without it");
+  options.add("--until", typed.until, "last time").positive().required();
+  options.add("--every", typed.every, "rows at this distance in time; without it the first and the last")
+      .positive();
+  options.add("--at", typed.at, "places on the appendage x1,x2,..., their distances from the rim");
+}
+
+spacecraft::TimeResponse respond(const StepOptions& typed, const spacecraft::Parameters& craft,
+                                 const std::vector<double>& places) {
+  if (!typed.craft.gains.empty())
+    return step_response(typed_loop(craft, typed.craft.gains), typed.angle.value_or(1), places);
+  if (typed.angle)
+    throw InputError(fmt::format("--final-angle {}: means nothing without --gains k1,k2,k3", *typed.angle));
+  return torque_response(spacecraft::Plant(craft), 1, places);
+}
+
+std::string print_step(const StepOptions& typed) {
+  const spacecraft::Parameters craft = read_spacecraft(typed.craft.file);
+  const std::vector<double> times = typed_times(typed.until, typed.every);
+  const std::vector<Place> places = typed_places("--at", typed.at, craft);
+  std::vector<double> x;
+  std::string text = "t,theta,theta_dot";
+  for (const Place& p : places) {
+    text += fmt::format(",y@{0},ydot@{0}", p.text);
+    x.push_back(p.x);
+  }
+  text += '\n';
+  const spacecraft::TimeResponse r = respond(typed, craft, x);
+  if (!r.status.ok()) throw Failure(r.status);
+  for (const double t : times) {
+    if (const Status certain = certain_at(r, t); !certain.ok()) throw Failure(certain);
+    text += fmt::format("{:.17g},{:.17g},{:.17g}", t, r.theta.value(t), r.theta_dot.value(t));
+    for (std::size_t i = 0; i < x.size(); ++i)
+      text += fmt::format(",{:.17g},{:.17g}", r.deflection[i].value(t), r.deflection_dot[i].value(t));
+    text += '\n';
+  }
+  return text;
+}
+
+/// Options of `optimal-gains`.
+struct OptimalOptions {
+  Craft craft;
+  spacecraft::CostWeights weights;
+  bool pd = false;
+};
+
+void declare_optimal(scene::Options& options, OptimalOptions& typed) {
+  declare_craft(options, typed.craft, false);
+  options.add("--deflection-weight", typed.weights.deflection, "W, 1/length^2; 0 or more").required();
+  options.add("--torque-weight", typed.weights.torque, "R, 1/torque^2").positive().required();
+  options.add("--pd", typed.pd, "with k2 = 0: no feedback of the root load");
+}
+
+std::string print_optimal(const OptimalOptions& typed) {
+  const spacecraft::Parameters craft = read_spacecraft(typed.craft.file);
+  const spacecraft::CostWeights& w = typed.weights;
+  if (w.deflection < 0)
+    throw InputError(fmt::format("--deflection-weight {}: must not be negative", w.deflection));
+  try {
+    const spacecraft::OptimalGains best = typed.pd ? optimal_pd_gains(craft, w) : optimal_gains(craft, w);
+    return fmt::format("k1,k2,k3,cost\n{:.17g},{:.17g},{:.17g},{:.17g}\n", best.gains.k1, best.gains.k2,
+                       best.gains.k3, best.cost);
+  } catch (const std::invalid_argument& error) {
+    throw InputError(
+        fmt::format("--deflection-weight {} --torque-weight {}: {}", w.deflection, w.torque, error.what()));
+  }
+}
+
+}  // namespace
 
 void commands(scene::Commands& all) {
-  add_frequency_commands(all);
-  add_step_command(all);
-  add_optimal_gains_command(all);
+  all.add("poles",
+          "Poles of theta/u, or with gains of the closed loop, as CSV: index,real,imag; those with imaginary "
+          "part "
+          "0 or more but not the double one at 0, by modulus, 1/s",
+          declare_poles, print_poles);
+  all.add("zeros",
+          "Zeros of theta/u, or with --at of y/u there, as CSV: index,real,imag; those with imaginary part 0 "
+          "or more, by modulus, 1/s; gains move none",
+          declare_zeros, print_zeros);
+  all.add("response",
+          "theta/u and y/u at s = j omega, or with gains theta/theta_f and y/theta_f, as "
+          "CSV: omega,theta_re,theta_im,y@X_re,y@X_im,...",
+          declare_response, print_response);
+  all.add("step",
+          "Motion from rest under a unit torque, or with gains to a target angle, by residues, as CSV: "
+          "t,theta,theta_dot,y@X,ydot@X; in the spacecraft's units, s, rad and ft for Table 3.1",
+          declare_step, print_step);
+  all.add("optimal-gains",
+          "Gains that minimise int (theta - theta_f)^2 + W y(L)^2 + R u^2 dt of a turn by 1 rad, as CSV: "
+          "k1,k2,k3,cost",
+          declare_optimal, print_optimal);
 }
 
 }  // namespace nlmech::chapters::gss_control

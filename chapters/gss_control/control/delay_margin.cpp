@@ -119,6 +119,7 @@ std::vector<scene::Scene> scenes() {
       measure_all);
   return {{.name = "delay-margin",
            .title = "What a delay in the loop does: unstable modes, sensitivity",
+           .place = "our own, for two claims of section 3.1.4",
            .content = scene::Content(put, loops)}};
 }
 

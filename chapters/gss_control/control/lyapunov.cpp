@@ -85,6 +85,7 @@ std::vector<scene::Scene> scenes() {
       motions);
   return {{.name = "lyapunov",
            .title = "Lyapunov's function along the motion, corrected and as printed",
+           .place = "our own, for a claim of section 3.1.4",
            .content = scene::Content(put, result)}};
 }
 

@@ -118,7 +118,7 @@ std::vector<Row> rows_of(const char* gains, const TimeResponse& r, double end) {
   return rows;
 }
 
-// oracle: gss_control_loop unit largest angle, unit largest rate, unit largest deflection, unit least
+// oracle: gss_control_loop unit largest angle*, unit largest rate, unit largest deflection, unit least
 // *, unit angle settles
 void put_both(const TimeResponse& designed, const TimeResponse& unit, scene::Show& show) {
   std::vector<Row> rows = rows_of("designed", designed, 60);
@@ -133,6 +133,7 @@ void put_both(const TimeResponse& designed, const TimeResponse& unit, scene::Sho
                     {"settled to 2 % (s)", &Row::settled, 6}});
   const Extremes &rate = by_unit[1].extremes, &bend = by_unit[2].extremes;
   known(show, "largest angle, unit gains", {by_unit[0].extremes.largest.value, "rad"}, 1.720435430, 1e-9);
+  known(show, "time of the largest angle, unit gains", {by_unit[0].extremes.largest.time, "s"}, 15.2, 0.05);
   show.near("settling time of the angle, unit gains", {by_unit[0].settling.time, "s"}, 170.95, 1e-4,
             "residues, tools/oracles/gss_control_loop.py, five digits");
   known(show, "largest rate, unit gains", {rate.largest.value, "rad/s"}, 0.1858306, 1e-7);

@@ -12,8 +12,7 @@
 #include <vector>
 
 #include "chapters/speed.hpp"
-#include "nlmech/spacecraft/plant/assumed_modes.hpp"
-#include "nlmech/spacecraft/plant/finite_elements.hpp"
+#include "nlmech/spacecraft/plant/discrete_model.hpp"
 #include "nlmech/spacecraft/plant/plant.hpp"
 #include "nlmech/support/errors.hpp"
 

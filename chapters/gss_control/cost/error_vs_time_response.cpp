@@ -11,8 +11,7 @@
 #include "chapters/gss_control/plant/response_forms.hpp"
 #include "nlmech/scene/scene.hpp"
 #include "nlmech/scene/work_precision.hpp"
-#include "nlmech/spacecraft/plant/assumed_modes.hpp"
-#include "nlmech/spacecraft/plant/finite_elements.hpp"
+#include "nlmech/spacecraft/plant/discrete_model.hpp"
 #include "nlmech/support/stopwatch.hpp"
 
 namespace nlmech::chapters::gss_control::error_vs_time_response {
@@ -80,12 +79,12 @@ scene::ProblemLines measure_all(bool quick) {
   for (const double omega : reference.omega) reference.theta.push_back(extended_response(p, omega).value[0]);
   const int repeats = quick ? 3 : 11;
   std::vector<scene::MethodLine> lines;
-  const ResponseForms forms(p);
+  const spacecraft::Plant plant(p);
   for (std::size_t k = 0; k < form_count; ++k) {
     const auto form = static_cast<Form>(k);
-    const auto evaluate = [&](double omega) { return forms.evaluate(form, omega, place); };
+    const auto by_form = [&](double omega) { return evaluate(plant, form, omega, place); };
     lines.push_back(
-        {form_name(form), exact, {measure("", reference, evaluate, repeats)}, scene::Side::subject});
+        {form_name(form), exact, {measure("", reference, by_form, repeats)}, scene::Side::subject});
   }
   add_family(
       "assumed modes", modes, quick ? std::vector{2, 5, 10, 20} : std::vector{2, 5, 10, 20, 40, 80},

@@ -15,7 +15,7 @@
 #include "nlmech/scene/scene.hpp"
 #include "nlmech/scene/work_precision.hpp"
 #include "nlmech/spacecraft/control/inverse_laplace.hpp"
-#include "nlmech/spacecraft/plant/assumed_modes.hpp"
+#include "nlmech/spacecraft/plant/discrete_model.hpp"
 #include "nlmech/spacecraft/response.hpp"
 
 namespace nlmech::chapters::gss_control::error_vs_time_step {
@@ -53,8 +53,7 @@ class Field {
 
   scene::ProblemLines measure() {
     residues();
-    inversions();
-    bromwich_lines();
+    inversion_sums();
     discretised();
     return std::move(all_);
   }
@@ -104,52 +103,20 @@ class Field {
     }
   }
 
-  [[nodiscard]] Complex transform(const Complex& s, bool hub) const {
-    const auto r = loop_.response(s, places.front());
-    return (hub ? r.theta : r.deflection) / s;
-  }
-
-  template <class Invert>
-  [[nodiscard]] History inverted(const Invert& invert) const {
-    History h;
-    for (const double t : times_) {
-      h.theta.push_back(invert([this](Complex s) { return transform(s, true); }, t));
-      h.deflection.push_back(invert([this](Complex s) { return transform(s, false); }, t));
-    }
-    return h;
-  }
-
-  void inversions() {
+  void inversion_sums() {
+    const auto transform = [this](bool hub) {
+      return [this, hub](Complex s) {
+        const auto r = loop_.response(s, places.front());
+        return (hub ? r.theta : r.deflection) / s;
+      };
+    };
     begin("Talbot", inversion);
     for (const int nodes : {8, 12, 16, 24, 32, 48}) {
       add(fmt::format("{} nodes", nodes), [&] {
-        return inverted([nodes](const spacecraft::Transform& f, double t) {
-          return spacecraft::talbot_sum(f, t, nodes);
-        });
-      });
-    }
-    begin("de Hoog", inversion);
-    for (const int degree : {10, 20, 40, 80, 160, 320}) {
-      if (quick_ && degree > 80) continue;
-      add(fmt::format("degree {}", degree), [&] {
-        return inverted([degree](const spacecraft::Transform& f, double t) {
-          return spacecraft::de_hoog_sum(f, t, {.degree = degree});
-        });
-      });
-    }
-  }
-
-  void bromwich_lines() {
-    begin("Bromwich", inversion);
-    for (const double highest : {1e2, 3e2, 1e3, 3e3, 1e4}) {
-      if (quick_ && highest > 3e3) continue;
-      add(fmt::format("to {} rad/s", highest), [&] {
-        const spacecraft::BromwichOptions options{.frequency = highest};
         History h;
-        for (const bool hub : {true, false}) {
-          auto& values = hub ? h.theta : h.deflection;
-          for (const auto& v : bromwich([&](const Complex& s) { return transform(s, hub); }, times_, options))
-            values.push_back(v.value);
+        for (const double t : times_) {
+          h.theta.push_back(spacecraft::talbot_sum(transform(true), t, nodes));
+          h.deflection.push_back(spacecraft::talbot_sum(transform(false), t, nodes));
         }
         return h;
       });
@@ -214,8 +181,6 @@ void put(const scene::ProblemLines& all, scene::Show& show) {
   const auto best = [&](const char* method) { return all.of(method).least_error(); };
   show.at_most("least error of residues", best("residues, poles known"), 1e-7,
                "theta and y fall like n^-6 and n^-5: 16 pairs leave 16^-4 of a small part");
-  show.at_most("least error of the Bromwich integral", best("Bromwich"), 1e-6,
-               "what lies beyond 1.2e4 rad/s, below 1e-8 ft in y");
   if (peers::cvode_available())
     show.between("least error of five assumed modes by CVODE", best("5 assumed modes by CVODE"), 1e-6, 0.2,
                  "truncation: y of ten modes is off by 5e-4 ft of 0.082 ft "

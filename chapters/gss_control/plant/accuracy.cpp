@@ -22,14 +22,14 @@ struct Sample {
   std::array<std::array<double, 3>, form_count> error{};
 };
 
-Sample measure(const ResponseForms& forms, double omega) {
-  const Extended exact = extended_response(forms.parameters(), omega);
+Sample measure(const spacecraft::Plant& plant, double omega) {
+  const Extended exact = extended_response(plant.parameters(), omega);
   Sample s{omega, exact.condition, {}};
   for (std::size_t k = 0; k < form_count; ++k) {
     const auto form = static_cast<Form>(k);
-    const double length = forms.parameters().length;
-    const std::array<FormValue, 2> value = {forms.evaluate(form, omega, length / 2),
-                                            forms.evaluate(form, omega, length)};
+    const double length = plant.parameters().length;
+    const std::array<FormValue, 2> value = {evaluate(plant, form, omega, length / 2),
+                                            evaluate(plant, form, omega, length)};
     const std::array<double, 3> ours = {value[0].theta, value[0].deflection, value[1].deflection};
     for (std::size_t i = 0; i < ours.size(); ++i)
       s.error.at(k).at(i) = std::abs(ours.at(i) / exact.value.at(i) - 1);
@@ -43,9 +43,9 @@ using Samples = std::array<std::vector<Sample>, 2>;
 Samples measure_all(bool quick) {
   Samples all;
   for (const bool tip : {false, true}) {
-    const ResponseForms forms(craft(tip));
+    const spacecraft::Plant plant(craft(tip));
     for (const double omega : logarithmic(1e-8, 1e8, quick ? 81 : 321))
-      all.at(tip ? 1 : 0).push_back(measure(forms, omega));
+      all.at(tip ? 1 : 0).push_back(measure(plant, omega));
   }
   return all;
 }
@@ -84,46 +84,8 @@ void draw(const std::vector<Sample>& samples, scene::Show& show) {
 constexpr std::array models = {"no tips", "with tips"};
 constexpr std::array quantities = {"theta/u", "y(2 ft)/u", "y(4 ft)/u"};
 
-/// Of the table: a sample and one of the quantities.
-struct Row {
-  const char* model;
-  const Sample* sample;
-  std::size_t quantity;
-
-  [[nodiscard]] double omega() const { return sample->omega; }
-  [[nodiscard]] const char* name() const { return quantities.at(quantity); }
-  [[nodiscard]] double condition() const { return sample->condition.at(quantity); }
-};
-
-/// Column of the errors of a form.
-scene::ColumnOf<Row> errors_of(const std::string& heading, Form form) {
-  return {heading,
-          [k = static_cast<std::size_t>(form)](const Row& row) {
-            const double e = row.sample->error.at(k).at(row.quantity);
-            return std::isfinite(e) ? scene::Cell(e) : scene::Cell("no number");
-          },
-          1};
-}
-
-void put_table(const Samples& all, scene::Show& show) {
-  std::vector<Row> rows;
-  for (std::size_t m = 0; m < models.size(); ++m) {
-    for (std::size_t n = 0; n < all.at(m).size(); n += all.at(m).size() / 8) {
-      for (std::size_t i = 0; i < quantities.size(); ++i) rows.push_back({models.at(m), &all.at(m)[n], i});
-    }
-  }
-  show.table(rows, {{"model", &Row::model},
-                    {"omega (rad/s)", &Row::omega},
-                    {"quantity", &Row::name},
-                    errors_of("closed form", Form::closed),
-                    errors_of("Krylov series", Form::krylov),
-                    errors_of("scaled", Form::scaled),
-                    {"|omega G'/G|", &Row::condition, 2}});
-}
-
 void put(const Samples& all, scene::Show& show) {
   draw(all[1], show);
-  put_table(all, show);
   for (std::size_t m = 0; m < models.size(); ++m) {
     const std::vector<Sample>& samples = all.at(m);
     for (std::size_t i = 0; i < quantities.size(); ++i)

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -36,25 +38,15 @@ struct Peak {
   double omega = 0, size = 0;
 };
 
-/// The largest of f about the largest of a grid, by golden section.
+/// The largest of f about the largest of a grid.
 template <class F>
 Peak largest(const F& f, double low, double high) {
-  Peak best;
   const std::vector<double> grid = logarithmic(low, high, 2001);
-  std::size_t at = 0;
-  for (std::size_t i = 0; i < grid.size(); ++i) {
-    if (f(grid[i]) > best.size) {
-      best = {grid[i], f(grid[i])};
-      at = i;
-    }
-  }
-  double a = grid[at == 0 ? 0 : at - 1], b = grid[std::min(at + 1, grid.size() - 1)];
-  const double golden = (std::sqrt(5.0) - 1) / 2;
-  for (int k = 0; k < 60; ++k) {
-    const double p = b - golden * (b - a), q = a + golden * (b - a);
-    (f(p) > f(q) ? b : a) = f(p) > f(q) ? q : p;
-  }
-  return {(a + b) / 2, f((a + b) / 2)};
+  const auto best = std::ranges::max_element(grid, {}, f);
+  const double a = best == grid.begin() ? *best : best[-1], b = best + 1 == grid.end() ? *best : best[1];
+  const auto [omega, least] = boost::math::tools::brent_find_minima([&](double w) { return -f(w); }, a, b,
+                                                                    std::numeric_limits<double>::digits);
+  return {omega, -least};
 }
 
 /// One of the four figures.

@@ -10,7 +10,7 @@
 #include "chapters/gss_control/craft.hpp"
 #include "chapters/gss_control/grids.hpp"
 #include "nlmech/scene/scene.hpp"
-#include "nlmech/spacecraft/plant/assumed_modes.hpp"
+#include "nlmech/spacecraft/plant/discrete_model.hpp"
 #include "nlmech/spacecraft/plant/poles.hpp"
 
 namespace nlmech::chapters::gss_control::frequency_figures {

@@ -8,8 +8,7 @@
 
 #include "chapters/gss_control/craft.hpp"
 #include "nlmech/scene/scene.hpp"
-#include "nlmech/spacecraft/plant/assumed_modes.hpp"
-#include "nlmech/spacecraft/plant/finite_elements.hpp"
+#include "nlmech/spacecraft/plant/discrete_model.hpp"
 #include "nlmech/spacecraft/plant/poles.hpp"
 
 namespace nlmech::chapters::gss_control::natural_frequencies {
@@ -148,6 +147,7 @@ void put(scene::Show& show) {
 std::vector<scene::Scene> scenes() {
   return {{.name = "natural-frequencies",
            .title = "Poles and hub-locked frequencies, exact and by truncated models",
+           .place = "our own, for a claim of section 3.1.3",
            .content = scene::Content(put)}};
 }
 

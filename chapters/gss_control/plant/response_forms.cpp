@@ -33,10 +33,10 @@ const char* form_name(Form form) {
   }
 }
 
-FormValue ResponseForms::evaluate(Form form, double omega, double x) const {
-  if (form == Form::closed) return by_closed_form(plant_, omega, x);
-  if (form == Form::krylov) return by_series(plant_, omega, x);
-  const spacecraft::AxisResponse r = plant_.at_frequency(omega, x);
+FormValue evaluate(const spacecraft::Plant& plant, Form form, double omega, double x) {
+  if (form == Form::closed) return by_closed_form(plant, omega, x);
+  if (form == Form::krylov) return by_series(plant, omega, x);
+  const spacecraft::AxisResponse r = plant.at_frequency(omega, x);
   return {r.theta, r.deflection};
 }
 

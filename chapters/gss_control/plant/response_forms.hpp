@@ -24,16 +24,6 @@ inline constexpr std::size_t form_count = 3;
 struct FormValue {
   double theta = 0, deflection = 0;
 };
-
-/// One spacecraft by all forms.
-class ResponseForms {
- public:
-  explicit ResponseForms(const spacecraft::Parameters& parameters) : plant_(parameters) {}
-  [[nodiscard]] const spacecraft::Parameters& parameters() const { return plant_.parameters(); }
-  [[nodiscard]] FormValue evaluate(Form form, double omega, double x) const;
-
- private:
-  spacecraft::Plant plant_;
-};
+[[nodiscard]] FormValue evaluate(const spacecraft::Plant& plant, Form form, double omega, double x);
 
 }  // namespace nlmech::chapters::gss_control

@@ -158,45 +158,28 @@ double ExponentialSum::value(double time, int order) const {
   return 2 * sum + (order > 2 ? 0 : smooth);
 }
 
-template <std::size_t together>
-void ExponentialSum::add_terms(std::size_t end, double first, double step,
-                               std::vector<double>& values) const {
-  constexpr std::size_t block = 64;  // a turn's rounding grows no further
-  std::array<double, together> re, im, turn_re, turn_im;
-  for (std::size_t j = 0; j < together; ++j) {
-    const Complex turn = std::exp(poles_[end - 1 - j] * step);
-    turn_re[j] = turn.real();
-    turn_im[j] = turn.imag();
-  }
-  for (std::size_t begin = 0; begin < values.size(); begin += block) {
-    const double t = first + static_cast<double>(begin) * step;
-    for (std::size_t j = 0; j < together; ++j) {
-      const Complex term = 2. * weights_[end - 1 - j] * std::exp(poles_[end - 1 - j] * t);
-      re[j] = term.real();
-      im[j] = term.imag();
-    }
-    for (std::size_t i = begin; i < std::min(begin + block, values.size()); ++i) {
-      for (std::size_t j = 0; j < together; ++j) {
-        values[i] += re[j];
-        // Written out: the library's product looks for infinities.
-        const double real = re[j] * turn_re[j] - im[j] * turn_im[j];
-        im[j] = re[j] * turn_im[j] + im[j] * turn_re[j];
-        re[j] = real;
-      }
-    }
-  }
-}
-
 std::vector<double> ExponentialSum::samples(double first, double step, std::size_t count) const {
+  constexpr std::size_t block = 64;  // a turn's rounding grows no further
   std::vector<double> values(count);
   for (std::size_t i = 0; i < count; ++i) {
     const double t = first + static_cast<double>(i) * step;
     values[i] = polynomial_[0] + t * (polynomial_[1] + t * polynomial_[2]);
   }
-  constexpr std::size_t together = 4;  // one term waits for its last product; four keep the processor busy
-  std::size_t left = poles_.size();
-  for (; left >= together; left -= together) add_terms<together>(left, first, step, values);
-  for (; left > 0; --left) add_terms<1>(left, first, step, values);
+  for (std::size_t k = poles_.size(); k-- > 0;) {
+    const Complex turn = std::exp(poles_[k] * step);
+    for (std::size_t begin = 0; begin < count; begin += block) {
+      const double t = first + static_cast<double>(begin) * step;
+      const Complex term = 2. * weights_[k] * std::exp(poles_[k] * t);
+      double re = term.real(), im = term.imag();
+      for (std::size_t i = begin; i < std::min(begin + block, count); ++i) {
+        values[i] += re;
+        // Written out: the library's product looks for infinities.
+        const double real = re * turn.real() - im * turn.imag();
+        im = re * turn.imag() + im * turn.real();
+        re = real;
+      }
+    }
+  }
   return values;
 }
 
@@ -205,13 +188,6 @@ ExponentialSum ExponentialSum::derivative() const {
   d.polynomial_ = {polynomial_[1], 2 * polynomial_[2], 0};
   for (std::size_t k = 0; k < poles_.size(); ++k) d.weights_[k] *= poles_[k];
   return d;
-}
-
-ExponentialSum ExponentialSum::scaled(double factor) const {
-  ExponentialSum s = *this;
-  for (double& c : s.polynomial_) c *= factor;
-  for (Complex& w : s.weights_) w *= factor;
-  return s;
 }
 
 double ExponentialSum::envelope(double time) const {
@@ -251,6 +227,21 @@ ExponentialSum ExponentialSum::without_small(double remainder) const {
     main.weights_.push_back(weights_[k]);
   }
   return main;
+}
+
+SquareIntegral square_integral(const ExponentialSum& f) {
+  constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();
+  const std::vector<Complex>&p = f.poles(), &w = f.weights();
+  SquareIntegral integral;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    Complex sum = 0;
+    for (std::size_t j = 0; j < p.size(); ++j)
+      sum += w[j] / (p[i] + p[j]) + std::conj(w[j]) / (p[i] + std::conj(p[j]));
+    integral.value -= 2 * (w[i] * sum).real();
+    const double decay = std::abs(p[i].real()), error = rounding * std::abs(p[i]);
+    integral.uncertainty += 2 * std::norm(w[i]) / std::max(decay, error) * std::min(1., error / decay);
+  }
+  return integral;
 }
 
 Extremes extremes(const ExponentialSum& f, double from, double until) {

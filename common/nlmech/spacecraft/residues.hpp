@@ -55,8 +55,6 @@ class ExponentialSum {
   [[nodiscard]] std::vector<double> samples(double first, double step, std::size_t count) const;
   /// f' as a sum of the same kind.
   [[nodiscard]] ExponentialSum derivative() const;
-  /// f multiplied by @p factor.
-  [[nodiscard]] ExponentialSum scaled(double factor) const;
   /// 2 sum_k |w_k| e^(Re p_k t): a bound of the oscillating part from then on if all real parts are negative.
   [[nodiscard]] double envelope(double time) const;
   /// By how much value() may be off because the poles are rounded: the sum of 2 |w_k| e^(Re p_k t) times the
@@ -73,13 +71,19 @@ class ExponentialSum {
   [[nodiscard]] const std::vector<Complex>& weights() const { return weights_; }
 
  private:
-  /// Adds the terms of so many poles before the @p end-th, the last first, to samples.
-  template <std::size_t together>
-  void add_terms(std::size_t end, double first, double step, std::vector<double>& values) const;
-
   std::array<double, 3> polynomial_{};
   std::vector<Complex> poles_, weights_;
 };
+
+/// The integral of f^2 from 0 to infinity.
+struct SquareIntegral {
+  double value = 0;
+  double uncertainty = 0;  ///< by rounding of the poles: the decay of each is known to 8 eps of its modulus
+};
+
+/// Of a sum all of whose poles decay, without its polynomial: -sum w_i w_j/(p_i + p_j) over all poles,
+/// conjugates included.
+[[nodiscard]] SquareIntegral square_integral(const ExponentialSum& f);
 
 /// Least and largest value for t from @p from to @p until, ends included: candidates from samples of the
 /// terms that matter, refined on the whole sum by its derivative. Values are right to the sum's rounding,

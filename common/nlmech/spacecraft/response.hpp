@@ -1,6 +1,6 @@
 /// @file
 /// Motion in time by exact residues: the closed loop's answer to a step of the target angle, the open loop's
-/// to a step or pulse of torque.
+/// to a step of torque.
 #pragma once
 
 #include <cstddef>
@@ -73,10 +73,6 @@ struct TimeResponse {
 /// on: then the status is `outside_validity`, naming the signal.
 /// @throws std::invalid_argument if the time is negative or not finite
 [[nodiscard]] Status certain_at(const TimeResponse& response, double time);
-
-/// The answer at @p time to the same torque ended after @p duration, from the answer to the step.
-/// @param step a sum of torque_response()
-[[nodiscard]] double pulse(const ExponentialSum& step, double time, double duration);
 
 /// Static data of one appendage on a locked hub, in closed form.
 struct Statics {

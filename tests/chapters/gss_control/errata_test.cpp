@@ -10,7 +10,7 @@
 
 #include "chapters/gss_control/craft.hpp"
 #include "nlmech/spacecraft/control/margins.hpp"
-#include "nlmech/spacecraft/plant/finite_elements.hpp"
+#include "nlmech/spacecraft/plant/discrete_model.hpp"
 #include "nlmech/spacecraft/plant/poles.hpp"
 #include "tests/errata/erratum.hpp"
 
@@ -52,32 +52,11 @@ TEST(Errata, RowFiveOfTheStateMatrix) {
                          .tolerance = 2e-14});
 }
 
-// (3.40) gives five states at the root; (3.36) six. Only with z_1 = z_2 = z_3 = z_4 = 0 is the appendage
-// clamped: the deflection and its slope vanish there.
-TEST(Errata, SixStatesAtTheRoot) {
-  const spacecraft::Appendage appendage(craft(true));
-  for (const double omega : {0.1, 10.0, 1000.0}) {
-    EXPECT_LT(std::abs(appendage.deflection(Complex(0, omega), 0)), 1e-14);
-    EXPECT_LT(std::abs(appendage.slope(Complex(0, omega), 0)), 1e-14);
-  }
-}
-
 // Figure 3.8 is captioned "theta at x = 4 ft": theta/u does not depend on the place that is asked for.
 TEST(Errata, HubAngleHasNoPlace) {
   const spacecraft::Plant plant(craft(true));
   for (const double omega : {0.3, 7.0, 80.0})
     EXPECT_EQ(plant.at_frequency(omega, 2).theta, plant.at_frequency(omega, 4).theta);
-}
-
-// Undamped transfer functions are real on the axis. "Phase shifting between +90 and -90" is right of the
-// responses to a step, which are 1/s times these.
-TEST(Claims, OpenLoopPhaseIsZeroOrHalfATurn) {
-  const spacecraft::Plant plant(craft(true));
-  for (const double omega : {0.3, 7.0, 80.0, 500.0}) {
-    const auto r = plant.response(Complex(0, omega), 2);
-    EXPECT_LT(std::abs(r.theta.imag()), 1e-13 * std::abs(r.theta));
-    EXPECT_LT(std::abs(r.deflection.imag()), 1e-13 * std::abs(r.deflection));
-  }
 }
 
 /// Poles to the right of the imaginary axis, of the closed loop of a discrete model: in the hub's balance the
@@ -114,15 +93,6 @@ TEST(Claims, UnitGainsAreStableAndFragile) {
        .tolerance = 1e-3});
   EXPECT_TRUE(std::isinf(margins(loop, 9).gain_margin));
   EXPECT_GT(delayed_poles(loop, 1e-5, 9).unstable, 0);
-}
-
-// "A slight truncation error": the eleventh and later poles have no counterpart in ten modes at all.
-TEST(Claims, TheExactPlantHasMorePolesThanAnyTruncation) {
-  const auto poles = spacecraft::poles(spacecraft::Plant(craft(true)), 60);
-  ASSERT_TRUE(poles.status.ok());
-  EXPECT_EQ(poles.omega.size(), 60U);
-  EXPECT_EQ(poles.counted, 60);
-  for (std::size_t i = 1; i < poles.omega.size(); ++i) EXPECT_GT(poles.omega[i], poles.omega[i - 1]);
 }
 
 }  // namespace

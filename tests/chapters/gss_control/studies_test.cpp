@@ -8,9 +8,8 @@
 #include "chapters/gss_control/craft.hpp"
 #include "chapters/gss_control/grids.hpp"
 #include "chapters/gss_control/plant/extended.hpp"
-#include "chapters/gss_control/plant/response_forms.hpp"
 #include "nlmech/spacecraft/control/lyapunov.hpp"
-#include "nlmech/spacecraft/plant/assumed_modes.hpp"
+#include "nlmech/spacecraft/plant/discrete_model.hpp"
 
 namespace nlmech::chapters::gss_control::studies_test {
 namespace {
@@ -39,20 +38,6 @@ TEST(Extended, IsRigidAtLowFrequencies) {
   const Extended e = extended_response(craft(true), 1e-6);
   EXPECT_NEAR(e.value[0] * 1e-12 * -18.0961, 1, 1e-12);
   EXPECT_NEAR(e.condition[0], 2, 1e-10);
-}
-
-// All forms are the same function where none has lost digits yet.
-TEST(Forms, AgreeInTheMiddle) {
-  const ResponseForms forms(craft(true));
-  for (const double omega : {1.0, 3.0, 10.0}) {
-    const FormValue closed = forms.evaluate(Form::closed, omega, 2),
-                    krylov = forms.evaluate(Form::krylov, omega, 2),
-                    scaled = forms.evaluate(Form::scaled, omega, 2);
-    EXPECT_NEAR(closed.theta / scaled.theta, 1, 1e-12) << omega;
-    EXPECT_NEAR(krylov.theta / scaled.theta, 1, 1e-12) << omega;
-    EXPECT_NEAR(closed.deflection / scaled.deflection, 1, 1e-9) << omega;
-    EXPECT_NEAR(krylov.deflection / scaled.deflection, 1, 1e-12) << omega;
-  }
 }
 
 /// The classical Runge-Kutta rule on the equations of CVODE's contender.

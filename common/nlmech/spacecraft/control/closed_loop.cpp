@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Core>
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
@@ -137,15 +135,13 @@ std::vector<Complex> ClosedLoop::fast_poles() const {
   const std::size_t degree = p.size() - 1;
   // In units in which first and last coefficient are alike, the others have their natural size.
   const double y_unit = std::pow(std::max(p[0], 1e-300) / p.back(), 1 / static_cast<double>(degree));
-  Eigen::MatrixXd companion = Eigen::MatrixXd::Zero(p.size() - 1, p.size() - 1);
-  companion.diagonal(-1).setConstant(y_unit);
+  std::vector<Complex> scaled;
   for (std::size_t i = 0; i < degree; ++i)
-    companion(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(degree) - 1) =
-        -p[i] / p.back() / std::pow(y_unit, static_cast<double>(degree - 1 - i));
+    scaled.emplace_back(p[i] / p.back() / std::pow(y_unit, static_cast<double>(degree - i)));
   std::vector<Complex> poles;
-  if (!companion.allFinite()) return poles;
-  const Eigen::VectorXcd zeros = Eigen::EigenSolver<Eigen::MatrixXd>(companion, false).eigenvalues();
-  for (const Complex y : zeros) {
+  if (!std::ranges::all_of(scaled, is_finite)) return poles;
+  for (const Complex& zero : polynomial_zeros(scaled)) {
+    const Complex y = y_unit * zero;
     // One of two conjugates: Im s >= 0.
     if (!(y.real() > 0 && y.imag() <= 0 && -y.imag() <= y.real())) continue;
     const Complex s = -y * y / std::sqrt(unit);

@@ -2,12 +2,12 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <unsupported/Eigen/MatrixFunctions>
 
-#include "nlmech/spacecraft/plant/assumed_modes.hpp"
 #include "nlmech/spacecraft/plant/gauss_rule.hpp"
 #include "nlmech/support/sentences.hpp"
 
@@ -45,17 +45,17 @@ DiscreteLoop::DiscreteLoop(const DiscreteModel& model, const Gains& gains, doubl
   const VectorXd omega = modes.eigenvalues().cwiseSqrt();
   velocities_ = factors.matrixU().solve(modes.eigenvectors());
   displacements_ = velocities_ * omega.cwiseInverse().asDiagonal();
-  MatrixXd a = MatrixXd::Zero(2 * n, 2 * n);
-  a.topRightCorner(n, n) = omega.asDiagonal();
-  a.bottomLeftCorner(n, n) = -MatrixXd(omega.asDiagonal());
-  a.bottomRightCorner(n, n) = -gains.k3 * velocities_.row(0).transpose() * velocities_.row(0);
-  propagator_ = MatrixXd(a * step).exp();
+  rate_ = MatrixXd::Zero(2 * n, 2 * n);
+  rate_.topRightCorner(n, n) = omega.asDiagonal();
+  rate_.bottomLeftCorner(n, n) = -MatrixXd(omega.asDiagonal());
+  rate_.bottomRightCorner(n, n) = -gains.k3 * velocities_.row(0).transpose() * velocities_.row(0);
+  propagator_ = MatrixXd(rate_ * step).exp();
   rates_.resize(10, 2 * n);
   VectorXd theta_rate = VectorXd::Zero(2 * n);
   theta_rate.tail(n) = velocities_.row(0).transpose();
   for (Index k = 0; k < 10; ++k) {
     const double place = gauss_rule[static_cast<std::size_t>(k)].place;
-    rates_.row(k) = theta_rate.transpose() * MatrixXd(a * (step * (1 + place) / 2)).exp();
+    rates_.row(k) = theta_rate.transpose() * MatrixXd(rate_ * (step * (1 + place) / 2)).exp();
   }
   VectorXd start = VectorXd::Zero(n);
   start[0] = -final_angle;
@@ -92,6 +92,25 @@ double DiscreteLoop::deflection(double x) const {
 double DiscreteLoop::deflection_dot(double x) const {
   const VectorXd q = velocity();
   return shape_(x).dot(q.tail(q.size() - 1));
+}
+
+// (a, b) = sum_i v_i e^(p_i t): each pair leaves -v_i^T W v_j/(p_i + p_j).
+double DiscreteLoop::integral(const MatrixXd& p, const MatrixXd& q) const {
+  const Index n = displacements_.cols();
+  MatrixXd weight = MatrixXd::Zero(2 * n, 2 * n);
+  weight.topLeftCorner(n, n) = displacements_.transpose() * p * displacements_;
+  weight.bottomRightCorner(n, n) = velocities_.transpose() * q * velocities_;
+  const Eigen::EigenSolver<MatrixXd> motions(rate_);
+  const Eigen::MatrixXcd vectors = motions.eigenvectors();
+  const Eigen::VectorXcd amplitudes = vectors.partialPivLu().solve(state_.cast<Complex>());
+  const Eigen::MatrixXcd moved = vectors * amplitudes.asDiagonal();
+  const Eigen::MatrixXcd pairs = moved.transpose() * weight.cast<Complex>() * moved;
+  Complex sum = 0;
+  for (Index i = 0; i < 2 * n; ++i) {
+    for (Index j = 0; j < 2 * n; ++j)
+      sum -= pairs(i, j) / (motions.eigenvalues()[i] + motions.eigenvalues()[j]);
+  }
+  return sum.real();
 }
 
 double DiscreteLoop::dissipation() const {

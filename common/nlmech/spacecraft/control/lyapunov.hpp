@@ -48,6 +48,10 @@ class DiscreteLoop {
   /// V = I_hub theta'^2/2 + k1 (theta - theta_f)^2/2 + (1 + k2/2) times the energy of both appendages:
   /// Eq. 3.52 with w1 = 1 and two appendages, lb ft. Falls by k3 theta'^2.
   [[nodiscard]] double lyapunov() const { return state_.squaredNorm() / 2; }
+  /// int (x - x_f)^T P (x - x_f) + x'^T Q x' dt from now on for ever, by the eigenvectors of the motion.
+  /// @param p symmetric, as large as displacement()
+  /// @param q symmetric, as large as velocity()
+  [[nodiscard]] double integral(const Eigen::MatrixXd& p, const Eigen::MatrixXd& q) const;
   /// int k3 theta'^2 dt over the step that advance() would make, by Gauss's rule with 10 points.
   [[nodiscard]] double dissipation() const;
 
@@ -56,6 +60,7 @@ class DiscreteLoop {
   long steps_ = 0;
   Eigen::MatrixXd displacements_;  ///< x - x_f from a
   Eigen::MatrixXd velocities_;     ///< x' from b
+  Eigen::MatrixXd rate_;           ///< A of (a, b)' = A (a, b)
   Eigen::MatrixXd propagator_;     ///< exp(A step)
   Eigen::MatrixXd rates_;          ///< theta' at the points of Gauss's rule
   Eigen::VectorXd state_, next_;   ///< (a, b)

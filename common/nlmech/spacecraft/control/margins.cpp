@@ -1,6 +1,7 @@
 #include "nlmech/spacecraft/control/margins.hpp"
 
 #include <algorithm>
+#include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -120,28 +121,21 @@ std::vector<SensitivityPeak> sensitivity_peaks(const ClosedLoop& loop, int modes
     const Complex p = poles.s[k];
     const double below = k == 0 ? p.imag() : (p.imag() - poles.s[k - 1].imag()) / 2;
     const double above = (poles.s[k + 1].imag() - p.imag()) / 2;
-    double a = p.imag() - std::min(8 * std::abs(p.real()), below);
-    double b = p.imag() + std::min(8 * std::abs(p.real()), above);
-    // A coarse look, then golden sections about the best.
+    const double a = p.imag() - std::min(8 * std::abs(p.real()), below);
+    const double b = p.imag() + std::min(8 * std::abs(p.real()), above);
+    // A coarse look, then Brent's method about the best.
     constexpr int parts = 64;
     const double step = (b - a) / parts;
-    double best = a;
+    double best = std::max(a, step);
     for (int i = 0; i <= parts; ++i) {
       const double omega = a + i * step;
-      if (omega > 0 && sensitivity(loop, omega) > sensitivity(loop, best > 0 ? best : omega)) best = omega;
-      if (best <= 0) best = omega;
+      if (omega > 0 && sensitivity(loop, omega) > sensitivity(loop, best)) best = omega;
     }
-    a = std::max(a, best - step);
-    b = std::min(b, best + step);
-    constexpr double golden = 0.6180339887498949;
-    for (int i = 0; i < 60; ++i) {
-      const double left = b - golden * (b - a), right = a + golden * (b - a);
-      if (sensitivity(loop, left) > sensitivity(loop, right))
-        b = right;
-      else
-        a = left;
-    }
-    peaks.push_back({(a + b) / 2, sensitivity(loop, (a + b) / 2)});
+    // In steps from there: a peak is narrower than the square root of a rounding of omega.
+    const auto negative = [&](double steps) { return -sensitivity(loop, best + steps * step); };
+    const auto [at, value] = boost::math::tools::brent_find_minima(
+        negative, best - step < a ? 0. : -1., best + step > b ? 0. : 1., std::numeric_limits<double>::digits);
+    peaks.push_back({best + at * step, -value});
   }
   return peaks;
 }

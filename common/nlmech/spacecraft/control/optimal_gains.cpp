@@ -1,13 +1,17 @@
 #include "nlmech/spacecraft/control/optimal_gains.hpp"
 
 #include <cmath>
+#include <limits>
 
-#include "nlmech/spacecraft/control/parseval.hpp"
 #include "nlmech/spacecraft/response.hpp"
 #include "nlmech/support/sentences.hpp"
 
 namespace nlmech::spacecraft {
 namespace {
+
+void require_gain(const char* name, double value) {
+  if (!(value > 0)) throw invalid_argument("costs: {} = {:g}; it must be positive", name, value);
+}
 
 void require_weights(const CostWeights& w) {
   if (!(w.deflection >= 0) || !std::isfinite(w.deflection))
@@ -33,6 +37,23 @@ OptimalGains finite(const OptimalGains& best, const CostWeights& w) {
 }
 
 }  // namespace
+
+StepCosts step_costs(const Parameters& parameters, const Gains& gains, double x) {
+  const ClosedLoop loop(parameters, gains);
+  require_gain("k1", gains.k1);
+  require_gain("k3", gains.k3);
+  const Statics s = statics(parameters, x);
+  const double hub = parameters.hub_inertia, inertia = parameters.appendage_inertia(), kappa = loop.kappa();
+  const double half = gains.k1 * gains.k1 / (2 * gains.k3);
+  StepCosts c{};
+  c.error = gains.k3 / (2 * gains.k1) + (hub + kappa * inertia) / (2 * gains.k3);
+  c.rate = gains.k1 / (2 * gains.k3);
+  c.acceleration = hub > 0 ? half / hub : std::numeric_limits<double>::infinity();
+  c.torque = half * (hub + 4 * inertia / kappa);
+  c.deflection = 2 * half * s.square / kappa;
+  c.deflection_dot = half * s.green / kappa;
+  return c;
+}
 
 double cost(const Parameters& parameters, const Gains& gains, const CostWeights& weights) {
   require_weights(weights);

@@ -1,16 +1,18 @@
 /// @file
-/// Timoshenko's beam as second model of the appendage: shear deformation and rotary inertia.
+/// Frequencies with Timoshenko's beam as the appendage: shear deformation and rotary inertia.
 ///
-/// States of the motion for theta = 1: inertial deflection w, rotation psi of the section, moment M, shear V;
+/// At s = j omega the inertial deflection w, the rotation psi of the section, the moment M and the shear V
+/// obey
 ///
-///     w' = psi + V/(kappa G A),  psi' = M/EI,  M' = -V + s^2 rho_I psi,  V' = s^2 rho w,
+///     w' = psi + V/(kappa G A),  psi' = M/EI,  M' = -V - omega^2 rho_I psi,  V' = -omega^2 rho w,
 ///
-/// w(0) = r, psi(0) = 1, M(L) = -s^2 I_tip psi(L), V(L) = -s^2 m w(L), and s^2 B = -(r V(0) + M(0)).
+/// w(0) = r theta, psi(0) = theta, M(L) = omega^2 I_tip psi(L), V(L) = omega^2 m w(L), and without a torque
+/// omega^2 I_hub theta + 2 (r V(0) + M(0)) = 0.
 #pragma once
 
 #include <vector>
 
-#include "nlmech/spacecraft/plant/plant.hpp"
+#include "nlmech/spacecraft/parameters.hpp"
 
 namespace nlmech::spacecraft {
 
@@ -30,38 +32,14 @@ struct ShearBeam {
 [[nodiscard]] ShearBeam solid_section(const Parameters& parameters, double density, double poisson,
                                       double shear_coefficient);
 
-/// Hub with two Timoshenko appendages.
+/// The first @p count natural frequencies omega_n > 0 of a hub with two Timoshenko appendages, rad/s: sign
+/// changes of the determinant of the conditions above.
 ///
-/// Tests hold it to a transition matrix made by Taylor's series (1e-9, deflections 1e-8), and with a stiff
-/// section to Euler and Bernoulli's (1e-12).
-class TimoshenkoPlant {
- public:
-  /// @throws std::invalid_argument as require_physical(), or naming the value of @p beam out of range
-  TimoshenkoPlant(const Parameters& parameters, const ShearBeam& beam);
-
-  /// What it was made of.
-  [[nodiscard]] const Parameters& parameters() const { return parameters_; }
-  /// The rest of what it was made of.
-  [[nodiscard]] const ShearBeam& beam() const { return beam_; }
-
-  /// theta/u and y(x)/u with y = w - (r + x) theta. Unlike Plant it divides by the determinant at once:
-  /// digits are lost very near a frequency of the locked hub, and where both wave numbers coincide (a real s
-  /// above the cut-off).
-  /// @throws std::invalid_argument if x is outside 0 to L
-  [[nodiscard]] Response response(Complex s, double x) const;
-  /// B(s) of one appendage, slug ft^2.
-  [[nodiscard]] Complex inertia(Complex s) const;
-  /// sqrt(kappa G A/rho_I): above it the second kind of wave travels; infinite without rotary inertia.
-  [[nodiscard]] double cutoff() const;
-  /// The first @p count poles omega_n > 0, by sign changes of the denominator on the axis.
-  /// @param highest search up to here at most, rad/s
-  [[nodiscard]] std::vector<double> poles(int count, double highest) const;
-
- private:
-  struct Solution;
-  [[nodiscard]] Solution solve(Complex s, double x) const;
-  Parameters parameters_;
-  ShearBeam beam_;
-};
+/// Tests compare them with a transition matrix (1e-9) and, for a stiff section, with Euler and Bernoulli's
+/// (1e-12).
+/// @param highest search up to here at most, rad/s; fewer than @p count may lie below it
+/// @throws std::invalid_argument as require_physical(), or naming the value that is out of range
+[[nodiscard]] std::vector<double> timoshenko_frequencies(const Parameters& parameters, const ShearBeam& beam,
+                                                         int count, double highest);
 
 }  // namespace nlmech::spacecraft

@@ -18,22 +18,6 @@ Status no_cluster(Outcome outcome, Complex centre, double radius, const char* wh
                      centre.real(), centre.imag(), radius, what);
 }
 
-/// Zeros of z^m + sum a_j z^j, by the eigenvalues of its companion matrix: right for coefficients that are
-/// off by rounding. Real coefficients give conjugate pairs.
-std::vector<Complex> zeros_of(const std::vector<Complex>& a) {
-  const auto m = static_cast<Eigen::Index>(a.size());
-  if (m == 1) return {-a[0]};
-  Eigen::MatrixXcd companion = Eigen::MatrixXcd::Zero(m, m);
-  companion.diagonal(-1).setOnes();
-  for (Eigen::Index i = 0; i < m; ++i) companion(i, m - 1) = -a[static_cast<std::size_t>(i)];
-  const bool real = std::all_of(a.begin(), a.end(), [](Complex c) { return c.imag() == 0; });
-  const Eigen::VectorXcd values =
-      real ? Eigen::VectorXcd(
-                 Eigen::EigenSolver<Eigen::MatrixXd>(Eigen::MatrixXd(companion.real()), false).eigenvalues())
-           : Eigen::VectorXcd(Eigen::ComplexEigenSolver<Eigen::MatrixXcd>(companion, false).eigenvalues());
-  return {values.begin(), values.end()};
-}
-
 /// Newton's identities: coefficients, from z^0 on, of the monic polynomial whose zeros have these power sums.
 std::vector<Complex> polynomial_of(const std::vector<Complex>& power_sums, std::size_t m) {
   std::vector<Complex> elementary(m + 1, 0.);
@@ -88,6 +72,20 @@ std::vector<Complex> on_circle(const std::vector<Complex>& nodes, const std::vec
 
 }  // namespace
 
+std::vector<Complex> polynomial_zeros(const std::vector<Complex>& a) {
+  const auto m = static_cast<Eigen::Index>(a.size());
+  if (m == 1) return {-a[0]};
+  Eigen::MatrixXcd companion = Eigen::MatrixXcd::Zero(m, m);
+  companion.diagonal(-1).setOnes();
+  for (Eigen::Index i = 0; i < m; ++i) companion(i, m - 1) = -a[static_cast<std::size_t>(i)];
+  const bool real = std::all_of(a.begin(), a.end(), [](Complex c) { return c.imag() == 0; });
+  const Eigen::VectorXcd values =
+      real ? Eigen::VectorXcd(
+                 Eigen::EigenSolver<Eigen::MatrixXd>(Eigen::MatrixXd(companion.real()), false).eigenvalues())
+           : Eigen::VectorXcd(Eigen::ComplexEigenSolver<Eigen::MatrixXcd>(companion, false).eigenvalues());
+  return {values.begin(), values.end()};
+}
+
 ZeroCluster zeros_in_circle(const std::function<Jet(Complex)>& f, Complex centre, double radius) {
   if (!(radius > 0) || !std::isfinite(radius))
     throw invalid_argument("zeros in a circle: the radius is {:g}", radius);
@@ -118,7 +116,7 @@ ZeroCluster zeros_in_circle(const std::function<Jet(Complex)>& f, Complex centre
     for (Complex& s : sums) s = s.real();
   }
   std::vector<Complex> unit = polynomial_of(sums, m);
-  cluster.zeros = m == 0 ? std::vector<Complex>{} : zeros_of(unit);
+  cluster.zeros = m == 0 ? std::vector<Complex>{} : polynomial_zeros(unit);
   for (const Complex& z : cluster.zeros) {
     // A zero that other sums than these would be needed for.
     if (std::abs(z) > 0.75) {

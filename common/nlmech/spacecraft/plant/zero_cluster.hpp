@@ -16,6 +16,10 @@ namespace nlmech::spacecraft {
 /// radius, what it leaves out is 2^-64.
 inline constexpr std::size_t circle_points = 64;
 
+/// Zeros of z^m + sum a_j z^j, a_0 first, by the eigenvalues of its companion matrix: right for coefficients
+/// that are off by rounding. Real coefficients give conjugate pairs.
+[[nodiscard]] std::vector<Complex> polynomial_zeros(const std::vector<Complex>& a);
+
 /// The zeros of an analytic function in a circle.
 struct ZeroCluster {
   Complex centre;              ///< of the circle
