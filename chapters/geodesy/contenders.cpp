@@ -16,7 +16,6 @@ namespace {
 using nlmech::geodesy::Cartesian;
 using nlmech::geodesy::Ellipsoid;
 using nlmech::geodesy::Geodetic;
-using nlmech::geodesy::InstructionSet;
 namespace peers = nlmech::peers::geodesy;
 
 template <class Method>
@@ -82,7 +81,7 @@ std::vector<Contender> contenders(const Ellipsoid& e) {
   add_geographiclib(all, e);
   add_published(all, e);
   for (const InstructionSet set : {InstructionSet::baseline, InstructionSet::avx2, InstructionSet::avx512}) {
-    if (nlmech::geodesy::available(set)) add_batches(all, e, set);
+    if (available(set)) add_batches(all, e, set);
   }
   return all;
 }

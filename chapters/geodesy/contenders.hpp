@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "nlmech/geodesy/ellipsoid.hpp"
-#include "nlmech/geodesy/instruction_set.hpp"
+#include "nlmech/support/instruction_set.hpp"
 
 namespace nlmech::chapters::geodesy {
 
@@ -32,12 +32,11 @@ struct Points {
 
 /// One method in one form.
 struct Contender {
-  std::string method;  ///< "Bowring 1976, 2 iterations"
-  std::optional<nlmech::geodesy::InstructionSet>
-      batch;                          ///< set of a batch; nothing for one point after the other
-  bool answers = true;                ///< false for a floor, which computes no position
-  bool in_degrees = false;            ///< latitude and longitude come in degrees
-  std::function<void(Points&)> pass;  ///< computes all results
+  std::string method;                   ///< "Bowring 1976, 2 iterations"
+  std::optional<InstructionSet> batch;  ///< set of a batch; nothing for one point after the other
+  bool answers = true;                  ///< false for a floor, which computes no position
+  bool in_degrees = false;              ///< latitude and longitude come in degrees
+  std::function<void(Points&)> pass;    ///< computes all results
 
   /// "fast, batch avx512"
   [[nodiscard]] std::string name() const;

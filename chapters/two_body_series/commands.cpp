@@ -16,7 +16,6 @@
 #include "chapters/two_body_series/series/accuracy.hpp"
 #include "chapters/two_body_series/series/trajectory.hpp"
 #include "nlmech/orbit/elements.hpp"
-#include "nlmech/scene/catalogue/shard.hpp"
 #include "nlmech/scene/program/options.hpp"
 #include "nlmech/scene/program/this_process.hpp"
 #include "nlmech/support/degrees.hpp"
@@ -70,7 +69,7 @@ struct Propagation {
   std::optional<double> mu, until;
   std::optional<double> every, radius, tolerance, limit;
   std::vector<double> zonal;
-  std::string method = "series", states, shard;
+  std::string method = "series", states;
   std::optional<int> threads;
 };
 
@@ -96,7 +95,6 @@ void declare_propagation(scene::Options& options, Propagation& p) {
            "Kepler's solution: less than six digits are said, none are refused")
       .range(1e-18, 0.1);
   options.add("--threads", p.threads, "of --states, how many; without it one a processor").range(1, 1024);
-  options.add("--shard", p.shard, "of --states, i/n: the i-th of n disjoint parts, for merge");
   options.limit(p.limit, "--states");
 }
 
@@ -140,7 +138,6 @@ int propagate_all(const Propagation& p) {
   r.method = p.method;
   r.tolerance = p.tolerance.value_or(r.tolerance);
   r.threads = p.threads.value_or(0);
-  r.shard = p.shard;
   r.seconds = p.limit.value_or(r.seconds);
   if (p.until && p.every) check_rows(*p.until, *p.every);
   return print_orbits(r);
@@ -157,7 +154,6 @@ orbit::Vector3<double> vector_of(const char* option, const std::vector<double>& 
 scene::Answer propagate(const Propagation& p) {
   if (!p.states.empty()) return propagate_all(p);
   if (p.threads) throw input_error("--threads {}: is about --states", *p.threads);
-  if (!p.shard.empty()) throw input_error("--shard {}: is about --states", p.shard);
   const orbit::State start{vector_of("--position", p.position), vector_of("--velocity", p.velocity)};
   refuse_centre(start);
   if (!p.until) throw InputError("--until T is needed");
@@ -172,20 +168,6 @@ scene::Answer propagate(const Propagation& p) {
   r.tolerance = p.tolerance.value_or(r.tolerance);
   if (p.method == "series") return rows_of_series(r);
   return p.method == "rkn1210" ? rows_of_rkn1210(r) : rows_of_kepler(r);
-}
-
-/// `merge`
-struct Parts {
-  std::vector<std::string> files;
-};
-
-void declare_parts(scene::Options& options, Parts& parts) {
-  options.add("parts", parts.files, "files written by propagate --shard").required();
-}
-
-int merge(const Parts& parts) {
-  scene::print_merged(parts.files);
-  return 0;
 }
 
 /// Complaints about numbers that make no orbit together.
@@ -352,8 +334,6 @@ void commands(scene::Commands& all) {
       "propagate",
       "Where an orbit leads to, as CSV: t,x,y,z,vx,vy,vz; many of a file: row,t,x,y,z,vx,vy,vz,...,status",
       declare_propagation, propagate);
-  all.add("merge", "Joins all shards of one run over --states, given in any order, to what one run writes",
-          declare_parts, merge);
   all.add(
       "elements",
       fmt::format("The classical elements of a state, angles in degrees, as CSV: {}. Its a, q (with e = 1 "

@@ -18,34 +18,15 @@ accurate as single runs: a tolerance of 1e-9 a step, some dozens of them.
   $ holds --each < whole.csv 'n = 120' 'k := i // 3' 'row = k + 1' 't = 1.5*(i % 3)' 'x/(0.5 + k) = cos((1 + 0.1*k)*t) +- 1e-6' \
   >   'name = f"run, {int(k)}"' 'status = "success"'
 
-The bytes of one run, by one thread, by the row itself, from shards:
+The bytes of one run, by one thread, by the row itself, and from parts cut by split:
 
   $ many --threads 1 | cmp - whole.csv
   $ integrate --equation "$oscillator" --set w=1.1 --initial x=1.5 --until 3 --method dop853 | tail -1 > row.txt
   $ sed -n 7p whole.csv | cut -d, -f 2-4 | cmp - row.txt
-  $ for k in 1 2 3; do many --shard $k/3 > $k.csv; done
-  $ integrators merge 3.csv 2.csv 1.csv | cmp - whole.csv
-  $ refused integrators merge 3.csv 2.csv
-  integrators: 3.csv: shards 1 of 3 are missing
-
-Parts by settings that differ in a late digit, or in whether they are verified, are parts of different runs:
-
-  $ printf 'x\n1\n2\n' > two.csv
-  $ part() { integrators integrate --equation "x' = -x" --initial x=1 --states two.csv --until 1 --method rk4 --shard "$@"; }
-  $ part 1/2 --step 0.01 > 1.csv
-  $ part 2/2 --step 0.0100000004 > 2.csv
-  $ refused integrators merge 1.csv 2.csv
-  integrators: 2.csv, line 1: shard 2 / 2 of 2 run * is no part of that of 1.csv: 2 shards of 2 run * (glob)
-  $ part 2/2 --step 0.01 --no-verify > 2.csv
-  $ refused integrators merge 1.csv 2.csv
-  integrators: 2.csv, line 1: shard 2 / 2 of 2 run * is no part of that of 1.csv: 2 shards of 2 run * (glob)
-  $ part 2/2 --step 0.01 > 2.csv
-  $ integrators merge 1.csv 2.csv | cut -d, -f 1,2,4
-  row,t,status
-  1,0,success
-  1,1,success
-  2,0,success
-  2,1,success
+  $ tail -n +2 starts.csv > rows.csv
+  $ for k in 1 2 3; do
+  >   { head -n 1 starts.csv; split -n l/$k/3 rows.csv; } | integrate --equation "$oscillator" --states - --until 3 --every 1.5 --method dop853
+  > done | awk -F, -v OFS=, '$1 == "row" { before = row } $1 != "row" { row = $1 += before } NR == 1 || $1 != "row"' | cmp - whole.csv
 
 Series moves several rows at a time: each is what its own run prints, with events and ends of its own. The last row is infinite near t = 0.2:
 
@@ -90,6 +71,7 @@ They stand in the file or on the command line, not in both; a parameter of that 
   integrators: --until 2: ends.csv has a column until
   $ wrong --states ends.csv --every 1e-8
   integrators: ends.csv: line 2: --every 1e-08: more than 10 million rows
+  $ printf 'x\n1\n2\n' > two.csv
   $ wrong --states two.csv
   integrators: two.csv: has no column until; give it, or --until T for all rows
   $ wrong
@@ -181,9 +163,7 @@ Mistakes
   integrators: foreign.csv: none of its columns is an unknown or a parameter; there are u, v, w, sigma, r, b
   $ lorenz --states bad.csv --plot a.svg
   integrators: --plot a.svg: --states draws none
-  $ lorenz --states - --shard 1/2 < /dev/null
+  $ lorenz --states - < /dev/null
   integrators: standard input: is empty; the first line must name the columns some of u,v,w,sigma,r,b,until
   $ lorenz --threads 2
   integrators: --threads 2: is about --states
-  $ lorenz --shard 1/2
-  integrators: --shard 1/2: is about --states

@@ -12,25 +12,27 @@ Ellipses about mu = 1, with a name that has a comma, columns in an order of thei
   >   seq 0 $(($1 - 1)) | awk -v n=$1 '{e = 0.8*$1/n; printf "\"body, %d\",0,%.17g,0,%.17g,%.17g,0,0,1\n", $1, sqrt((1 + e)/(1 - e)), 20 + 0.01*$1, 1 - e}'
   > }
 
-The bytes of one run, with any number of threads, from shards in any order:
+The bytes of one run, with any number of threads:
 
-  $ ellipses 300 > orbits.csv
-  $ for words in "" "--every 3" "--zonal 1e-3 --radius 0.1"; do
+  $ ellipses 300 | sed '/^#/d; /^$/d' > orbits.csv
+  $ for words in "" "--every 3" "--zonal 1e-3 --radius 0.1" "--method kepler"; do
   >   propagate orbits.csv $words > whole.csv
   >   propagate orbits.csv $words --threads 3 | cmp - whole.csv
-  >   for shards in 1 7; do
-  >     parts=
-  >     for k in $(seq $shards); do
-  >       propagate orbits.csv $words --shard $k/$shards > $k.csv
-  >       parts="$k.csv $parts"
-  >     done
-  >     two_body_series merge $parts | cmp - whole.csv
-  >   done
   > done
-  $ propagate orbits.csv > whole.csv
-  $ parts=
-  $ for k in $(seq 301); do propagate orbits.csv --shard $k/301 > $k.csv; parts="$k.csv $parts"; done
-  $ two_body_series merge $parts | cmp - whole.csv
+
+Parts, cut by split or by GNU parallel, have their own row numbers; with continued ones they are the bytes of one run:
+
+  $ join_rows() { awk -F, -v OFS=, '$1 == "row" { before = row } $1 != "row" { row = $1 += before } NR == 1 || $1 != "row"' "$@"; }
+  $ tail -n +2 orbits.csv > rows.csv
+  $ for words in "" "--every 3" "--zonal 1e-3 --radius 0.1" "--method kepler"; do
+  >   propagate orbits.csv $words > whole.csv
+  >   for k in $(seq 7); do
+  >     { head -n 1 orbits.csv; split -n l/$k/7 rows.csv; } | propagate - $words > part-$k.csv
+  >   done
+  >   join_rows part-*.csv | cmp - whole.csv
+  >   parallel --keep-order --pipe --header : --block 10k "two_body_series propagate --states - $words" < orbits.csv 2> said.txt |
+  >     join_rows | cmp - whole.csv
+  > done
 
 --every gives rows between, here of a circle backwards, for each method:
 
@@ -62,7 +64,7 @@ rows too:
 Failures
 --------
 
-A fall into the centre ends where it does, at pi/sqrt(8), and the rest goes on; a merge of shards ends as the whole run does:
+A fall into the centre ends where it does, at pi/sqrt(8), and the rest goes on:
 
   $ printf 'x,y,z,vx,vy,vz\n1,0,0,0,1,0\n1,0,0,0,0,0\n1,0,0,0,1.1,0\n' > fall.csv
   $ propagate fall.csv --mu 1 --until 5 > whole.csv
@@ -74,12 +76,6 @@ A fall into the centre ends where it does, at pi/sqrt(8), and the rest goes on; 
   2,collision
   3,success
   $ holds --where row=2 't = pi/sqrt(8) +- 1e-6' < whole.csv
-  $ for k in 1 2 3; do propagate fall.csv --mu 1 --until 5 --shard $k/3 > $k.csv 2> said.txt || echo "shard $k: exit code $?"; done
-  shard 2: exit code 1
-  $ two_body_series merge 1.csv 2.csv 3.csv > merged.csv
-  two_body_series: 1 of the rows failed; their status says how
-  [1]
-  $ cmp merged.csv whole.csv
 
 Rows of few digits say so: of the data after 1e5 revolutions and more, of steps that are too long, which Kepler's solution tells:
 
@@ -201,73 +197,3 @@ Nothing is printed of a file with a mistake, wherever it stands:
   two_body_series: --zonal 0.001: --method kepler is about a point mass; use series or rkn1210
   $ good --threads 0
   two_body_series: --threads 0: must be a whole number from 1 to 1024
-  $ for shard in 2 0/2 3/2 1/0 a/b 1/2/3; do good --shard $shard; done
-  two_body_series: --shard 2: needs two numbers and '/'
-  two_body_series: --shard 0: must be a whole number from 1 to 1000000
-  two_body_series: --shard 3/2: there are 2 shards
-  two_body_series: --shard 0: must be a whole number from 1 to 1000000
-  two_body_series: --shard a: not a finite number
-  two_body_series: --shard 2/3: not a finite number
-
-What merge refuses
-------------------
-
-Shards that are missing, doubled, of another division, of another tolerance, cut, without a row, or none:
-
-  $ merge() { refused two_body_series merge "$@"; }
-  $ ellipses 20 > orbits.csv
-  $ part() { two_body_series propagate --states orbits.csv --shard "$@"; }
-  $ for k in 1 2 3; do part $k/3 > $k.csv; done
-  $ merge 1.csv 3.csv
-  two_body_series: 1.csv: shards 2 of 3 are missing
-  $ merge 1.csv 2.csv 3.csv 2.csv
-  two_body_series: 2.csv: shard 2 / 3 is in 2.csv already
-  $ part 2/2 > half.csv
-  $ merge 1.csv half.csv
-  two_body_series: half.csv, line 1: shard 2 / 2 of 20 run * is no part of that of 1.csv: 3 shards of 20 run * (glob)
-  $ part 2/3 --tolerance 1e-9 > other.csv
-  $ merge 1.csv other.csv 3.csv
-  two_body_series: other.csv, line 1: shard 2 / 3 of 20 run * is no part of that of 1.csv: 3 shards of 20 run * (glob)
-  $ sed '/^# end/,$d' 2.csv > cut.csv
-  $ merge 1.csv cut.csv 3.csv
-  two_body_series: cut.csv: ends with row 13 of 7 to 13, without the line '# end of shard 2 / 3 ...': the file is not whole
-  $ head -c $(($(wc -c < 2.csv) / 2)) 2.csv > cut.csv
-  $ merge 1.csv cut.csv 3.csv
-  two_body_series: cut.csv: ends with row 10 of 7 to 13, without the line '# end of shard 2 / 3 ...': the file is not whole
-  $ sed '/^9,/d' 2.csv > torn.csv
-  $ merge 1.csv torn.csv 3.csv
-  two_body_series: torn.csv, line 5: '10,20.09,*' is no line of row 8 or 9 (glob)
-  $ merge orbits.csv
-  two_body_series: orbits.csv, line 1: '# a comment' does not say which part of which output this is; merge joins what --shard i/n writes
-
-With several lines a row the numbers of rows do not tell what is missing, but a count and a sum do:
-
-  $ ellipses 4 > orbits.csv
-  $ for k in 1 2; do part $k/2 --every 2 > $k.csv; done
-  $ cp 2.csv second.csv
-  $ sed '6,8d' second.csv > 2.csv
-  $ merge 1.csv 2.csv
-  two_body_series: 2.csv, line 24: '# end of shard 2 / 2 lines 26 digest * failed... (62 bytes)' does not fit the 23 lines above, of which the last is of row 4 of 3 to 4: lines are missing, doubled, changed or of another run; compute the part again (glob)
-  $ sed 4p second.csv > 2.csv
-  $ merge 1.csv 2.csv
-  two_body_series: 2.csv, line 28: '# end of shard 2 / 2 lines 26 digest * failed... (62 bytes)' does not fit the 27 lines above, of which the last is of row 4 of 3 to 4: lines are missing, doubled, changed or of another run; compute the part again (glob)
-  $ sed '5{h;d};6G' second.csv > 2.csv
-  $ merge 1.csv 2.csv
-  two_body_series: 2.csv, line 27: '# end of shard 2 / 2 lines 26 digest * failed... (62 bytes)' does not fit the 26 lines above, of which the last is of row 4 of 3 to 4: lines are missing, doubled, changed or of another run; compute the part again (glob)
-  $ sed '7s/\(\.[0-9]\)[0-8]/\19/' second.csv > 2.csv
-  $ merge 1.csv 2.csv
-  two_body_series: 2.csv, line 27: '# end of shard 2 / 2 lines 26 digest * failed... (62 bytes)' does not fit the 26 lines above, of which the last is of row 4 of 3 to 4: lines are missing, doubled, changed or of another run; compute the part again (glob)
-  $ sed 's/body, 3/body, 9/' orbits.csv > others.csv
-  $ { head -1 second.csv; two_body_series propagate --states others.csv --every 2 --shard 2/2 | sed 1d; } > 2.csv
-  $ merge 1.csv 2.csv
-  two_body_series: 2.csv, line 27: '# end of shard 2 / 2 lines 26 digest * failed... (62 bytes)' does not fit the 26 lines above, of which the last is of row 4 of 3 to 4: lines are missing, doubled, changed or of another run; compute the part again (glob)
-  $ cat second.csv second.csv > 2.csv
-  $ merge 1.csv 2.csv
-  two_body_series: 2.csv, line 28: a line stands behind the end of the part
-  $ propagate orbits.csv --every 2 > whole.csv
-  $ two_body_series merge second.csv 1.csv | cmp - whole.csv
-
-A pipe gives its lines once only:
-
-  $ refused bash -c 'two_body_series merge <(cat 1.csv) <(cat second.csv)'
-  two_body_series: /dev/fd/63: is no file; merge reads each part twice, which a pipe or a folder does not allow

@@ -288,7 +288,7 @@ TEST(Ensemble, RefusesOptions) {
 
 // The bounds that the header states, against the library's functions; steps need no more.
 TEST(RoughLogarithm, IsAsExactAsStated) {
-  using Two = simd::Lanes<simd::Baseline, 2>;
+  using Two = simd::Pack<simd::Baseline, 2>;
   std::mt19937_64 random(1);
   std::uniform_real_distribution<double> exponent(-1000, 1000);
   for (int i = 0; i < 20000; ++i) {

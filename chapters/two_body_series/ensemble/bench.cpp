@@ -161,7 +161,7 @@ int bench(int argc, char** argv) {
         all.push_back(floor_of(orbits, set, ours->tolerance, ours->name));
         claims.push_back({fmt::format("{} against one by one", ours->name), ours->name, single->name, least});
       };
-      add(InstructionSet::avx2, 2.5);
+      add(InstructionSet::avx2, 4);
       add(InstructionSet::avx512, 5);
     }
   }

@@ -1,7 +1,6 @@
 #include "chapters/two_body_series/ensemble/propagate_all.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +13,7 @@
 #include "chapters/two_body_series/series/accuracy.hpp"
 #include "nlmech/orbit/ensemble.hpp"
 #include "nlmech/orbit/kepler.hpp"
-#include "nlmech/scene/catalogue/shard.hpp"
+#include "nlmech/scene/catalogue/catalogue.hpp"
 #include "nlmech/scene/program/this_process.hpp"
 #include "nlmech/support/sentences.hpp"
 #include "nlmech/support/stopwatch.hpp"
@@ -41,19 +40,13 @@ class OrbitCatalogue {
 
   [[nodiscard]] int print() {
     catalogue_.weigh_by([this](const std::vector<double>& row) { return 1 + lines_between(row); });
-    scene::print_catalogue(
-        catalogue_, {.shard = request_.shard,
-                     .options = fmt::format("{} {} {} {} {:a} {} {}", request_.method, shown(request_.until),
-                                            shown(request_.mu), shown(request_.every), request_.tolerance,
-                                            fmt::join(request_.field.zonal, ","), request_.field.radius),
-                     .header = fmt::format("row,t,x,y,z,vx,vy,vz{},status",
-                                           catalogue_.columns().rest_names({"row", "t", "status"})),
-                     .portion = scene::portion_for(lines_at_a_time, request_.threads),
-                     .work =
-                         [this](const scene::CatalogueRows& rows) {
-                           return request_.method == "kepler" ? by_kepler(rows) : by_series(rows);
-                         },
-                     .failed = [this] { return failed_; }});
+    scene::print_catalogue(catalogue_,
+                           {.header = fmt::format("row,t,x,y,z,vx,vy,vz{},status",
+                                                  catalogue_.columns().rest_names({"row", "t", "status"})),
+                            .portion = scene::portion_for(lines_at_a_time, request_.threads),
+                            .work = [this](const scene::CatalogueRows& rows) {
+                              return request_.method == "kepler" ? by_kepler(rows) : by_series(rows);
+                            }});
     if (low_ > 0)
       scene::tell(
           fmt::format("two_body_series: {} of the orbits have rows with the status {}; the first is row "
@@ -66,10 +59,6 @@ class OrbitCatalogue {
   }
 
  private:
-  static std::string shown(const std::optional<double>& value) {
-    return value ? fmt::format("{:a}", *value) : "-";
-  }
-
   void refuse_doubled(const char* column, const std::optional<double>& option) const {
     if (option && catalogue_.has(column))
       throw input_error("--{} {}: {} has a column {}", column, *option, catalogue_.name(), column);

@@ -20,7 +20,6 @@ struct CatalogueRequest {
   std::string method = "series";  ///< or kepler
   double tolerance = 1e-15;       ///< of a step, for series
   int threads = 0;                ///< 0: one a processor
-  std::string shard;              ///< "i/n", or empty
   double seconds = std::numeric_limits<double>::infinity();  ///< wall time; then orbits end as they are
 };
 

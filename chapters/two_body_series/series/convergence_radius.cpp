@@ -206,6 +206,7 @@ std::vector<scene::Scene> scenes() {
       measure);
   return {{.name = "convergence-radius",
            .title = "Printed steps against the radius of convergence along the orbit",
+           .place = "our own, stability of the fixed steps of Tables 3.2 and 3.3",
            .content = scene::Content(put, outcome)}};
 }
 

@@ -7,8 +7,8 @@
 
 #include "nlmech/geodesy/closest_point.hpp"
 #include "nlmech/geodesy/ellipsoid.hpp"
-#include "nlmech/geodesy/instruction_set.hpp"
 #include "nlmech/geodesy/kernels/kernel.hpp"
+#include "nlmech/support/instruction_set.hpp"
 #include "nlmech/support/status.hpp"
 
 namespace nlmech::geodesy {

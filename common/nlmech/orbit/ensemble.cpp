@@ -1,12 +1,18 @@
 #include "nlmech/orbit/ensemble.hpp"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
+#include <cstdint>
+#include <deque>
+#include <limits>
 #include <stdexcept>
 
-#include "nlmech/orbit/lanes.hpp"
-#include "nlmech/orbit/zonal_lanes.hpp"
+#include "nlmech/ivp/ensemble/integrate_all.hpp"
+#include "nlmech/orbit/acceleration.hpp"
+#include "nlmech/orbit/kernels/ensemble.hpp"
+#include "nlmech/orbit/scaled.hpp"
 #include "nlmech/support/doubles.hpp"
 #include "nlmech/support/sentences.hpp"
 #include "nlmech/support/stopwatch.hpp"
@@ -15,7 +21,7 @@
 namespace nlmech::orbit {
 namespace {
 
-const kernels::EnsembleKernel& kernel_for(InstructionSet set) {
+const kernels::EnsembleKernel& ensemble_kernel_for(InstructionSet set) {
   require_available(set);
 #if defined(__x86_64__)
   if (set == InstructionSet::avx512) return kernels::avx512_ensemble;
@@ -75,6 +81,343 @@ Status refusal(const Flight& flight) {
   return {};
 }
 
+constexpr double never = 1e300;  // a time to go that no step changes, and with which lanes can count
+
+Vector3<double> vector_at(const kernels::Row* rows, int lane) {
+  return {rows[0].lane[lane], rows[1].lane[lane], rows[2].lane[lane]};
+}
+
+void put(kernels::Row* rows, int lane, const Vector3<double>& v) {
+  for (int i = 0; i < 3; ++i) rows[i].lane[lane] = v[i];
+}
+
+void scale(kernels::Row& row, int lane, int exponent) {
+  row.lane[lane] = std::ldexp(row.lane[lane], exponent);
+}
+
+/// The lanes of one thread, each with a flight or idle: flights come in, move side by side, and go out.
+class Lanes {
+ public:
+  /// @param limit steps of a flight
+  Lanes(const kernels::EnsembleKernel& kernel, const kernels::LaneSettings& settings, const InnerRows& rows,
+        std::int64_t limit)
+      : kernel_(kernel), settings_(settings), rows_(rows), limit_(limit) {
+    for (int i = 0; i < kernels::most_lanes; ++i) idle(i);
+  }
+  /// How many may be taken in before the next run().
+  [[nodiscard]] int free() const { return kernel_.lanes - busy_; }
+  /// Is there anything to run?
+  [[nodiscard]] int busy() const { return busy_; }
+  /// A flight about a point mass, its start and field checked, that has somewhere to go.
+  void take_in(std::size_t number, const Flight& flight) {
+    const auto place =
+        std::find_if(lanes_.begin(), lanes_.begin() + kernel_.lanes, [](const Lane& l) { return !l.busy; });
+    const int i = static_cast<int>(place - lanes_.begin());
+    Lane& lane = *place;
+    lane = {.busy = true,
+            .backwards = flight.until < 0,
+            .number = number,
+            .mu = flight.gravity.mu,
+            .until = std::abs(flight.until),
+            .start_radius = flight.start.position.stableNorm(),
+            .first_step = steps_};
+    ++busy_;
+    put(block_.position, i, flight.start.position);
+    put(block_.velocity, i, lane.backwards ? Vector3<double>(-flight.start.velocity) : flight.start.velocity);
+    put(block_.position_low, i, {0, 0, 0});
+    put(block_.velocity_low, i, {0, 0, 0});
+    block_.remaining.lane[i] = lane.until;
+    block_.remaining_low.lane[i] = 0;
+    choose_units(i);
+  }
+  /// Steps until a lane is free, or some thousand times. Puts what has ended into @p solutions.
+  void run(std::vector<Solution>& solutions) {
+    std::int64_t most = 4096;  // then its caller looks at the clock
+    for (int i = 0; i < kernel_.lanes; ++i) {
+      const Lane& lane = lanes_[static_cast<std::size_t>(i)];
+      if (lane.busy) most = std::min(most, limit_ - (steps_ - lane.first_step));
+    }
+    const kernels::LaneEvents events = kernel_.steps(block_, settings_, most);
+    steps_ += events.steps;
+    for (int i = 0; i < kernel_.lanes; ++i) {
+      const unsigned bit = 1U << static_cast<unsigned>(i);
+      Lane& lane = lanes_[static_cast<std::size_t>(i)];
+      if (!lane.busy) continue;
+      if ((events.row_due & bit) != 0) give_rows(i, block_.step.lane[i]);
+      if ((events.lost & bit) != 0) {
+        Status status = lost(i);
+        end(i, std::move(status), solutions);
+      } else if ((events.arrived & bit) != 0) {
+        end(i, {}, solutions);
+      } else if (steps_ - lane.first_step >= limit_) {
+        end(i,
+            failed_with(Outcome::step_limit,
+                        "{}: {} steps were used up at t = {:.17g}; allow more, or a larger tolerance",
+                        TaylorEnsemble::name, limit_, time_of(i)),
+            solutions);
+      } else if ((events.drifted & bit) != 0) {
+        choose_units(i);
+      }
+    }
+  }
+  /// Ends all flights that are under way.
+  void stop(const Status& status, std::vector<Solution>& solutions) {
+    for (int i = 0; i < kernel_.lanes; ++i) {
+      if (lanes_[static_cast<std::size_t>(i)].busy) end(i, status, solutions);
+    }
+  }
+
+ private:
+  /// Powers of two in which a lane counts, and what its flight has asked for.
+  struct Lane {
+    bool busy = false;
+    bool backwards = false;
+    std::size_t number = 0;
+    int length = 0, time = 0;  ///< exponents of the units
+    double mu = 1, until = 0, start_radius = 1;
+    std::int64_t first_step = 0, next_row = 1;
+  };
+
+  /// A circle that never ends: it disturbs nobody.
+  void idle(int lane) {
+    lanes_[static_cast<std::size_t>(lane)] = {};
+    put(block_.position, lane, {1, 0, 0});
+    put(block_.velocity, lane, {0, 1, 0});
+    put(block_.position_low, lane, {0, 0, 0});
+    put(block_.velocity_low, lane, {0, 0, 0});
+    block_.mu.lane[lane] = 1;
+    block_.remaining.lane[lane] = block_.next_row.lane[lane] = never;
+    block_.remaining_low.lane[lane] = block_.least_step.lane[lane] = 0;
+  }
+  /// The shorter of (r^3/mu)^(1/2) and r/|v| becomes a time near 1, as in Walk.
+  void choose_units(int i) {
+    Lane& lane = lanes_[static_cast<std::size_t>(i)];
+    const double v = vector_at(block_.velocity, i).stableNorm();
+    const int length = std::ilogb(vector_at(block_.position, i).stableNorm());
+    const double mu = std::ldexp(lane.mu, 2 * lane.time - 3 * lane.length);
+    int time = (3 * length - std::ilogb(mu)) / 2;
+    if (v > 0) time = std::min(time, length - std::ilogb(v));
+    // What remains must stay a number, so that a flight that cannot go on knows its time.
+    time = std::max(time, std::ilogb(lane.until) - 1000 - lane.time);
+    for (int k = 0; k < 3; ++k) {
+      for (kernels::Row* rows : {block_.position, block_.position_low}) scale(rows[k], i, -length);
+      for (kernels::Row* rows : {block_.velocity, block_.velocity_low}) scale(rows[k], i, time - length);
+    }
+    for (kernels::Row* row : {&block_.remaining, &block_.remaining_low}) scale(*row, i, -time);
+    lane.length += length;
+    lane.time += time;
+    block_.mu.lane[i] = std::ldexp(lane.mu, 2 * lane.time - 3 * lane.length);
+    block_.least_step.lane[i] = std::ldexp(eps * lane.until, -lane.time);
+    await_row(i);
+  }
+  /// From now to the time @p t, in the lane's units.
+  [[nodiscard]] double row_after_now(const Lane& lane, int i, double t) const {
+    // until - t as a sum of two, exact; what remains is one already.
+    const double rest = lane.until - t, back = rest - lane.until,
+                 error = (lane.until - (rest - back)) - (t + back);
+    return (block_.remaining.lane[i] - std::ldexp(rest, -lane.time)) +
+           (block_.remaining_low.lane[i] - std::ldexp(error, -lane.time));
+  }
+  void await_row(int i) {
+    const Lane& lane = lanes_[static_cast<std::size_t>(i)];
+    const double t = static_cast<double>(lane.next_row) * rows_.every;
+    // The end has its own row; rounding of k DT makes no second one.
+    block_.next_row.lane[i] = lane.until - t > 1e-9 * rows_.every ? row_after_now(lane, i, t) : never;
+  }
+  void give_rows(int i, double taken) {
+    Lane& lane = lanes_[static_cast<std::size_t>(i)];
+    const Vector3<double> r = vector_at(block_.first_position, i), v = vector_at(block_.first_velocity, i);
+    const double mu = block_.mu.lane[i], distance = r.norm(), along = r.dot(v);
+    const double gamma = distance * v.dot(v) - mu;
+    for (;; ++lane.next_row) {
+      const double t = static_cast<double>(lane.next_row) * rows_.every, after = row_after_now(lane, i, t);
+      if (!(after <= 0 && lane.until - t > 1e-9 * rows_.every)) break;
+      const double h = taken + after;
+      double one = 0, two = 0;
+      for (int k = settings_.order; k > 0; --k) {
+        one = (one + block_.first[k].lane[i]) * h;
+        two = (two + block_.second[k].lane[i]) * h;
+      }
+      const double there = distance + (along * one + gamma * two), g = distance * one + along * two;
+      const State own{r - (mu / distance * two * r - g * v), v - mu / there * (one / distance * r + two * v)};
+      rows_.sink(lane.number, lane.backwards ? -t : t, users(lane, own));
+    }
+    await_row(i);
+  }
+  [[nodiscard]] State users(const Lane& lane, State own) const {
+    if (lane.backwards) own.velocity = -own.velocity;
+    for (int k = 0; k < 3; ++k) {
+      own.position[k] = std::ldexp(own.position[k], lane.length);
+      own.velocity[k] = std::ldexp(own.velocity[k], lane.length - lane.time);
+    }
+    return own;
+  }
+  [[nodiscard]] State state(int i) const {
+    return users(lanes_[static_cast<std::size_t>(i)],
+                 {vector_at(block_.position, i), vector_at(block_.velocity, i)});
+  }
+  [[nodiscard]] double time_of(int i) const {
+    const Lane& lane = lanes_[static_cast<std::size_t>(i)];
+    const double t =
+        lane.until - std::ldexp(block_.remaining.lane[i] + block_.remaining_low.lane[i], lane.time);
+    return lane.backwards ? -t : t;
+  }
+  [[nodiscard]] Status lost(int i) const {
+    const Lane& lane = lanes_[static_cast<std::size_t>(i)];
+    const State own{vector_at(block_.position, i), vector_at(block_.velocity, i)};
+    const double r = std::ldexp(own.position.stableNorm(), lane.length), h = block_.chosen.lane[i];
+    if (own.position.dot(own.velocity) < 0 && r < 1e-6 * lane.start_radius) {
+      return failed_with(Outcome::collision,
+                         "{}: the body falls into the centre of attraction at t = {:.17g}; Kepler's solution "
+                         "(method kepler) goes through, a series cannot",
+                         TaylorEnsemble::name, time_of(i));
+    }
+    if (h > block_.least_step.lane[i]) {
+      return failed_with(
+          Outcome::non_finite,
+          "{}: the step of {:.6g} from t = {:.17g} leads to a state that is not finite; take a "
+          "smaller tolerance",
+          TaylorEnsemble::name, std::ldexp(h, lane.time), time_of(i));
+    }
+    return failed_with(Outcome::step_underflow,
+                       "{}: at t = {:.17g} the step {:.3g} is lost in the time; the distance {:.6g} is too "
+                       "small for the asked interval",
+                       TaylorEnsemble::name, time_of(i), std::ldexp(h, lane.time), r);
+  }
+  void end(int i, Status status, std::vector<Solution>& solutions) {
+    const Lane& lane = lanes_[static_cast<std::size_t>(i)];
+    Solution& solution = solutions[lane.number];
+    solution.t = time_of(i);
+    solution.x = state(i);
+    solution.statistics.steps = steps_ - lane.first_step;
+    solution.statistics.right_hand_sides = solution.statistics.steps * settings_.order;
+    solution.status = std::move(status);
+    if (solution.status.ok() && !(solution.x.position.allFinite() && solution.x.velocity.allFinite())) {
+      solution.status =
+          failed_with(Outcome::non_finite,
+                      "{}: the state at t = {:.17g} is beyond the range of doubles; choose other "
+                      "units",
+                      TaylorEnsemble::name, solution.t);
+    }
+    idle(i);
+    --busy_;
+  }
+
+  const kernels::EnsembleKernel& kernel_;
+  const kernels::LaneSettings& settings_;
+  const InnerRows& rows_;
+  std::int64_t limit_, steps_ = 0;
+  int busy_ = 0;
+  std::array<Lane, kernels::most_lanes> lanes_;
+  kernels::LaneBlock block_{};
+};
+
+/// dr/dt = v, dv/dt = acceleration(r).
+struct Motion {
+  static constexpr int dimension = 6;
+  Gravity gravity;
+
+  template <class T>
+  void operator()(const T& /*t*/, const Vector<T, 6>& x, Vector<T, 6>& dxdt) const {
+    const Vector3<T> a = acceleration<T>({x[0], x[1], x[2]}, gravity);
+    for (int i = 0; i < 3; ++i) {
+      dxdt[i] = x[i + 3];
+      dxdt[i + 3] = a[i];
+    }
+  }
+};
+
+/// A flight in its own units, in which |r| and mu are near 1 at the start.
+class Leg {
+ public:
+  Leg(std::size_t number, const Flight& flight, const InnerRows& rows,
+      const std::function<bool()>& out_of_time)
+      : number_(number),
+        flight_(flight),
+        rows_(rows),
+        out_of_time_(out_of_time),
+        units_(detail::extent(flight.start.position), flight.gravity.mu),
+        end_(std::min(std::ldexp(std::abs(flight.until), -units_.time), std::numeric_limits<double>::max())),
+        system_(Motion{own(flight.gravity)}) {}
+  Leg(const Leg&) = delete;
+  Leg& operator=(const Leg&) = delete;
+
+  /// What is to be integrated; refers to this.
+  [[nodiscard]] ivp::Start start(std::int64_t steps) {
+    const State s = units_.own(flight_.start);
+    ivp::Start start{&system_, ivp::State(6), 0, std::copysign(end_, flight_.until), {}, {.steps = steps}};
+    start.x0 << s.position, s.velocity;
+    start.observer = [this](const ivp::Step& step) { return see(step); };
+    return start;
+  }
+  /// In the user's units.
+  [[nodiscard]] Solution users(const ivp::Solution& end) const {
+    return {end.status.ok() ? flight_.until : std::ldexp(end.t, units_.time), users(end.x), end.status,
+            end.statistics};
+  }
+
+ private:
+  [[nodiscard]] Gravity own(Gravity gravity) const {
+    gravity.mu = units_.own_mu(gravity.mu);
+    gravity.radius = std::ldexp(gravity.radius, -units_.length);
+    return gravity;
+  }
+  [[nodiscard]] State users(const ivp::State& x) const { return units_.users({x.head<3>(), x.tail<3>()}); }
+  /// @return may the flight go on?
+  bool see(const ivp::Step& step) {
+    if (rows_.sink) give_rows(step);
+    constexpr int clock_every = 64;  // a clock that is read at every step would cost as much as the step
+    if (steps_++ % clock_every == 0 && out_of_time_()) return false;
+    // Towards the end a step is what remains, or half of it, and may be short.
+    const double length = std::abs(step.t1 - step.t0), rest = end_ - std::abs(step.t1);
+    return length > eps * end_ || rest <= 2 * length;
+  }
+  /// The rows within a step, but none so near the end that rounding alone parts them.
+  void give_rows(const ivp::Step& step) {
+    const double sign = flight_.until < 0 ? -1 : 1, until = std::abs(flight_.until);
+    for (;; ++next_row_) {
+      const double t = static_cast<double>(next_row_) * rows_.every, there = std::ldexp(t, -units_.time);
+      if (!(there <= std::abs(step.t1) && until - t > 1e-9 * rows_.every)) return;
+      rows_.sink(number_, sign * t, users(step.at(sign * there)));
+    }
+  }
+
+  std::size_t number_;
+  const Flight& flight_;
+  const InnerRows& rows_;
+  const std::function<bool()>& out_of_time_;
+  detail::PowerUnits units_;
+  /// Of the time, without its sign, in own units; bounded, since the walk needs a number: every step is lost
+  /// in the largest one.
+  double end_;
+  ivp::System system_;
+  std::int64_t next_row_ = 1, steps_ = 0;
+};
+
+/// Moves flights about bodies with zonal harmonics, whose starts and fields are checked and which have
+/// somewhere to go, by ivp::integrate_all() in units that are powers of two. What it does not bring to its
+/// end keeps its failure, with a time in those units. A step that is lost in the time, as Walk and Lanes
+/// understand it, is one: `interrupted`.
+/// @param which the numbers of these flights
+/// @param steps of each flight
+/// @param out_of_time asked by all threads; what is under way then is `interrupted`, too
+/// @param solutions by number
+void fly_in_zonal_fields(std::span<const Flight> flights, const std::vector<std::size_t>& which,
+                         const TaylorEnsemble& method, const InnerRows& rows, std::int64_t steps,
+                         const std::function<bool()>& out_of_time, std::vector<Solution>& solutions) {
+  std::deque<Leg> legs;
+  std::vector<ivp::Start> starts;
+  for (const std::size_t number : which)
+    starts.push_back(legs.emplace_back(number, flights[number], rows, out_of_time).start(steps));
+  // Position and velocity are near 1 at the start; a small absolute part lets a component pass through 0.
+  const ivp::Series series{.relative_tolerance = method.tolerance,
+                           .absolute_tolerance = method.tolerance / 32,
+                           .order = method.order};
+  const auto ends = ivp::integrate_all(std::span<const ivp::Start>(starts), series, method.threads,
+                                       method.instructions.value_or(best_instruction_set()));
+  for (std::size_t i = 0; i < which.size(); ++i) solutions[which[i]] = legs[i].users(ends[i]);
+}
+
 /// What all threads share: flights are handed out some at a time, and who flies which does not matter.
 struct Ensemble {
   std::span<const Flight> flights;
@@ -98,7 +441,7 @@ struct Ensemble {
 
   /// Of one thread.
   void work() {
-    detail::Lanes lanes(kernel, settings, rows, limits.steps);
+    Lanes lanes(kernel, settings, rows, limits.steps);
     // Few flights are shared among all threads, and leave lanes idle: the first thread would take them all.
     const std::size_t threads = threads_for(method.threads),
                       portion = std::clamp<std::size_t>((flights.size() + threads - 1) / threads, 1, 16);
@@ -127,7 +470,7 @@ struct Ensemble {
       if (is_zonal[i] != 0) rest.push_back(i);
     }
     if (rest.empty()) return;
-    detail::fly_in_zonal_fields(
+    fly_in_zonal_fields(
         flights, rest, method, rows, limits.steps, [this] { return out_of_time(); }, solutions);
     share_out(rest.size(), 1, method.threads, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
@@ -175,7 +518,7 @@ struct Ensemble {
     return solution;
   }
 
-  void begin(std::size_t number, detail::Lanes& lanes) {
+  void begin(std::size_t number, Lanes& lanes) {
     const Flight& flight = flights[number];
     Solution& solution = solutions[number];
     solution.x = flight.start;
@@ -200,7 +543,7 @@ std::vector<Solution> propagate_all(std::span<const Flight> flights, const Taylo
                     .method = method,
                     .rows = rows,
                     .limits = limits,
-                    .kernel = kernel_for(method.instructions.value_or(best_instruction_set())),
+                    .kernel = ensemble_kernel_for(method.instructions.value_or(best_instruction_set())),
                     .settings = settings_of(method),
                     .solutions = std::vector<Solution>(flights.size()),
                     .is_zonal = std::vector<char>(flights.size()),

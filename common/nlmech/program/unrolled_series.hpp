@@ -285,11 +285,11 @@ class UnrolledSeries {
     return r.keep(k > 0 ? k * value_ : 0);
   }
   /// Coefficient k of this slope times @p r, whose coefficients below k are known.
-  [[nodiscard, gnu::always_inline]] double times_rest(const UnrolledSeries& r, int degree) const {
+  [[nodiscard, gnu::always_inline]] double times_rest(const UnrolledSeries& r, int polynomial_degree) const {
     if constexpr (k <= 0) {
       return 0;
     } else {
-      if (degree == 1) return data()[1] * r.data()[k - 1];
+      if (polynomial_degree == 1) return data()[1] * r.data()[k - 1];
       return unrolled::sum<inner>(data() + 1, r.data() + k - 1) + value_ * r.data()[0];
     }
   }

@@ -18,7 +18,6 @@ namespace {
 
 using nlmech::chapters::geodesy::Points;
 using nlmech::geodesy::BasicGeodetic;
-using nlmech::geodesy::InstructionSet;
 namespace reference = nlmech::geodesy::reference;
 
 const Ellipsoid wgs84 = Ellipsoid::wgs84();
@@ -130,7 +129,7 @@ TEST(SimdPeers, HaveTheErrorsOfTheirScalarForms) {
                             {SimdMethod::fukushima2006_1, 3.13e-11}, {SimdMethod::fukushima2006_2, 0}};
   Points p = sample().points;
   for (auto set : {InstructionSet::baseline, InstructionSet::avx2, InstructionSet::avx512}) {
-    if (!nlmech::geodesy::available(set)) continue;
+    if (!available(set)) continue;
     for (const SimdCase& c : cases) {
       run(c.method, set, wgs84, p.x, p.y, p.z, p.latitude, p.longitude, p.height);
       Errors errors;

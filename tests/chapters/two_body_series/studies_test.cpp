@@ -1,5 +1,5 @@
-/// What the chapter's own studies claim: how energies drift, where days about an oblate Earth end, that steps
-/// beyond the radius of convergence diverge, and that units do not matter.
+/// What the chapter's own studies claim: that steps beyond the radius of convergence diverge, and that units
+/// do not matter.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,8 +9,6 @@
 #include "chapters/two_body_series/orbits/ellipses.hpp"
 #include "chapters/two_body_series/orbits/extremes.hpp"
 #include "chapters/two_body_series/orbits/propagators.hpp"
-#include "chapters/two_body_series/zonal/drift_runs.hpp"
-#include "chapters/two_body_series/zonal/zonal.hpp"
 #include "nlmech/orbit/convergence.hpp"
 #include "nlmech/orbit/kepler.hpp"
 #include "nlmech/problems/texts.hpp"
@@ -19,59 +17,6 @@ namespace nlmech::chapters::two_body_series::studies_test {
 namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
-
-double energy_slope(const Drift& d) { return Drift::slope(d.orbits, d.energy); }
-
-TEST(Drift, SlopeOfPowers) {
-  const std::vector<int> orbits = {10, 100, 1000, 10'000};
-  // What comes before 100 orbits does not count. Sums of squares of logarithms, up to 85, cancel.
-  EXPECT_NEAR(Drift::slope(orbits, {1, 1, std::sqrt(10.0), 10}), 0.5, 64 * eps);
-  EXPECT_NEAR(Drift::slope(orbits, {5, 2, 20, 200}), 1, 64 * eps);
-}
-
-// A walk of 30 000 steps of some tenths of eps, against the same share of eps in each step, the same way:
-// 5e-15 and 5e-14 after a thousand orbits are recorded.
-TEST(Drift, DivisionWalksAndReciprocalsDrift) {
-  DriftTask task{"", 0.1, 22, 30};
-  task.phases = 16;
-  const Drift walk = drift_of(task, 1000);
-  task.true_division = false;
-  task.phases = 2;
-  const Drift line = drift_of(task, 1000);
-  EXPECT_LT(walk.energy.back(), 2e-14);
-  EXPECT_GT(line.energy.back(), 3 * walk.energy.back());
-  EXPECT_LT(energy_slope(walk), 0.8);
-  EXPECT_EQ(walk.orbits.back(), 1000);
-}
-
-// Compensation takes the rounding of sums away, which is most of it.
-TEST(Drift, CompensationHelps) {
-  DriftTask task{"", 0.1, 22, 30, false};
-  task.phases = 16;
-  const double plain = drift_of(task, 300).energy.back();
-  task.compensated = true;
-  EXPECT_LT(drift_of(task, 300).energy.back(), plain);
-}
-
-TEST(Drift, AdaptiveWalks) {
-  DriftTask task{"", 0.7, 0, 0};
-  task.tolerance = 1e-17;
-  task.phases = 8;
-  // 30 orbits to 1000: a walk of some twenty steps an orbit, each rounding |v|^2/2, up to six times |E|.
-  EXPECT_LT(drift_of(task, 1000).energy.back(), 6 * eps * std::sqrt(20 * 1000));
-}
-
-TEST(Zonal, EndsOfADay) {
-  for (const ZonalDay& d : zonal_days()) {
-    const ZonalErrors plain = day_in_double(d), exact = day_in_extended(d);
-    EXPECT_LT(plain.position, 1e-5) << d.name;
-    EXPECT_LT(plain.velocity, 1e-8) << d.name;
-    EXPECT_LT(plain.energy, 64 * eps) << d.name;  // some 200 steps of a walk of eps/2 and less
-    EXPECT_LT(exact.position, 1e-9) << d.name;
-    EXPECT_LT(exact.velocity, 1e-12) << d.name;
-    EXPECT_LT(exact.energy, 1e-18) << d.name;  // tolerance 1e-21 in some hundred steps
-  }
-}
 
 /// |dr|/a after one step of a share of an orbit from the periapsis.
 double error_of_a_step(double eccentricity, int steps, int order) {

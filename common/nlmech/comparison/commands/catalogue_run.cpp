@@ -11,7 +11,7 @@
 #include <string_view>
 
 #include "nlmech/comparison/commands/compare.hpp"
-#include "nlmech/scene/catalogue/shard.hpp"
+#include "nlmech/scene/catalogue/catalogue.hpp"
 #include "nlmech/scene/program/this_process.hpp"
 #include "nlmech/support/sentences.hpp"
 #include "nlmech/support/threads.hpp"
@@ -80,14 +80,11 @@ class CatalogueRun {
     catalogue_.weigh_by(
         [this](const auto& row) { return std::max(lines_at_a_time / most_rows, lines(row)); });
     scene::print_catalogue(
-        catalogue_, {.shard = typed_.shard,
-                     .options = what_rows_depend_on(),
-                     .header = fmt::format("row,t,{}{}{},status", fmt::join(states_, ","),
+        catalogue_, {.header = fmt::format("row,t,{}{}{},status", fmt::join(states_, ","),
                                            options_.events.empty() ? "" : ",event",
                                            catalogue_.columns().rest_names({"row", "t", "event", "status"})),
                      .portion = scene::portion_for(lines_at_a_time, threads_),
-                     .work = [this](const scene::CatalogueRows& rows) { return lines_of(rows); },
-                     .failed = [this] { return failed_; }});
+                     .work = [this](const scene::CatalogueRows& rows) { return lines_of(rows); }});
     if (open_ > 1)
       scene::tell(
           fmt::format("{}: {} of the runs are not verified; the first is {}", program_, open_, remark_));
@@ -100,16 +97,6 @@ class CatalogueRun {
   }
 
  private:
-  /// For merge, which joins parts of one run alone.
-  [[nodiscard]] std::string what_rows_depend_on() const {
-    const double from = typed_.from.value_or(base_->t0);
-    return fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {}", typed_.problem,
-                       typed_.problem.empty() ? base_->text.source().text() : "", fmt::join(typed_.set, " "),
-                       typed_.initial, from, typed_.until.value_or(from), typed_.no_verify,
-                       typed_.every.value_or(0), fmt::join(typed_.events, " "), typed_.section,
-                       typed_.largest_step.value_or(0), method_.name,
-                       Choice{&method_, options_.settings}.setting());
-  }
   /// That of a row without columns; if one is missing and nothing was said of it, zeros and why.
   [[nodiscard]] ivp::State initial_state(const UserProblem& problem) {
     try {

@@ -8,7 +8,6 @@
 #include "nlmech/comparison/commands/compare.hpp"
 #include "nlmech/comparison/commands/run_figure.hpp"
 #include "nlmech/comparison/commands/runs.hpp"
-#include "nlmech/scene/catalogue/shard.hpp"
 #include "nlmech/scene/picture.hpp"
 #include "nlmech/scene/program/this_process.hpp"
 #include "nlmech/support/echo.hpp"
@@ -29,7 +28,6 @@ std::string heading_of(const TypedOptions& typed) {
 int integrate(const TypedOptions& typed, const std::string& program) {
   if (!typed.states.empty()) return print_runs(typed, program);
   if (typed.threads) throw input_error("--threads {}: is about --states", *typed.threads);
-  if (!typed.shard.empty()) throw input_error("--shard {}: is about --states", typed.shard);
   const UserProblem problem = problem_of(typed)({});
   const scene::Picture picture(typed.plot);
   const RunOptions options = run_options(typed, problem, problem.initial_state(typed.initial));
@@ -179,8 +177,6 @@ void add_integrate(scene::Commands& commands) {
         "others are handed on; - is standard input");
     options.add("--threads", typed.threads, "of --states, how many; without it one a processor")
         .range(1, 1024);
-    options.add("--shard", typed.shard,
-                "of --states, i/n: the i-th of n disjoint parts, for merge of integrators");
     options.footer(describe_all());
   };
   commands.add<TypedOptions>(
@@ -227,24 +223,12 @@ void add_compare(scene::Commands& commands) {
       declare, [program = commands.program()](const TypedOptions& typed) { return compare(typed, program); });
 }
 
-/// `merge`
-struct Parts {
-  std::vector<std::string> files;
-};
-
-void declare_parts(scene::Options& options, Parts& parts) {
-  options.add("parts", parts.files, "files written by integrate --shard").required();
-}
-
 }  // namespace
 
 void add_ivp_commands(scene::Commands& commands) {
   add_integrate(commands);
   add_compare(commands);
   add_choose(commands);
-  commands.add("merge",
-               "Joins all shards of one run over --states, given in any order, to what one run writes",
-               declare_parts, [](const Parts& parts) { scene::print_merged(parts.files); });
 }
 
 }  // namespace nlmech::comparison

@@ -8,7 +8,7 @@
 namespace nlmech::comparison {
 
 /// `integrate`: a problem from start to end as rows of CSV; `compare`: methods side by side; `choose`: which
-/// method for a problem, with the command that runs it; `merge`: the shards of `integrate --states`.
+/// method for a problem, with the command that runs it.
 void add_ivp_commands(scene::Commands& commands);
 
 }  // namespace nlmech::comparison

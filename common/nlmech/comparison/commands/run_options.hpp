@@ -34,7 +34,6 @@ struct TypedOptions {
   std::vector<std::string> events;     ///< `--event`, each
   std::string section;                 ///< `--section`
   std::string states;                  ///< `--states`, a file
-  std::string shard;                   ///< `--shard`
   std::optional<int> threads;          ///< `--threads`
   bool no_verify = false;              ///< `--no-verify`
   int digits = 9;                      ///< `--digits`

@@ -12,7 +12,8 @@
 #include <utility>
 
 #include "nlmech/comparison/reference/verification.hpp"
-#include "nlmech/ivp/named/named_ensemble.hpp"
+#include "nlmech/ivp/ensemble/integrate_all.hpp"
+#include "nlmech/ivp/named/named_integrators.hpp"
 #include "nlmech/scene/program/this_process.hpp"
 #include "nlmech/scene/table.hpp"
 #include "nlmech/support/sentences.hpp"
@@ -276,6 +277,24 @@ void share_seconds(double all, std::vector<ivp::Solution>& ends) {
     end.statistics.seconds = all * static_cast<double>(end.statistics.right_hand_sides) / std::max(sum, 1.0);
 }
 
+/// Each trajectory with the bits of @p one, which is method.with(settings): `series` that chooses its steps
+/// moves several of them in a register (see ivp::integrate_all()), all others go one by one, in threads.
+std::vector<ivp::Solution> solutions_of(std::span<const ivp::Start> starts, const ivp::MethodInfo& method,
+                                        const ivp::Settings& settings, const ivp::NamedIntegrator& one,
+                                        int threads) {
+  if (method.name == ivp::Series::name && !settings.step)
+    return ivp::integrate_all(starts, ivp::named::series_of(settings), threads);
+  std::vector<ivp::Solution> solutions(starts.size());
+  share_out(starts.size(), 1, threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const ivp::Start& s = starts[i];
+      solutions[i] = one(*s.system, s.x0, s.t0, s.t1, s.observer, s.limits_from_now());
+      solutions[i].statistics.seconds = 0;
+    }
+  });
+  return solutions;
+}
+
 }  // namespace
 
 ChoiceRequest choice_request(const UserProblem& problem, const RunOptions& r) {
@@ -331,7 +350,7 @@ std::vector<EnsembleResult> trajectories(std::span<const EnsembleMember> members
     starts[i] = runs[i]->start();
   });
   const Stopwatch watch;
-  auto ends = about("--method", [&] { return integrate_all_by(method, settings, starts, threads); });
+  auto ends = about("--method", [&] { return solutions_of(starts, method, settings, one, threads); });
   share_seconds(watch.seconds() * static_cast<double>(threads_for(threads)), ends);
   std::vector<EnsembleResult> all(members.size());
   each([&](std::size_t i) {

@@ -5,7 +5,7 @@
 
 #include "nlmech/geodesy/kernels/arctangent.hpp"
 #include "nlmech/geodesy/kernels/kernel.hpp"
-#include "nlmech/support/kernels/lanes.hpp"
+#include "nlmech/support/kernels/pack.hpp"
 
 namespace nlmech::geodesy::kernels {
 
@@ -87,8 +87,8 @@ template <int corrections, class V>
 /// Two angles at once: latitude in the first lane, longitude in the second.
 template <class Set, int corrections>
 Position reverse_point(const Constants& k, double x, double y, double z) noexcept {
-  using One = simd::Lanes<Set, 1>;
-  using Two = simd::Lanes<Set, 2>;
+  using One = simd::Pack<Set, 1>;
+  using Two = simd::Pack<Set, 2>;
   const Meridian<One> g = meridian<corrections>(One{x}, One{y}, One{z}, k);
   const Two angles =
       arctangent<true>(magnitude(Two::of(g.y.v, y)), Two::of(g.x.v, x), Two::of(g.correction.v, 0.0));

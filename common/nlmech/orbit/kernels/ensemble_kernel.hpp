@@ -2,12 +2,9 @@
 /// Kepler orbits by Taylor series, one in each lane, for any set of lanes. Internal to the kernels.
 #pragma once
 
-#include <type_traits>
-
 #include "nlmech/orbit/kernels/ensemble.hpp"
 #include "nlmech/orbit/kernels/taylor_kernel.hpp"
 #include "nlmech/support/kernels/rough_logarithm.hpp"
-#include "nlmech/support/kernels/twin.hpp"
 
 namespace nlmech::orbit::kernels {
 
@@ -252,8 +249,7 @@ LaneEvents steps(LaneBlock& block, const LaneSettings& settings, std::int64_t li
 
 /// The table of one instruction set. The chain from order to order leaves room for two registers at a time;
 /// where quotients are divisions, it does not.
-template <class Set, class One = simd::Widest<Set>,
-          class V = std::conditional_t<Set::fuses, simd::Twin<One>, One>>
+template <class Set, class V = simd::Pack<Set, (Set::fuses ? 2 : 1) * Set::lanes>>
 inline constexpr EnsembleKernel ensemble_kernel = {V::lanes, steps<Set, V>};
 
 }  // namespace nlmech::orbit::kernels

@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "nlmech/orbit/kernels/five.hpp"
 #include "nlmech/orbit/kernels/kernel.hpp"
+#include "nlmech/support/kernels/pack.hpp"
 
 namespace nlmech::orbit::kernels {
 
@@ -20,7 +20,7 @@ namespace nlmech::orbit::kernels {
 //
 //     f_{n+2} = Q_n/(n (n + 1)(n + 2)).
 //
-// The sums for r, P and Q run over the same g: r_m, f_m and m f_m lie side by side in one Five, and each
+// The sums for r, P and Q run over the same g: r_m, f_m and m f_m lie side by side in one pack, and each
 // term is one multiply-add with g in all lanes.
 //
 // What limits the speed is the chain from one order to the next, not the number of operations. So sums have
@@ -41,16 +41,36 @@ constexpr Reciprocal reciprocal(int d) {
   return {static_cast<double>(d), high, ((1 - d * top) - d * (high - top)) / d};
 }
 
+/// The first three lanes of @p r, then @p a and @p b.
+template <class Set>
+[[gnu::always_inline]] inline simd::Pack<Set, 8> joined(simd::Pack<Set, 4> r, double a, double b) {
+  using Four = simd::Pack<Set, 4>;
+  r.set(3, a);
+  if constexpr (Set::lanes < 8) {
+    return {r, Four::all(b)};
+  } else {
+    return {__builtin_shufflevector(r.v, Four::all(b).v, 0, 1, 2, 3, 4, 5, 6, 7)};
+  }
+}
+template <class Set>
+[[gnu::always_inline]] inline simd::Pack<Set, 4> first_four(simd::Pack<Set, 8> x) {
+  if constexpr (Set::lanes < 8) {
+    return x.a;
+  } else {
+    return {__builtin_shufflevector(x.v, x.v, 0, 1, 2, 3)};
+  }
+}
+
 /// Of the first three lanes.
 template <class Set>
-[[gnu::always_inline]] inline double sum3(Four<Set> a) {
+[[gnu::always_inline]] inline double sum3(simd::Pack<Set, 4> a) {
   return (a[0] + a[1]) + a[2];
 }
 
 template <class Set>
 struct Taylor {
-  using Four = kernels::Four<Set>;
-  using Five = kernels::Five<Set>;
+  using Four = simd::Pack<Set, 4>;
+  using Five = simd::Pack<Set, 8>;  ///< r, f and m f; three lanes are of no meaning
   static constexpr int size = most_unrolled + 1;
 
   Five five[size];
@@ -87,7 +107,7 @@ struct Taylor {
     r[2].store(c.row[2]);
     f[1] = 2 * sum3(r[0] * r[1]);
     f[2] = Set::multiply_add(f[0], g[0], sum3(r[1] * r[1]));
-    five[1] = Five::of(r[1], f[1], f[1]);
+    five[1] = joined<Set>(r[1], f[1], f[1]);
     f1_ratio = f[1] * f0_inverse;
     f_factor = 1.5 * g[0] * f0_inverse;
     g[1] = -f_factor * f[1];
@@ -106,7 +126,7 @@ struct Taylor {
   /// g_n, f_{n+2} and r_{n+2} for n > 1.
   template <int n>
   [[gnu::always_inline]] void order() {
-    five[n] = Five::of(r[n], f[n], n * f[n]);
+    five[n] = joined<Set>(r[n], f[n], n * f[n]);
     const double factor = f1_ratio + over(f1_ratio, reciprocal(2 * n));
     const double known_late = Set::multiply_add(factor, g[n - 1], f_factor * f[n]);
     double q = Set::multiply_add(f[1], g[n - 1], n * (f[n] * g[0]));
@@ -116,20 +136,20 @@ struct Taylor {
     } else {
       // Terms m = 2 .. n - 1 in parts, the one with g_{n-2} last.
       constexpr int parts = n > 14 ? 3 : n > 6 ? 2 : 1;
-      Five part[3] = {five[n - 1] * g[1], Five::zero(), Five::zero()};
-      if constexpr (parts > 1) part[1] = five[n - 2] * g[2];
-      if constexpr (parts > 2) part[2] = five[n - 3] * g[3];
+      Five part[3] = {five[n - 1] * Five::all(g[1]), Five::all(0), Five::all(0)};
+      if constexpr (parts > 1) part[1] = five[n - 2] * Five::all(g[2]);
+      if constexpr (parts > 2) part[2] = five[n - 3] * Five::all(g[3]);
 #pragma GCC unroll 40
       for (int m = n - 1 - parts; m >= 3; --m)
-        part[(n - 1 - m) % parts] = multiply_add(five[m], g[n - m], part[(n - 1 - m) % parts]);
+        part[(n - 1 - m) % parts] = multiply_add(five[m], Five::all(g[n - m]), part[(n - 1 - m) % parts]);
       Five all = part[0];
       if constexpr (parts > 2) part[1] = part[1] + part[2];
       if constexpr (parts > 1) all = all + part[1];
-      if constexpr (n > 3) all = multiply_add(five[2], g[n - 2], all);
-      const double known = all.fourth() + over(all.fifth(), reciprocal(2 * n));
+      if constexpr (n > 3) all = multiply_add(five[2], Five::all(g[n - 2]), all);
+      const double known = all[3] + over(all[4], reciprocal(2 * n));
       g[n] = -Set::multiply_add(known, f0_inverse, known_late);
-      q += all.fifth();
-      sum = sum + all.four();
+      q += all[4];
+      sum = sum + first_four<Set>(all);
     }
     f[n + 2] = over(q, reciprocal(n * (n + 1) * (n + 2)));
     next<n>(sum);

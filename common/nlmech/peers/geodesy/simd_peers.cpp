@@ -5,8 +5,6 @@
 
 namespace nlmech::peers::geodesy {
 
-using nlmech::geodesy::InstructionSet;
-
 std::string_view to_string(SimdMethod method) noexcept {
   switch (method) {
     case SimdMethod::two_arctangents: return "two arctangents";
@@ -30,7 +28,7 @@ void run(SimdMethod method, InstructionSet set, const nlmech::geodesy::Ellipsoid
     throw std::invalid_argument("peers::geodesy::run: sizes must be equal and a multiple of 8, x has " +
                                 std::to_string(size));
   }
-  nlmech::geodesy::require_available(set);
+  require_available(set);
   const SimdTable* table = &baseline_peers;
 #if defined(__x86_64__)
   if (set == InstructionSet::avx2) table = &avx2_peers;

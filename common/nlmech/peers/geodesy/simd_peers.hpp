@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "nlmech/geodesy/ellipsoid.hpp"
-#include "nlmech/geodesy/instruction_set.hpp"
+#include "nlmech/support/instruction_set.hpp"
 
 namespace nlmech::peers::geodesy {
 
@@ -63,7 +63,7 @@ extern const SimdTable avx512_peers;
 
 /// Runs @p method over the batch. @throws std::invalid_argument if the sizes differ or are no multiple of 8,
 /// or if the processor does not have @p set
-void run(SimdMethod method, nlmech::geodesy::InstructionSet set, const nlmech::geodesy::Ellipsoid& ellipsoid,
+void run(SimdMethod method, InstructionSet set, const nlmech::geodesy::Ellipsoid& ellipsoid,
          std::span<const double> x, std::span<const double> y, std::span<const double> z,
          std::span<double> latitude, std::span<double> longitude, std::span<double> height);
 

@@ -1,7 +1,6 @@
 #include "nlmech/support/kernels/avx2.hpp"
 
 #include "nlmech/program/kernels/lanes.hpp"
-#include "nlmech/support/kernels/twin.hpp"
 
 namespace nlmech::tape {
 
@@ -40,6 +39,6 @@ struct Avx2Sum {
 }  // namespace
 
 const Replay avx2_replay = Replayer<One<Avx2Sum>>::run;
-const LaneKernel avx2_lanes = lane_kernel<ManyInFours<simd::Twin<simd::Widest<simd::Avx2>>>>;
+const LaneKernel avx2_lanes = lane_kernel<ManyInFours<simd::Pack<simd::Avx2, 8>>>;
 
 }  // namespace nlmech::tape

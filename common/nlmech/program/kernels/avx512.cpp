@@ -1,7 +1,6 @@
 #include "nlmech/support/kernels/avx512.hpp"
 
 #include "nlmech/program/kernels/lanes.hpp"
-#include "nlmech/support/kernels/twin.hpp"
 
 namespace nlmech::tape {
 
@@ -43,6 +42,6 @@ struct Avx512Sum {
 }  // namespace
 
 const Replay avx512_replay = Replayer<One<Avx512Sum>>::run;
-const LaneKernel avx512_lanes = lane_kernel<ManyInFours<simd::Twin<simd::Widest<simd::Avx512>>>>;
+const LaneKernel avx512_lanes = lane_kernel<ManyInFours<simd::Pack<simd::Avx512, 16>>>;
 
 }  // namespace nlmech::tape

@@ -1,7 +1,6 @@
 #include "nlmech/support/kernels/baseline.hpp"
 
 #include "nlmech/program/kernels/lanes.hpp"
-#include "nlmech/support/kernels/twin.hpp"
 
 namespace nlmech::tape {
 
@@ -25,6 +24,6 @@ struct BaselineSum {
 }  // namespace
 
 const Replay baseline_replay = Replayer<One<BaselineSum>>::run;
-const LaneKernel baseline_lanes = lane_kernel<ManyRounded<simd::Twin<simd::Widest<simd::Baseline>>>>;
+const LaneKernel baseline_lanes = lane_kernel<ManyRounded<simd::Pack<simd::Baseline, 4>>>;
 
 }  // namespace nlmech::tape

@@ -7,7 +7,7 @@
 
 namespace nlmech::tape {
 
-/// One solution a lane. @tparam V simd::Lanes, or simd::Twin of them
+/// One solution a lane. @tparam V simd::Pack
 template <class V>
 struct Many {
   using Number = V;

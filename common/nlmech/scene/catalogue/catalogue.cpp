@@ -1,5 +1,7 @@
 #include "nlmech/scene/catalogue/catalogue.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cerrno>
 #include <filesystem>
@@ -11,6 +13,7 @@
 #include "nlmech/support/echo.hpp"
 #include "nlmech/support/errors.hpp"
 #include "nlmech/support/sentences.hpp"
+#include "nlmech/support/threads.hpp"
 
 namespace nlmech::scene {
 namespace {
@@ -85,11 +88,7 @@ bool Catalogue::read_line(Line& line) {
 bool Catalogue::read_row(Line& line) {
   while (read_line(line)) {
     line.text = columns_.content(line.text, line.number);
-    if (line.text.empty()) continue;
-    if (rows_) return true;  // read through already
-    for (const char c : line.text) digest_ = (digest_ ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
-    digest_ = (digest_ ^ '\n') * 0x100000001b3U;
-    return true;
+    if (!line.text.empty()) return true;
   }
   return false;
 }
@@ -110,7 +109,7 @@ void Catalogue::understand(const Line& line, std::vector<double>& numbers, std::
   if (!wrong.empty()) throw input_error("{}: line {}: {}", name_, line.number, wrong);
 }
 
-CatalogueRows Catalogue::next(const Portion& portion, std::int64_t last) {
+CatalogueRows Catalogue::next(const Portion& portion) {
   CatalogueRows rows;
   rows.first = next_row_;
   Line line;
@@ -118,7 +117,7 @@ CatalogueRows Catalogue::next(const Portion& portion, std::int64_t last) {
   const auto is_full = [&] {
     return sum >= portion.weight && (rows.line.size() >= portion.rows || sum >= portion.most);
   };
-  while (!is_full() && next_row_ <= last && read_row(line)) {
+  while (!is_full() && read_row(line)) {
     understand(line, rows.numbers.emplace_back(), rows.rest.emplace_back());
     rows.line.push_back(line.number);
     sum += weight_ ? weight_(rows.numbers.back()) : 1;
@@ -127,9 +126,43 @@ CatalogueRows Catalogue::next(const Portion& portion, std::int64_t last) {
   return rows;
 }
 
-void Catalogue::skip_to(std::int64_t row) {
-  Line line;
-  while (next_row_ < row && read_row(line)) ++next_row_;
+void print_catalogue(Catalogue& catalogue, const CatalogueOutput& output) {
+  const std::string of = catalogue.rows() ? fmt::format(" of {}", *catalogue.rows()) : std::string();
+  // The header waits for the first rows: if they turn out to be a mistake, nothing was printed.
+  std::string header = output.header + '\n';
+  for (;;) {
+    const CatalogueRows rows = catalogue.next(output.portion);
+    if (rows.line.empty()) {
+      if (rows.first == 1) tell_of_no_rows(catalogue.name());
+      break;
+    }
+    const Doing doing(fmt::format("at row {}{}", rows.first, of));
+    const std::string lines = output.work(rows);
+    print_result(std::exchange(header, {}));
+    print_result(lines);
+  }
+  print_result(header);
+}
+
+Portion portion_for(double lines, int threads) {
+  constexpr std::size_t lanes = 16, lines_of_thread = std::size_t{1} << 18U;
+  const std::size_t count = threads_for(threads);
+  return {lines, count * lanes, static_cast<double>(count * lines_of_thread)};
+}
+
+std::string lines_in_threads(std::size_t count, int threads,
+                             const std::function<void(std::size_t task, std::string& lines)>& add) {
+  const std::size_t portion = std::clamp<std::size_t>(count / (8 * threads_for(threads)), 1, 64);
+  std::vector<std::string> pieces((count + portion - 1) / portion);
+  share_out(count, portion, threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) add(i, pieces[begin / portion]);
+  });
+  std::size_t size = 0;
+  for (const std::string& piece : pieces) size += piece.size();
+  std::string lines;
+  lines.reserve(size);
+  for (std::string& piece : pieces) lines += std::exchange(piece, {});
+  return lines;
 }
 
 }  // namespace nlmech::scene

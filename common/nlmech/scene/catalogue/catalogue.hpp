@@ -41,9 +41,8 @@ struct Portion {
 
 /// Reads one catalogue from its first row to its last, as CsvColumns reads lines.
 ///
-/// A file is read through once beforehand: rows() and digest() are known then, and whatever is wrong with any
-/// of its rows is said before the first is worked on. Standard input cannot be read twice, and complaints of
-/// a row come when it is its turn.
+/// A file is read twice. The first time it is only checked, so that a mistake in any row is reported before
+/// the work begins. Standard input is read once, and a mistake is reported when its row is reached.
 class Catalogue {
  public:
   /// @param path "-" is standard input
@@ -60,16 +59,12 @@ class Catalogue {
   [[nodiscard]] const std::string& name() const { return name_; }
   /// How many rows it has; not known of standard input.
   [[nodiscard]] std::optional<std::int64_t> rows() const { return rows_; }
-  /// A number made of all lines.
-  [[nodiscard]] std::uint64_t digest() const { return digest_; }
 
   /// Rows are counted by their weight from now on, not by their number.
   void weigh_by(RowWeight weight) { weight_ = std::move(weight); }
-  /// The next rows, a portion or fewer, up to number @p last; none at the end.
+  /// The next rows, a portion or fewer; none at the end.
   /// @throws InputError as above
-  [[nodiscard]] CatalogueRows next(const Portion& portion, std::int64_t last);
-  /// Leaves out rows up to number @p row. @throws InputError as above
-  void skip_to(std::int64_t row);
+  [[nodiscard]] CatalogueRows next(const Portion& portion);
 
  private:
   /// A line and its number.
@@ -94,7 +89,30 @@ class Catalogue {
   bool ended_ = false;
   std::int64_t next_row_ = 1;
   std::optional<std::int64_t> rows_;
-  std::uint64_t digest_ = 0xcbf29ce484222325U;
 };
+
+/// The lines that are made of a catalogue.
+struct CatalogueOutput {
+  std::string header;  ///< without the end of the line
+  Portion portion;     ///< rows at a time
+  /// The lines of some rows.
+  std::function<std::string(const CatalogueRows&)> work;
+};
+
+/// Works on the rows of a catalogue in portions and prints the lines in the order of the rows, each portion
+/// as soon as it is done.
+/// @throws InputError as the catalogue does
+void print_catalogue(Catalogue& catalogue, const CatalogueOutput& output);
+
+/// Rows that make @p lines lines or more and fill the lanes of all threads, but at most a quarter of a
+/// million lines a thread, because the lines of a portion are held in memory.
+/// @param threads 0: one a processor
+[[nodiscard]] Portion portion_for(double lines, int threads);
+
+/// The lines of @p count tasks, made by several threads and joined in order. @p add appends those of one
+/// task.
+/// @param threads 0: one a processor
+[[nodiscard]] std::string lines_in_threads(
+    std::size_t count, int threads, const std::function<void(std::size_t task, std::string& lines)>& add);
 
 }  // namespace nlmech::scene

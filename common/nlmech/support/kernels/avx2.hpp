@@ -4,16 +4,16 @@
 
 #include <immintrin.h>
 
-#include "nlmech/support/kernels/lanes.hpp"
+#include "nlmech/support/kernels/pack.hpp"
 
 namespace nlmech::simd {
 
-/// The set of Lanes in AVX registers.
+/// The set of Pack in AVX registers.
 struct Avx2 {
   static constexpr int lanes = 4;      ///< of a register
   static constexpr bool fuses = true;  ///< multiply_add() rounds once
 
-  /// See Lanes.
+  /// See Pack.
   /// @{
   [[gnu::always_inline]] static double multiply_add(double a, double b, double c) {
     return __builtin_fma(a, b, c);

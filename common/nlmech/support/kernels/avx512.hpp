@@ -6,11 +6,11 @@
 
 namespace nlmech::simd {
 
-/// The set of Lanes in AVX-512 registers, and in shorter ones as Avx2.
+/// The set of Pack in AVX-512 registers, and in shorter ones as Avx2.
 struct Avx512 : Avx2 {
   static constexpr int lanes = 8;  ///< of a register
 
-  /// See Lanes. The forms of max and min without a mask warn of their own uninitialised operand (GCC's bug
+  /// See Pack. The forms of max and min without a mask warn of their own uninitialised operand (GCC's bug
   /// 105593); the code is the same.
   /// @{
   using Avx2::larger;

@@ -6,11 +6,11 @@
 #include <emmintrin.h>
 #endif
 
-#include "nlmech/support/kernels/lanes.hpp"
+#include "nlmech/support/kernels/pack.hpp"
 
 namespace nlmech::simd {
 
-/// The set of Lanes that leaves nearly all to the compiler. Products are rounded.
+/// The set of Pack that leaves nearly all to the compiler. Products are rounded.
 struct Baseline {
   static constexpr int lanes = 2;       ///< of a register
   static constexpr bool fuses = false;  ///< multiply_add() rounds once
@@ -28,7 +28,7 @@ struct Baseline {
   // Of two lanes. GCC 12 compares again where a comparison is known already, and splits a mask that is used
   // as bits.
 #if defined(__SSE2__)
-  /// See Lanes.
+  /// See Pack.
   /// @{
   [[gnu::always_inline]] static __m128d larger(__m128d a, __m128d b) { return _mm_max_pd(a, b); }
   [[gnu::always_inline]] static __m128d smaller(__m128d a, __m128d b) { return _mm_min_pd(a, b); }
@@ -42,7 +42,7 @@ struct Baseline {
   }
   /// @}
 #else
-  /// See Lanes.
+  /// See Pack.
   /// @{
   template <class V>
   [[gnu::always_inline]] static V larger(V a, V b) {

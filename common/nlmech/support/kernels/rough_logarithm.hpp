@@ -3,7 +3,7 @@
 /// the kernels.
 #pragma once
 
-#include "nlmech/support/kernels/lanes.hpp"
+#include "nlmech/support/kernels/pack.hpp"
 
 namespace nlmech::simd {
 
@@ -16,36 +16,44 @@ struct Integers {
 /// log2(x) within 6e-5 for normal x: the exponent and a polynomial in the fraction. Zeros, infinities and
 /// NaNs give what their bits look like, about +-1024; a sign is not looked at.
 template <class Set, int n>
-[[gnu::always_inline]] inline Lanes<Set, n> rough_log2(Lanes<Set, n> x) {
-  using V = Lanes<Set, n>;
-  using Bits = typename Integers<n>::Bits;
-  const Bits bits = Bits(x.v);
-  // The exponent's bits as the last ones of 2^52: a conversion that every instruction set has.
-  const Bits biased = ((bits >> 52U) & 0x7ffU) | 0x4330000000000000U;
-  const V exponent = V{typename V::Native(biased)} - V::all(0x1p52 + 1023);
-  const V m = V{typename V::Native((bits & 0xfffffffffffffU) | 0x3ff0000000000000U)} - V::all(1);
-  V p = V::all(0.058664939715711);
-  p = multiply_add(p, m, V::all(-0.225103025498408));
-  p = multiply_add(p, m, V::all(0.440599032955431));
-  p = multiply_add(p, m, V::all(-0.716714663167679));
-  p = multiply_add(p, m, V::all(1.442603894242363));
-  return multiply_add(p, m, exponent);
+[[gnu::always_inline]] inline Pack<Set, n> rough_log2(Pack<Set, n> x) {
+  if constexpr (n > Set::lanes) {
+    return {rough_log2(x.a), rough_log2(x.b)};
+  } else {
+    using V = Pack<Set, n>;
+    using Bits = typename Integers<n>::Bits;
+    const Bits bits = Bits(x.v);
+    // The exponent's bits as the last ones of 2^52: a conversion that every instruction set has.
+    const Bits biased = ((bits >> 52U) & 0x7ffU) | 0x4330000000000000U;
+    const V exponent = V{typename V::Native(biased)} - V::all(0x1p52 + 1023);
+    const V m = V{typename V::Native((bits & 0xfffffffffffffU) | 0x3ff0000000000000U)} - V::all(1);
+    V p = V::all(0.058664939715711);
+    p = multiply_add(p, m, V::all(-0.225103025498408));
+    p = multiply_add(p, m, V::all(0.440599032955431));
+    p = multiply_add(p, m, V::all(-0.716714663167679));
+    p = multiply_add(p, m, V::all(1.442603894242363));
+    return multiply_add(p, m, exponent);
+  }
 }
 
 /// 2^x within 1.1e-4 of itself for |x| <= 1000, and as if x were the nearest such number beyond. NaN gives a
 /// number.
 template <class Set, int n>
-[[gnu::always_inline]] inline Lanes<Set, n> rough_exp2(Lanes<Set, n> x) {
-  using V = Lanes<Set, n>;
-  using Bits = typename Integers<n>::Bits;
-  const V bounded = larger(smaller(x, V::all(1000)), V::all(-1000));
-  const V shifted = bounded + V::all(0x1.8p52);  // the nearest integer in the last bits
-  const V m = bounded - (shifted - V::all(0x1.8p52));
-  V p = V::all(0.055838282946220);
-  p = multiply_add(p, m, V::all(0.242639478546258));
-  p = multiply_add(p, m, V::all(0.693136733883621));
-  p = multiply_add(p, m, V::all(0.999924556950871));
-  return {typename V::Native(Bits(p.v) + (Bits(shifted.v) << 52U))};
+[[gnu::always_inline]] inline Pack<Set, n> rough_exp2(Pack<Set, n> x) {
+  if constexpr (n > Set::lanes) {
+    return {rough_exp2(x.a), rough_exp2(x.b)};
+  } else {
+    using V = Pack<Set, n>;
+    using Bits = typename Integers<n>::Bits;
+    const V bounded = larger(smaller(x, V::all(1000)), V::all(-1000));
+    const V shifted = bounded + V::all(0x1.8p52);  // the nearest integer in the last bits
+    const V m = bounded - (shifted - V::all(0x1.8p52));
+    V p = V::all(0.055838282946220);
+    p = multiply_add(p, m, V::all(0.242639478546258));
+    p = multiply_add(p, m, V::all(0.693136733883621));
+    p = multiply_add(p, m, V::all(0.999924556950871));
+    return {typename V::Native(Bits(p.v) + (Bits(shifted.v) << 52U))};
+  }
 }
 
 }  // namespace nlmech::simd
