@@ -5,12 +5,32 @@
 #include <string>
 #include <vector>
 
-#include "chapters/hermitian/peak_search.hpp"
+#include "chapters/hermitian/peaks.hpp"
+#include "chapters/printed_values.hpp"
 #include "nlmech/scene/scene.hpp"
 #include "nlmech/support/errors.hpp"
 
 namespace nlmech::chapters::hermitian::tables {
 namespace {
+
+/// Nine first peaks: by Laier's, Argyris' and Newmark's operators with the step 0.2, then 0.1 and 0.05.
+using Nine = std::array<double, 9>;
+constexpr std::array peak_steps = {0.2, 0.1, 0.05};
+constexpr std::array peak_operators = {ivp::laier, ivp::argyris, ivp::newmark_pair};
+constexpr std::array peak_columns = {"Laier", "Argyris", "Newmark"};
+
+/// One of the paper's two tables of first peaks.
+struct PeakTable {
+  const char *place, *oscillator;
+  Case what;     ///< equation and start
+  double exact;  ///< the first peak
+
+  /// The name of a printed number, as PublishedValue::name().
+  [[nodiscard]] std::string name(std::size_t i) const {
+    return fmt::format("laier/{}/dt = {} {}/first peak of the {} oscillator", place, peak_steps.at(i / 3),
+                       peak_columns.at(i % 3), oscillator);
+  }
+};
 
 /// A number of Table 4 or 5.
 struct Row {
@@ -21,16 +41,20 @@ struct Row {
   std::string name;               ///< as PublishedValue::name()
 };
 
+// oracle: transversal_motions Laier's Duffing peak, Laier's van der Pol peak
+PeakTable table_4() { return {"table-4", "Duffing", duffing_case(), 0.53826530480162931}; }
+PeakTable table_5() { return {"table-5", "van der Pol", van_der_pol_case(), -0.31932967523380421}; }
+
 std::vector<Row> peaks(const PeakTable& table) {
-  const Nine printed = table.printed();
+  const auto values = printed_values(table.place);
   std::vector<Row> rows;
   for (std::size_t i = 0; i < 9; ++i) {
     const double step = peak_steps.at(i / 3);
     const Peak peak = first_peak(table.what, {.operators = peak_operators.at(i % 3), .step = step}, 20);
     if (!peak.status.ok()) throw Failure(peak.status);
-    rows.push_back({peak_columns.at(i % 3), step, printed.at(i), peak.x, peak.on_grid,
-                    std::abs(printed.at(i) - table.exact), std::abs(peak.x - table.exact),
-                    table.name(i / 3, i % 3)});
+    const double printed = values.at(table.name(i)).value;
+    rows.push_back({peak_columns.at(i % 3), step, printed, peak.x, peak.on_grid,
+                    std::abs(printed - table.exact), std::abs(peak.x - table.exact), table.name(i)});
   }
   return rows;
 }
@@ -132,10 +156,10 @@ std::vector<scene::Scene> scenes() {
       "duffing-peaks",
       "start: at rest, which the paper does not say; peak: zero of the velocity in the dense output",
       [] { return peaks(table_4()); });
-  const scene::Result van_der_pol(
-      "van-der-pol-peaks",
-      "start: (0.01, 0), which the search finds and the paper does not say; peak as for Duffing",
-      [] { return peaks(table_5()); });
+  const scene::Result van_der_pol("van-der-pol-peaks",
+                                  "start: (0.01, 0), which tools/oracles/hermitian_search.py finds and the "
+                                  "paper does not say; peak as for Duffing",
+                                  [] { return peaks(table_5()); });
   return {{.name = "table-1",
            .title = "The operators, corrected, and their orders",
            .place = "Table 1",

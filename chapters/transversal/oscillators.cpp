@@ -18,10 +18,6 @@ problems::TextProblem stand_in(double e2) {
                                                   {"frequency", turn}});
 }
 
-problems::TextProblem ueda() {
-  return problems::TextProblem("driven-duffing", {{"damping", 0.05}, {"stiffness", 0}, {"force", 7.5}});
-}
-
 Course course(const problems::TextProblem& problem, const ivp::State& x0, double end,
               const ivp::NamedIntegrator& method, const Truth* truth) {
   Course c;

@@ -17,10 +17,6 @@ namespace nlmech::chapters::transversal {
 /// @param e2 stiffness
 [[nodiscard]] problems::TextProblem stand_in(double e2);
 
-/// Ueda's oscillator x'' + 0.05 x' + x^3 = 7.5 cos t, chaotic (Y. Ueda, Randomly transitional phenomena in
-/// the system governed by Duffing's equation, J. Stat. Phys. 20 (1979) 181-196).
-[[nodiscard]] problems::TextProblem ueda();
-
 /// A solution in long double.
 using Truth = problems::ReferenceTrajectory<long double, problems::TextProblem>;
 
@@ -29,7 +25,6 @@ struct Point {
   double t;      ///< time
   ivp::State x;  ///< position and velocity
   [[nodiscard]] double position() const { return x[0]; }
-  [[nodiscard]] double velocity() const { return x[1]; }
 };
 
 /// What became of a run.

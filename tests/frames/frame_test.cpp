@@ -1,11 +1,10 @@
-/// Frames: assembly, several turns, Lee's frame, refusals.
+/// Frames: assembly, several turns, refusals.
 #include "nlmech/frames/frame.hpp"
 
 #include <gtest/gtest.h>
 
 #include <vector>
 
-#include "tests/frames/control.hpp"
 #include "tests/frames/oracle.hpp"
 
 namespace nlmech::frames::frame_test {
@@ -77,28 +76,6 @@ TEST(Frame, TangentIsTheHessianOfTheEnergy) {
   const double* const values = k.valuePtr();
   ASSERT_TRUE(frame.tangent<double>(x, k).ok());
   EXPECT_EQ(k.valuePtr(), values);  // filled again in place
-}
-
-// Lee's frame: column and beam of 120, pinned ends, a dead load on the beam at 24 from the corner. Reference:
-// 10 + 10 elements; published limit loads lie at 1.85. oracle: homotopy_frames Lee's frame of 10 limit*
-TEST(Frame, LimitPointOfLeesFrame) {
-  std::vector<Node> nodes{{0, 0}};
-  std::vector<Member> members;
-  for (int i = 1; i <= 20; ++i) {
-    nodes.push_back(i <= 10 ? Node{0, 12. * i} : Node{12. * (i - 10), 120});
-    members.push_back({i - 1, i, 720 * 6, 720 * 2});
-  }
-  const Frame frame(nodes, members, {{0, Motion::x}, {0, Motion::y}, {20, Motion::x}, {20, Motion::y}});
-  const Eigen::Index v = frame.unknown(12, Motion::y);
-  VectorXd load = VectorXd::Zero(frame.size());
-  load[v] = -1;
-  PathPoint at{VectorXd::Zero(frame.size()), 0, -1};
-  for (int drop = 1; drop <= 46; ++drop) at = control(frame, load, v, -drop, at);
-  EXPECT_LT(at.slope, 0);
-  at = limit_point(frame, load, v, at, -52);
-  EXPECT_NEAR(at.load, 1.8556922898, 2e-10);
-  EXPECT_NEAR(-at.x[v], 48.73493660, 1e-6);
-  EXPECT_NEAR(at.x[frame.unknown(12, Motion::x)], 26.88148086, 1e-6);
 }
 
 TEST(Frame, TellsWhichMemberFails) {

@@ -9,7 +9,6 @@
 #include <numbers>
 #include <vector>
 
-#include "nlmech/frames/elastica.hpp"
 #include "tests/frames/named_models.hpp"
 #include "tests/frames/named_walks.hpp"
 
@@ -87,9 +86,7 @@ FrameModel toggle_model(const Toggle& t) {
 // Limit loads of the toggle against the exact elastica.
 TEST(MeshError, OfAToggle) {
   const Toggle toggle{.height = 0.44};
-  const Elastica exact(toggle);
-  const std::vector<ElasticaPoint> curve = exact.curve(0.24, 12);
-  const double limit = exact.limit(curve[curve.size() - 2], curve.back()).load;
+  constexpr double limit = 42.4397755886;  // oracle: homotopy_elastica elastica 0.44 maximum
   for (const int elements : {1, 2, 3, 4, 8}) {
     const Estimated e = estimated(toggle_model(toggle), elements, {});
     ASSERT_TRUE(e.paths.status.ok());

@@ -86,7 +86,7 @@ TEST(NamedForks, TheBucklingOfAnElementIsNoFork) {
   models::clamp(m, "base");
   m.loads = {{"top", Motion::y, -1}};
   const NamedFrame f = build(m, 1);
-  const FramePaths paths = equilibrium_paths(f.frame, f.load, {.until = 130});
+  const FramePaths paths = equilibrium_paths(f, {.until = 130});
   EXPECT_EQ(paths.status.outcome(), Outcome::wrong_branch);
   EXPECT_NE(paths.status.text().find("clamped buckling load"), std::string::npos) << paths.status.text();
   const auto forks = only(paths, Kind::bifurcation);

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "nlmech/frames/named/driven_frame.hpp"
+#include "nlmech/frames/loaded_frame.hpp"
 #include "nlmech/frames/named/frame_paths.hpp"
-#include "tests/frames/named_models.hpp"
+#include "tests/frames/named_walks.hpp"
 
 namespace nlmech::frames::named_given_test {
 namespace {
@@ -16,13 +16,7 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using Kind = FramePoint::Kind;
-
-Eigen::Index unknown_of(const NamedFrame& f, const std::string& name) {
-  const auto at =
-      std::find_if(f.motions.begin(), f.motions.end(), [&](const NamedMotion& m) { return m.name == name; });
-  EXPECT_NE(at, f.motions.end()) << name;
-  return at->unknown;
-}
+using walks::unknown_of;
 
 /// The model with the displacement of its first load given, instead of the load.
 FrameModel driven(FrameModel m, double value) {
@@ -99,7 +93,7 @@ TEST(GivenDisplacements, DerivativesAreThoseOfTheResidual) {
   FrameModel m = models::lee();
   m.displacements = {{"corner", Motion::rotation, 0.3}, {"end", Motion::rotation, -0.2}};
   const NamedFrame f = build(m, 1);
-  DrivenFrame equations(f);
+  LoadedFrame equations(f);
   ASSERT_EQ(equations.size(), f.frame.size() - 2);
   VectorXd x(equations.size()), plus, minus, column;
   for (Eigen::Index i = 0; i < x.size(); ++i) x[i] = 0.05 * std::sin(1. + static_cast<double>(i));

@@ -3,10 +3,10 @@
 #pragma once
 
 #include <cmath>
+#include <numbers>
 #include <string>
 
 #include "nlmech/frames/named/frame_model.hpp"
-#include "tests/frames/structures.hpp"
 
 namespace nlmech::frames::models {
 
@@ -89,24 +89,36 @@ inline FrameModel lee() {
   return m;
 }
 
+/// A circular arch loaded at the crown downwards.
+struct Arch {
+  double radius, half_angle;  ///< half the angle in degrees
+  double ea, ei;
+  bool is_right_clamped = true;  ///< else pinned
+  /// The left half only, its crown held against moving sideways and turning; the load is still that on the
+  /// whole.
+  bool is_half = false;
+};
+/// The arch of 215 degrees, clamped left and pinned right, of DaDeppo and Schmidt (1975).
+inline constexpr Arch deep_arch{100, 107.5, 1e8, 1e6, false};
+/// The clamped shallow arch of Gjelsvik and Bodner (1962), 3/16 thick: it snaps through, and branches into an
+/// antisymmetric shape.
+inline constexpr Arch shallow_arch{133.114, 7.3397, 1e7 * 3 / 16, 1e7 * (27. / 4096) / 12};
+
 /// An arch of two arcs, or of one to the crown.
 inline FrameModel arch(const Arch& a) {
   FrameModel m;
-  const double half = std::sin(a.half_angle / 2), x = a.radius * std::sin(a.half_angle),
-               y = -2 * a.radius * half * half;
-  const auto hold = [&](const std::string& node, bool is_clamped) {
-    is_clamped ? clamp(m, node) : pin(m, node);
-  };
+  const double angle = a.half_angle * std::numbers::pi / 180, half = std::sin(angle / 2),
+               x = a.radius * std::sin(angle), y = -2 * a.radius * half * half;
   m.nodes = {{"left", -x, y}, {"crown", 0, 0}};
   m.members = {{.first = "left", .second = "crown", .ea = a.ea, .ei = a.ei, .radius = a.radius}};
-  hold("left", a.is_left_clamped);
+  clamp(m, "left");
   if (a.is_half) {
     m.supports.push_back({"crown", Motion::x});
     m.supports.push_back({"crown", Motion::rotation});
   } else {
     m.nodes.push_back({"right", x, y});
     m.members.push_back({.first = "crown", .second = "right", .ea = a.ea, .ei = a.ei, .radius = a.radius});
-    hold("right", a.is_right_clamped);
+    a.is_right_clamped ? clamp(m, "right") : pin(m, "right");
   }
   m.loads = {{"crown", Motion::y, a.is_half ? -0.5 : -1}};
   return m;

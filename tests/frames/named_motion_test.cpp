@@ -153,7 +153,6 @@ TEST(FrameMotions, NeedMassesAndNoGivenDisplacements) {
   m.loads.clear();
   const NamedFrame f = build(m, 1);
   EXPECT_THROW(FrameMotion(f, {}), ModelError);
-  EXPECT_THROW((void)barrier_load(f, {}), std::invalid_argument);
 }
 
 /// A step of which FrameEnergies asks: a line in the state.
@@ -178,26 +177,6 @@ TEST(FrameEnergies, WorkAndDissipationOfALine) {
   EXPECT_NEAR(energies.work, 1.5 * 0.4 / 2, 1e-14);  // 1.5 t times 0.4 dt
   EXPECT_NEAR(energies.kinetic, 0.5 * f.mass[down] * 0.16, 1e-14);
   EXPECT_NEAR(energies.dissipated, 0.5 * f.mass[down] * 0.16 / 3, 1e-14);
-}
-
-// The truss has one degree of freedom: U = EA (l - L)^2/L of both bars, and the load at which U(d) = W d
-// where W = U'(d), by bisection.
-TEST(BarrierLoad, TheTrussInClosedForm) {
-  const double h = 0.5, length = std::hypot(1, h);
-  const auto strain = [&](double d) { return std::pow(std::hypot(1, h - d) - length, 2) / length; };
-  const auto load = [&](double d) { return 2 * (1 / std::hypot(1, h - d) - 1 / length) * (h - d); };
-  double low = 0.3, high = 0.5;
-  for (int i = 0; i < 100; ++i) {
-    const double d = (low + high) / 2;
-    (strain(d) - load(d) * d < 0 ? low : high) = d;
-  }
-  const NamedFrame f = build(models::truss(), 1);
-  const auto found = barrier_load(f, equilibrium_paths(f, {}));
-  ASSERT_TRUE(found);
-  EXPECT_NEAR(*found, load(low), 1e-10);
-  // A column that only bends has no barrier of that kind.
-  const NamedFrame column = build(models::column(1e6), 4);
-  EXPECT_FALSE(barrier_load(column, equilibrium_paths(column, {.until = 2})));
 }
 
 }  // namespace

@@ -58,37 +58,6 @@ TEST(NamedPaths, LeesFrameSnapsThroughAndBack) {
   EXPECT_GT(last, 90);
 }
 
-// oracle: homotopy_frames deep arch of 20 limit
-TEST(NamedPaths, DeepArch) {
-  double loads[3] = {};
-  for (int k = 0; k < 3; ++k) {
-    FrameModel m = models::arch(deep_arch(2));
-    loads[k] = limits_of(m, 10 << k)[0];
-  }
-  EXPECT_NEAR(loads[0], 907.34075563, 1e-8);
-  // P R^2/EI = P/100, from errors of m^-2: two extrapolations agree to the next order, and with 8.973.
-  const double coarse = (4 * loads[1] - loads[0]) / 300, fine = (4 * loads[2] - loads[1]) / 300;
-  EXPECT_NEAR(fine, coarse, 5e-4);
-  EXPECT_NEAR(fine, 8.973, 5e-4);
-}
-
-// oracle: homotopy_frames shallow arch of *
-TEST(NamedPaths, ShallowArch) {
-  Arch arch = shallow_arch(16);
-  const std::vector<double> whole = limits_of(models::arch(arch), 8);
-  arch.is_half = true;
-  const std::vector<double> half = limits_of(models::arch(arch), 8);
-  for (const auto& loads : {whole, half}) {
-    EXPECT_NEAR(loads[0], 34.0917939208, 1e-9);
-    EXPECT_NEAR(loads[1], 14.2528558990, 1e-9);
-  }
-  const std::vector<double> finer = limits_of(models::arch(arch), 16);
-  EXPECT_NEAR(finer[0], 34.0902630603, 1e-9);
-  EXPECT_NEAR(finer[1], 14.2531501017, 1e-9);
-  const NamedFrame f = build(models::arch(arch), 16);
-  EXPECT_TRUE(only(paths_of(f), Kind::bifurcation).empty());
-}
-
 /// Is it an equilibrium, with a vanishing eigenvalue by Eigen's dense solver? Then its vector.
 Eigen::VectorXd singular_shape(const NamedFrame& f, const FramePoint& p) {
   LoadedFrame equations(f.frame, f.load);
@@ -105,7 +74,7 @@ Eigen::VectorXd singular_shape(const NamedFrame& f, const FramePoint& p) {
 // The branch leaves the symmetric path near 27.0, is antisymmetric, and returns to it at the second
 // bifurcation; both halves are mirror images.
 TEST(NamedPaths, TheAntisymmetricBranchOfTheShallowArch) {
-  const NamedFrame f = build(models::arch(shallow_arch(16)), 16);
+  const NamedFrame f = build(models::arch(models::shallow_arch), 16);
   const FramePaths paths = paths_of(f, {.branches = 8});
   EXPECT_EQ(paths.branches, 2);
   EXPECT_EQ(paths.unfollowed, 0);
@@ -248,7 +217,7 @@ TEST(NamedPaths, ThePortalSways) {
 // The same frame with nodes, members, and the ends of members in another order.
 TEST(NamedPaths, NumberingDoesNotMatter) {
   std::mt19937 random(7);
-  for (const FrameModel& model : {models::lee(), models::arch(shallow_arch(16))}) {
+  for (const FrameModel& model : {models::lee(), models::arch(models::shallow_arch)}) {
     const auto known = paths_of(build(model, 4)).points;
     for (int trial = 0; trial < 4; ++trial) {
       FrameModel other = model;
@@ -288,17 +257,17 @@ TEST(NamedPaths, EndWhereTheyAreTold) {
   const FramePaths until = paths_of(f, {.until = 0.5});
   EXPECT_EQ(until.points.back().load, 0.5);
   EXPECT_EQ(until.points.front().load, 0);
-  const FramePaths few = equilibrium_paths(f.frame, f.load, {.steps = 3});
+  const FramePaths few = equilibrium_paths(f, {.steps = 3});
   EXPECT_EQ(few.status.outcome(), Outcome::step_limit);
   EXPECT_EQ(few.points.size(), 4u);
-  const FramePaths short_of = equilibrium_paths(f.frame, f.load, {.steps = 3, .until = 0.5});
+  const FramePaths short_of = equilibrium_paths(f, {.steps = 3, .until = 0.5});
   EXPECT_EQ(short_of.status.outcome(), Outcome::step_limit);
   EXPECT_FALSE(short_of.points.empty());
   const FramePaths past = paths_of(f, {.until = 2});
   EXPECT_EQ(past.points.back().load, 2);
   EXPECT_EQ(only(past, Kind::minimum).size(), 1u);
-  EXPECT_THROW((void)equilibrium_paths(f.frame, f.load, {.steps = 0}), std::invalid_argument);
-  EXPECT_THROW((void)equilibrium_paths(f.frame, f.load, {.until = 0}), std::invalid_argument);
+  EXPECT_THROW((void)equilibrium_paths(f, {.steps = 0}), std::invalid_argument);
+  EXPECT_THROW((void)equilibrium_paths(f, {.until = 0}), std::invalid_argument);
 }
 
 }  // namespace

@@ -76,9 +76,8 @@ def main():
             while drop < D(near) - D("0.04"):
                 drop += D("0.04")
                 x, _ = half.solve(x, drop)
-            at, load = half.fold(x, D(near), D(near) + D("0.001"))
+            _, load = half.fold(x, D(near), D(near) + D("0.001"))
             row(f"elastica {height} {name}", load, 12)
-            row(f"elastica {height} {name} at", at, 6)
     half, x, drop = Half("0.44"), [D(-1), D(-1), D(1)], D(0)
     for branch, near in (("rising", "0.12"), ("falling", "0.36")):
         while drop < D(near):

@@ -4,8 +4,8 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <optional>
 #include <set>
@@ -29,6 +29,11 @@ std::string text_of(const toml::node& node) {
   node.visit([&out](const auto& value) { out << value; });
   return echoed(out.str());
 }
+
+using MemberNumber = std::pair<std::string_view, double frames::NamedMember::*>;
+constexpr std::array member_numbers = {
+    MemberNumber{"EA", &frames::NamedMember::ea}, MemberNumber{"EI", &frames::NamedMember::ei},
+    MemberNumber{"mass", &frames::NamedMember::mass}, MemberNumber{"radius", &frames::NamedMember::radius}};
 
 /// Reads one file.
 class Reader {
@@ -208,14 +213,9 @@ class Reader {
         const std::vector<std::string> ends = texts(*node, key);
         if (ends.size() != 2) complain(*node, key, "a member joins two nodes");
         m.first = ends[0], m.second = ends[1];
-      } else if (key == "EA") {
-        m.ea = number(*node, key);
-      } else if (key == "EI") {
-        m.ei = number(*node, key);
-      } else if (key == "mass") {
-        m.mass = number(*node, key);
-      } else if (key == "radius") {
-        m.radius = number(*node, key);
+      } else if (const auto number_of = std::ranges::find(member_numbers, key, &MemberNumber::first);
+                 number_of != member_numbers.end()) {
+        m.*number_of->second = number(*node, key);
       } else if (key == "elements") {
         m.elements = whole(*node, key);
       } else if (key == "hinges") {
@@ -285,24 +285,29 @@ class Reader {
   }
 
   void read_mass(const std::string& name, const toml::node& node) {
-    const std::string key = "masses." + name;
     frames::NamedMass mass{.node = name};
-    for (const auto& [word, value] : table_of(node, key, "a mass is a table such as { mass = 2 }")) {
-      if (word != "mass" && word != "inertia") complain(*value, key + "." + word, "there are mass, inertia");
-      (word == "mass" ? mass.mass : mass.inertia) = number(*value, key + "." + word);
-    }
+    read_numbers(node, "masses." + name, "a mass is a table such as { mass = 2 }", {"mass", &mass.mass},
+                 {"inertia", &mass.inertia});
     file_.model.masses.push_back(mass);
     note_line(ModelPart::masses, node);
   }
 
   void read_damping(const toml::node& node) {
     frames::Damping& damping = file_.model.damping;
-    for (const auto& [word, value] : table_of(node, "damping", "a table is needed")) {
-      if (word != "mass" && word != "stiffness")
-        complain(*value, "damping." + word, "there are mass, stiffness");
-      (word == "mass" ? damping.mass : damping.stiffness) = number(*value, "damping." + word);
-    }
+    read_numbers(node, "damping", "a table is needed", {"mass", &damping.mass},
+                 {"stiffness", &damping.stiffness});
     note_line(ModelPart::damping, node);
+  }
+
+  using NamedNumber = std::pair<std::string_view, double*>;
+  /// Two numbers by their names, each or none of them.
+  void read_numbers(const toml::node& node, const std::string& key, const char* what,
+                    const NamedNumber& first, const NamedNumber& second) const {
+    for (const auto& [word, value] : table_of(node, key, what)) {
+      if (word != first.first && word != second.first)
+        complain(*value, key + "." + word, fmt::format("there are {}, {}", first.first, second.first));
+      *(word == first.first ? first : second).second = number(*value, key + "." + word);
+    }
   }
 
   void read_imperfection(const toml::node& node) {

@@ -47,9 +47,7 @@ std::vector<scene::Scene> scenes() {
        "Newton homotopy, 44 lb, to a thousandth", "table-2.5", newton_homotopy, true, 200, last_root, 40}};
   std::vector<scene::Scene> all = {
       result_table("table-2.4", "Elements near the limit point, 43.79 lb, tolerance 1e-6", check_near_load),
-      result_table("table-2.5", "Elements near the limit point, 44 lb, tolerance 0.1 %", check_last_load),
-      histories("histories-element",
-                "Residuals of elements by iteration, with both Jacobians, on common axes", figures)};
+      result_table("table-2.5", "Elements near the limit point, 44 lb, tolerance 0.1 %", check_last_load)};
   std::ranges::transform(figures, std::back_inserter(all), history);
   return all;
 }

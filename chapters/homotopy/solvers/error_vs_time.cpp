@@ -7,7 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "chapters/homotopy/solvers/solver_groups.hpp"
 #include "chapters/homotopy/toggle/toggles.hpp"
 #include "nlmech/algebraic/named_solvers.hpp"
 #include "nlmech/algebraic/newton/energy_trust_region.hpp"
@@ -120,9 +119,19 @@ std::vector<std::string> solvers() {
   return names;
 }
 
-const SolverGroups& groups() {
-  static const SolverGroups all = solver_groups({{"energy", 0}, {trust_region}});
-  return all;
+/// Kinds of solvers with their members; the last is that of all others.
+const std::vector<std::pair<scene::MethodGroup, std::vector<std::string>>> groups = {
+    {{"Newton's kind", 2}, {"newton", "least-squares", "continuous-newton", "broyden"}},
+    {{"made safe by |F|", 5}, {"damped-newton", "kinsol", "levenberg-marquardt", "dogleg"}},
+    {{"descent", 6}, {"steepest-descent", "fictitious-time", "optimal-iterative"}},
+    {{"energy", 0}, {trust_region}},
+    {{"path following", 4}, {"riks", "crisfield", "gdc"}},
+    {{"homotopy", 1}, {}}};
+
+std::size_t group_of(const std::string& solver) {
+  const auto has = [&](const auto& group) { return std::ranges::count(group.second, solver) > 0; };
+  return std::min(static_cast<std::size_t>(std::ranges::find_if(groups, has) - groups.begin()),
+                  groups.size() - 1);
 }
 
 Toggle measure(const Setting& setting, bool quick) {
@@ -134,8 +143,8 @@ Toggle measure(const Setting& setting, bool quick) {
   for (const std::string& solver : solvers()) {
     scene::MethodLine& line = toggle.problem.lines.emplace_back();
     line.method = solver;
-    line.group = group_of(groups(), solver);
-    const bool treated = solver == trust_region || line.group + 1 == groups().size();  // and the homotopies
+    line.group = group_of(solver);
+    const bool treated = solver == trust_region || line.group + 1 == groups.size();  // and the homotopies
     line.side = solver == kinsol ? scene::Side::peer : treated ? scene::Side::subject : scene::Side::ours;
     if (solver == kinsol && !peers::kinsol_available()) continue;
     for (const double tolerance : {1e-2, 1e-4, 1e-6, 1e-8, 1e-10}) {
@@ -156,6 +165,8 @@ std::vector<Toggle> measure_all(bool quick) {
 void draw(const std::vector<Toggle>& toggles, scene::Show& show) {
   std::vector<scene::ProblemLines> problems;
   for (const Toggle& t : toggles) problems.push_back(t.problem);
+  std::vector<scene::MethodGroup> looks;
+  for (const auto& [look, members] : groups) looks.push_back(look);
   const auto& last = problems.back().lines;
   const auto passed =
       std::ranges::count_if(last, [](const scene::MethodLine& l) { return l.least_error() < 1; });
@@ -166,7 +177,7 @@ void draw(const std::vector<Toggle>& toggles, scene::Show& show) {
        .most_digits = 17.5,
        .error = "error of the deflection",
        .work = {"iterations", "residuals", "Jacobians"},
-       .groups = looks_of(groups())},
+       .groups = std::move(looks)},
       problems, show);
 }
 

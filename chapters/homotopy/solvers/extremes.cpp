@@ -8,15 +8,14 @@
 #include <utility>
 #include <vector>
 
+#include "chapters/homotopy/toggle/toggles.hpp"
 #include "nlmech/algebraic/named_solvers.hpp"
 #include "nlmech/algebraic/newton/energy_trust_region.hpp"
 #include "nlmech/algebraic/paths/path_solvers.hpp"
 #include "nlmech/algebraic/rounding.hpp"
 #include "nlmech/frames/equilibrium.hpp"
-#include "nlmech/frames/loaded_frame.hpp"
 #include "nlmech/frames/toggle.hpp"
 #include "nlmech/scene/scene.hpp"
-#include "nlmech/support/errors.hpp"
 
 namespace nlmech::chapters::homotopy::extremes {
 namespace {
@@ -100,20 +99,6 @@ VectorXd shape(const frames::Toggle& toggle, double load) {
   return x;
 }
 
-/// The limit point from rest.
-algebraic::PathPoint limit_point(const frames::Toggle& toggle) {
-  const frames::ToggleFrame t = make_frame(toggle);
-  frames::LoadedFrame equations(t.frame, t.load);
-  algebraic::Path path({.first = 2}, equations, VectorXd::Zero(t.frame.size()), 0);
-  Status status = path.start();
-  algebraic::PathPoint fold;
-  for (int k = 0; k < 100 && status.ok(); ++k) {
-    status = path.advance();
-    if (status.ok() && path.has_passed_fold() && path.fold(fold) == Outcome::success) return fold;
-  }
-  throw Failure(Status::failure(Outcome::not_converged, "extremes: the toggle has no limit point"));
-}
-
 /// One element a member, so high that its compression comes to 4 pi^2 EI/l^2 less a millionth on the way.
 frames::Toggle next_to_pole() {
   frames::Toggle toggle{.height = 0.5};
@@ -145,7 +130,7 @@ Extremes compute(bool quick) {
   const auto rest = [](const frames::Toggle& toggle) -> VectorXd {
     return VectorXd::Zero(make_frame(toggle).frame.size());
   };
-  const algebraic::PathPoint limit = limit_point(four);
+  const algebraic::PathPoint limit = first_limit_point(four);
   x.limit_load = limit.load;
   x.limit_drop = -limit.x[make_frame(four).apex];
   frames::Toggle stiff = four, past_pole = one, many = four;

@@ -6,8 +6,6 @@
 #include <cmath>
 #include <iterator>
 
-#include "chapters/homotopy/element/known_limits.hpp"
-
 namespace nlmech::chapters::homotopy {
 namespace {
 
@@ -51,13 +49,13 @@ LoadPoint solve(const Stepping& how, const Branches& branches, double load, doub
   std::vector<Trace> trace;
   const Count count = iterate(toggle, iteration, &trace);
   const double end = trace.back().deflection;
-  return {load, count.converged, end, count.iterations, branches.distance(end, load), branches.of(end)};
+  return {load, count.converged, end, branches.distance(end, load), branches.of(end)};
 }
 
 /// Each found point with the one found before it, which is rest for the first.
 std::vector<Jump> pairs(const Stepped& steps, bool up) {
   std::vector<Jump> all;
-  LoadPoint before{0, true, 0, 0, 0, Branch::first};
+  LoadPoint before{0, true, 0, 0, Branch::first};
   for (const auto* way : {&steps.up, &steps.down}) {
     for (const LoadPoint& p : *way) {
       if (!p.found) continue;
@@ -66,6 +64,11 @@ std::vector<Jump> pairs(const Stepped& steps, bool up) {
     }
   }
   return all;
+}
+
+/// Small triangles: up for loading, down for unloading.
+scene::Look triangles(bool up, int style) {
+  return {up ? "points pointtype 8 pointsize 0.7" : "points pointtype 10 pointsize 0.7", style};
 }
 
 const char* to_string(bool up) { return up ? "loading" : "unloading"; }
@@ -112,17 +115,6 @@ double greatest_distance(const Stepped& steps) {
   return greatest;
 }
 
-int most_iterations(const Stepped& steps, bool up) {
-  int most = 0;
-  for (const auto& [before, after] : pairs(steps, up))
-    if (before.branch == after.branch) most = std::max(most, after.iterations);
-  return most;
-}
-
-scene::Look triangles(bool up, int style) {
-  return {up ? "points pointtype 8 pointsize 0.7" : "points pointtype 10 pointsize 0.7", style};
-}
-
 void draw_steps(scene::Panel& panel, const Stepped& steps) {
   const bool williams = is_williams(steps);
   for (const bool up : {true, false}) {
@@ -152,8 +144,7 @@ void check_steps(const Stepped& steps, const std::string& which, scene::Show& sh
   show.at_most(
       "loads without a solution, " + which, unsolved(steps.up) + unsolved(steps.down), has_limits ? 2 : 0,
       has_limits
-          ? "on a branch none; less than one jump in twenty takes more than 1000 iterations (load-stepping), "
-            "which each of the two may do once"
+          ? "on a branch none; each of the two jumps, chaotic as it is, may take more than 1000 iterations"
           : "the damped iteration stays on the side of the root where it starts, or is near");
   if (!has_limits) return;
   show.at_most("found points on the falling branch, " + which,

@@ -26,7 +26,6 @@ struct LoadPoint {
   double load;        ///< W, pound
   bool found;         ///< did the iteration converge?
   double deflection;  ///< delta where it ended, inch
-  int iterations;     ///< done
   double distance;  ///< of delta from the deflection at which the path carries the load, on the same branch,
                     ///< inch; NaN if that branch does not carry it
   Branch branch;    ///< where delta is
@@ -67,14 +66,10 @@ struct Jump {
 /// How far the load of the jump is past the limit load known from elsewhere, pound; NaN if there is not one
 /// jump.
 [[nodiscard]] double past_limit(const Stepped& steps, bool up);
-/// The most iterations for a load without a jump.
-[[nodiscard]] int most_iterations(const Stepped& steps, bool up);
 
 /// Draws the found points and the jumps between them.
 void draw_steps(scene::Panel& panel, const Stepped& steps);
 /// Checks what must be true of them. @param which a name for the checks
 void check_steps(const Stepped& steps, const std::string& which, scene::Show& show);
-/// Small triangles: up for loading, down for unloading.
-[[nodiscard]] scene::Look triangles(bool up, int style);
 
 }  // namespace nlmech::chapters::homotopy

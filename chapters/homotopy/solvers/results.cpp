@@ -5,14 +5,56 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <map>
 #include <utility>
 
-#include "nlmech/scene/evidence/published.hpp"
-#include "nlmech/scene/program/files.hpp"
+#include "chapters/printed_values.hpp"
 
 namespace nlmech::chapters::homotopy {
 namespace {
+
+/// A printed row and our two readings of it.
+struct Row {
+  PrintedRow printed;
+  scene::Result<Ran> exact;       ///< with the derivative of F
+  scene::Result<Ran> misprinted;  ///< d_5 held constant (Williams), or A_nd as printed (element)
+};
+
+std::string short_name(Scheme scheme) {
+  switch (scheme) {
+    case Scheme::newton: return "newton";
+    case Scheme::fixed_point: return "fixed-point";
+    default: return "newton-homotopy";
+  }
+}
+
+Ran run(const PrintedRow& row, Model model) {
+  LoadedToggle toggle(model, row.height, row.load);
+  Ran ran;
+  ran.scale = toggle.scale();
+  ran.count = iterate(toggle, row.iteration, &ran.trace);
+  return ran;
+}
+
+/// The rows of one table.
+std::vector<Row> rows_of(const std::string& table) {
+  std::vector<Row> all;
+  for (const PrintedRow& row : printed_rows()) {
+    if (row.table != table) continue;
+    const bool williams = row.model == Model::williams;
+    const std::string name = fmt::format("{}-{}", row.table, short_name(row.iteration.scheme));
+    const std::string setting = fmt::format(
+        "from rest, |F| <= {:.3g} lb{}", row.iteration.tolerance,
+        row.iteration.scheme == Scheme::newton ? "" : fmt::format(", Euler's rule, step {}", example_step));
+    const Model other = williams ? Model::williams_frozen : Model::element_printed;
+    all.push_back(
+        {row,
+         {name, setting + ", Jacobian is the derivative of F", [row] { return run(row, row.model); }},
+         {name + "-other-jacobian",
+          setting + (williams ? ", Jacobian with d_5 held constant" : ", A_nd of Eq. 2.35 as printed"),
+          [row, other] { return run(row, other); }}});
+  }
+  return all;
+}
 
 /// What the tables of the source call a row's two numbers.
 std::string name_of(const PrintedRow& row, bool count) {
@@ -27,14 +69,6 @@ std::string name_of(const PrintedRow& row, bool count) {
 double accuracy_of(const PrintedRow& row, const Ran& ran) {
   if (!row.relative) return ran.count.residual;
   return ran.count.residual / ran.scale * (row.accuracy > 1 ? row.load : 1);
-}
-
-/// The printed values by name.
-std::map<std::string, scene::PublishedValue> printed_values() {
-  std::map<std::string, scene::PublishedValue> values;
-  for (scene::PublishedValue& value : scene::read_published(scene::data_folder()))
-    values.emplace(value.name(), std::move(value));
-  return values;
 }
 
 /// A line of the table.
@@ -54,7 +88,7 @@ struct Line {
 };
 
 void put_table(const Results& all, scene::Show& show) {
-  const auto values = printed_values();
+  const auto values = printed_values(all.printed.front().table);
   std::vector<Line> lines;
   for (std::size_t i = 0; i < all.printed.size(); ++i) {
     const PrintedRow& row = all.printed[i];
@@ -150,52 +184,6 @@ void put_both(const History& h, const Row& row, const Ran& exact, const Ran& oth
   check_history(h, row, exact, &other, show);
 }
 
-/// "fixed-point homotopy" of "Scalar fixed-point homotopy".
-std::string short_name(const Row& row) {
-  const std::string scalar = "Scalar ", &method = row.printed.method;
-  return method.starts_with(scalar) ? method.substr(scalar.size()) : method;
-}
-
-/// A panel a run on common axes: a line of them an iteration, left with the consistent tangent and right with
-/// the printed one.
-void put_all(const std::vector<History>& all, const std::vector<Row>& rows,
-             const std::vector<const Ran*>& exact, const std::vector<const Ran*>& other, scene::Show& show) {
-  constexpr int shown = 200;
-  const auto late = [](const std::vector<const Ran*>& runs) {
-    return std::ranges::count_if(runs, [](const Ran* ran) { return ran->count.iterations >= 1000; });
-  };
-  const auto count = std::ssize(rows);
-  scene::Plot& plot = show.plots(fmt::format("Consistent tangent (left): {} of {} arrive; as printed: {}",
-                                             count - late(exact), count, count - late(other)));
-  const int lines = static_cast<int>(rows.size()), top = 56, foot = 70, height = 92, gap = 24;
-  const int whole = top + lines * (height + gap) + foot - gap;
-  plot.size(760, whole).columns({"panel", "curve", "iteration", "residual"});
-  for (int i = 0; i < 2 * lines; ++i) {
-    const int line = i / 2;
-    const auto k = static_cast<std::size_t>(line);
-    const bool left = i % 2 == 0, last = line + 1 == lines;
-    const Ran& ran = left ? *exact[k] : *other[k];
-    const double above = 1 - double(top + line * (height + gap)) / whole;
-    scene::Panel& panel = plot.panel(last ? "iteration" : "", left ? "|{/:Italic F}|/|{/:Italic F}(0)|" : "");
-    panel.place(left ? 0.115 : 0.57, left ? 0.525 : 0.98, above - double(height) / whole, above)
-        .caption(left ? fmt::format("{}, {} lb", short_name(rows[k]), rows[k].printed.load)
-                      : names_of(rows[k]).second)
-        .x_range(0, shown)
-        .log_y(1e-9, 1e3)
-        .set("ytics 1e-6, 1e3, 1")
-        .set(left ? "format y power_of_ten" : "format y ''")
-        .level(level_of(all[k], rows[k], ran));
-    if (!last) panel.set("format x ''");
-    History whole_way = all[k];
-    whole_way.shown = shown;
-    draw(panel, whole_way, rows[k], ran, "", left ? 1 : 5, "linespoints linewidth 1 pointsize 0.25");
-  }
-  for (std::size_t k = 0; k < rows.size(); ++k)
-    show.at_most(
-        fmt::format("|F| of the last iterate of {}, {} lb", rows[k].printed.method, rows[k].printed.load),
-        {exact[k]->count.residual, "lb"}, rows[k].printed.iteration.tolerance, "the tolerance");
-}
-
 /// The row of a table that a figure shows.
 Row row_of(const History& h) {
   const std::vector<Row> rows = rows_of(h.table);
@@ -236,19 +224,6 @@ scene::Scene history(const History& h) {
           .place = "Figure " + h.name.substr(4),
           .content = h.other ? scene::Content(with_other, row.exact, row.misprinted)
                              : scene::Content(alone, row.exact)};
-}
-
-scene::Scene histories(const std::string& name, const std::string& title, const std::vector<History>& all) {
-  std::vector<Row> rows;
-  std::vector<scene::Result<Ran>> exact, misprinted;
-  for (const History& h : all) {
-    rows.push_back(row_of(h));
-    exact.push_back(rows.back().exact);
-    misprinted.push_back(rows.back().misprinted);
-  }
-  const auto put = [all, rows](const std::vector<const Ran*>& ours, const std::vector<const Ran*>& other,
-                               scene::Show& show) { put_all(all, rows, ours, other, show); };
-  return {.name = name, .title = title, .content = scene::Content(put, exact, misprinted)};
 }
 
 }  // namespace nlmech::chapters::homotopy

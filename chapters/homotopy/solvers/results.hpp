@@ -6,10 +6,17 @@
 #include <string>
 #include <vector>
 
-#include "chapters/homotopy/solvers/rows.hpp"
+#include "chapters/homotopy/solvers/iterations.hpp"
 #include "nlmech/scene/scene.hpp"
 
 namespace nlmech::chapters::homotopy {
+
+/// An iteration with all its iterates.
+struct Ran {
+  Count count;               ///< how it ended
+  double scale = 0;          ///< W/2, to which residuals are relative
+  std::vector<Trace> trace;  ///< from the start
+};
 
 /// What came out, in the order of the table's rows.
 struct Results {
@@ -37,9 +44,5 @@ struct History {
   double stiffness;  ///< dF/ddelta there, at least
 };
 [[nodiscard]] scene::Scene history(const History& h);
-
-/// The residuals of several rows of elements on common axes, a panel for each Jacobian.
-[[nodiscard]] scene::Scene histories(const std::string& name, const std::string& title,
-                                     const std::vector<History>& all);
 
 }  // namespace nlmech::chapters::homotopy

@@ -7,14 +7,12 @@
 #include <utility>
 #include <vector>
 
+#include "chapters/homotopy/toggle/toggles.hpp"
 #include "nlmech/algebraic/named_solvers.hpp"
-#include "nlmech/algebraic/paths/path.hpp"
 #include "nlmech/frames/equilibrium.hpp"
-#include "nlmech/frames/loaded_frame.hpp"
 #include "nlmech/frames/toggle.hpp"
 #include "nlmech/peers/algebraic/kinsol.hpp"
 #include "nlmech/scene/scene.hpp"
-#include "nlmech/support/doubles.hpp"
 
 namespace nlmech::chapters::homotopy::solvers {
 namespace {
@@ -68,25 +66,6 @@ struct Solvers {
   }
 };
 
-struct LimitPoint {
-  double load = 0, deflection = 0;
-};
-
-/// The first one, along the path from rest; NaN if there is none.
-LimitPoint limit_point(int elements) {
-  const frames::ToggleFrame toggle = make_frame(frames::Toggle{.height = 0.44, .elements = elements});
-  frames::LoadedFrame loaded(toggle.frame, toggle.load);
-  algebraic::Path path({.first = 2}, loaded, Eigen::VectorXd::Zero(toggle.frame.size()), 0);
-  Status status = path.start();
-  algebraic::PathPoint fold;
-  for (int k = 0; k < 100 && status.ok(); ++k) {
-    status = path.advance();
-    if (status.ok() && path.has_passed_fold() && path.fold(fold) == Outcome::success)
-      return {fold.load, -fold.x[toggle.apex]};
-  }
-  return {nan, nan};
-}
-
 Trial attempt(const std::string& name, const Load& column, double limit_load, double limit_deflection) {
   const frames::ToggleFrame toggle =
       make_frame(frames::Toggle{.height = column.height, .elements = column.elements});
@@ -114,10 +93,11 @@ Trial attempt(const std::string& name, const Load& column, double limit_load, do
 
 Solvers compute() {
   Solvers s;
-  const LimitPoint four = limit_point(4);
-  s.limit_load = four.load;
-  s.limit_deflection = four.deflection;
-  s.limit_of_one = limit_point(1).deflection;
+  const frames::Toggle one{.height = 0.44}, four{.height = 0.44, .elements = 4};
+  const algebraic::PathPoint fold = first_limit_point(four);
+  s.limit_load = fold.load;
+  s.limit_deflection = -fold.x[make_frame(four).apex];
+  s.limit_of_one = -first_limit_point(one).x[make_frame(one).apex];
   for (const std::string_view name : algebraic::solver_names()) {
     s.names.emplace_back(name);
     if (name == "damped-newton" && peers::kinsol_available()) s.names.emplace_back("kinsol");

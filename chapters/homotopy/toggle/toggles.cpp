@@ -1,6 +1,12 @@
 #include "chapters/homotopy/toggle/toggles.hpp"
 
+#include <fmt/format.h>
+
+#include <boost/math/tools/minima.hpp>
 #include <cmath>
+
+#include "nlmech/frames/loaded_frame.hpp"
+#include "nlmech/support/errors.hpp"
 
 namespace nlmech::chapters::homotopy {
 namespace {
@@ -88,14 +94,9 @@ std::optional<LimitPoints> limit_points(const LoadCurve& curve, double end) {
 }
 
 CurvePoint softest(const LoadCurve& curve, double end) {
-  // Golden section: one minimum lies inside.
-  const double golden = (std::sqrt(5.0) - 1) / 2;
-  double low = 0, high = end;
-  for (int k = 0; k < 60; ++k) {
-    const double a = high - golden * (high - low), b = low + golden * (high - low);
-    (curve.stiffness(a) < curve.stiffness(b) ? high : low) = curve.stiffness(a) < curve.stiffness(b) ? b : a;
-  }
-  const double d = (low + high) / 2;
+  // One minimum lies inside.
+  const double d =
+      boost::math::tools::brent_find_minima([&](double x) { return curve.stiffness(x); }, 0., end, 53).first;
   return {d, curve.load(d)};
 }
 
@@ -107,6 +108,19 @@ double deflection_between(const LoadCurve& curve, double load, double low, doubl
   const auto excess = [&](double d) { return curve.load(d) - load; };
   if ((excess(low) > 0) == (excess(high) > 0)) return std::nan("");
   return bisect(excess, low, high);
+}
+
+algebraic::PathPoint first_limit_point(const frames::Toggle& toggle) {
+  const frames::ToggleFrame t = make_frame(toggle);
+  frames::LoadedFrame equations(t.frame, t.load);
+  algebraic::Path path({.first = 2}, equations, Eigen::VectorXd::Zero(t.frame.size()), 0);
+  Status status = path.start();
+  algebraic::PathPoint fold;
+  for (int k = 0; k < 100 && status.ok(); ++k) {
+    status = path.advance();
+    if (status.ok() && path.has_passed_fold() && path.fold(fold) == Outcome::success) return fold;
+  }
+  throw Failure(Status::failure(Outcome::not_converged, "the toggle has no limit point"));
 }
 
 LoadedToggle::LoadedToggle(Model model, double height, double load, double length)
@@ -124,6 +138,29 @@ LoadedToggle::LoadedToggle(Model model, double height, double load, double lengt
         model == Model::element ? frames::Coupling::consistent : frames::Coupling::as_printed;
     equations_ = std::make_unique<frames::Equilibrium>(frame_->frame, frame_->load, load, coupling);
   }
+}
+
+std::vector<double> deflections_to(double end) {
+  constexpr int points = 300;
+  std::vector<double> all;
+  for (int i = 0; i <= points; ++i) all.push_back(end * i / points);
+  return all;
+}
+
+void check_limit_points(const std::string& model, const LoadCurve& curve, const LimitPoints& reference,
+                        scene::Show& show) {
+  // Bisection finds the deflection to rounding of the stiffness; the load is stationary there.
+  constexpr double eleven_digits = 1e-11, nine_digits = 1e-9;
+  const LimitPoints at = limit_points(curve).value_or(LimitPoints{{NAN, NAN}, {NAN, NAN}});
+  const auto check = [&](const char* which, const CurvePoint& ours, const CurvePoint& theirs) {
+    show.near(fmt::format("load at the {}, {}", which, model), {ours.load, "lb"}, theirs.load, eleven_digits,
+              "tools/oracles/homotopy_williams.py and homotopy_frames.py, all digits");
+    show.near(fmt::format("deflection at the {}, {}", which, model), {ours.deflection, "in"},
+              theirs.deflection, nine_digits,
+              "as the load; the stiffness has a simple zero, rounding by 1e-12");
+  };
+  check("maximum", at.maximum, reference.maximum);
+  check("minimum", at.minimum, reference.minimum);
 }
 
 }  // namespace nlmech::chapters::homotopy

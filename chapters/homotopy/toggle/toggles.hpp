@@ -6,11 +6,14 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "nlmech/algebraic/equations.hpp"
+#include "nlmech/algebraic/paths/path.hpp"
 #include "nlmech/frames/equilibrium.hpp"
 #include "nlmech/frames/toggle.hpp"
+#include "nlmech/scene/show.hpp"
 
 namespace nlmech::chapters::homotopy {
 
@@ -30,6 +33,30 @@ struct LimitPoints {
   CurvePoint maximum;  ///< first
   CurvePoint minimum;  ///< behind it
 };
+
+/// Limit points of both models at one height.
+struct KnownLimits {
+  double height;                  ///< inch
+  LimitPoints williams, element;  ///< Williams' equation; one beam-column a member
+};
+
+/// All that there are: the height 0.32 has none.
+// oracle: homotopy_williams Williams 0.?? maximum*, Williams 0.?? minimum*
+// oracle: homotopy_frames toggle 0.?? of 1 maximum*, toggle 0.?? of 1 minimum*
+inline constexpr std::array known_limits = {
+    KnownLimits{0.38,
+                {{0.23287115497799, 33.278532607761}, {0.3935882935498, 30.588387926087}},
+                {{0.23387819214942, 33.122797603353}, {0.38040896031666, 31.107808393235}}},
+    KnownLimits{0.44,
+                {{0.22818821400337, 42.771896097273}, {0.4947308255747, 30.363548710287}},
+                {{0.22710546333003, 42.435492120383}, {0.4800337802312, 32.124218754757}}}};
+
+/// Those of a height and a model, if it has any.
+[[nodiscard]] inline std::optional<LimitPoints> known_limits_of(double height, bool williams) {
+  for (const KnownLimits& k : known_limits)
+    if (k.height == height) return williams ? k.williams : k.element;
+  return std::nullopt;
+}
 
 /// A curve W(delta): with one element a member the symmetric toggle has one unknown, as Williams' equation.
 class LoadCurve {
@@ -62,6 +89,9 @@ class LoadCurve {
 /// loads at both ends are on the same side of it.
 [[nodiscard]] double deflection_between(const LoadCurve& curve, double load, double low, double high);
 
+/// The limit point that the path of half a toggle from rest meets first. @throws Failure if there is none
+[[nodiscard]] algebraic::PathPoint first_limit_point(const frames::Toggle& toggle);
+
 /// Which equations, and which Jacobian.
 enum class Model : std::uint8_t {
   williams,         ///< Eq. 2.21 and its derivative
@@ -91,5 +121,15 @@ class LoadedToggle {
   std::unique_ptr<frames::ToggleFrame> frame_;
   std::unique_ptr<algebraic::Equations> equations_;
 };
+
+inline constexpr const char* drop_label = "deflection of the apex {/:Italic δ} (in)";
+inline constexpr const char* load_label = "load {/:Italic W} (lb)";
+
+/// Deflections from 0 to @p end at which curves are drawn.
+[[nodiscard]] std::vector<double> deflections_to(double end);
+
+/// Checks loads and deflections of both limit points.
+void check_limit_points(const std::string& model, const LoadCurve& curve, const LimitPoints& reference,
+                        scene::Show& show);
 
 }  // namespace nlmech::chapters::homotopy

@@ -4,8 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "chapters/homotopy/element/known_limits.hpp"
-#include "chapters/homotopy/toggle/load_curves.hpp"
+#include "chapters/homotopy/toggle/toggles.hpp"
 #include "nlmech/scene/scene.hpp"
 
 namespace nlmech::chapters::homotopy::williams_curves {

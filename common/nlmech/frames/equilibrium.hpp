@@ -6,8 +6,7 @@
 #include <Eigen/SparseCore>
 
 #include "nlmech/algebraic/newton/potential.hpp"
-#include "nlmech/frames/frame.hpp"
-#include "nlmech/frames/williams.hpp"
+#include "nlmech/frames/loaded_frame.hpp"
 
 namespace nlmech::frames {
 
@@ -27,37 +26,36 @@ class Equilibrium : public algebraic::Potential {
   /// Another W.
   void set_load(double load) { load_ = load; }
   /// q.
-  [[nodiscard]] const Eigen::VectorXd& direction() const { return direction_; }
+  [[nodiscard]] const Eigen::VectorXd& direction() const { return loaded_.load(); }
   /// The structure.
-  [[nodiscard]] const Frame& frame() const { return frame_; }
+  [[nodiscard]] const Frame& frame() const { return loaded_.frame(); }
 
   /// See Equations.
-  [[nodiscard]] Eigen::Index size() const override { return frame_.size(); }
+  [[nodiscard]] Eigen::Index size() const override { return loaded_.size(); }
   /// See Equations; also not finite where the frame's own status is a failure, `wrong_branch` excepted.
   void residual(const Eigen::VectorXd& x, Eigen::VectorXd& f) override;
   /// See Equations.
   void linearise(const Eigen::VectorXd& x) override;
   /// See Equations.
-  void apply(const Eigen::VectorXd& v, Eigen::VectorXd& out) const override { out.noalias() = tangent_ * v; }
-  /// See Equations.
-  void apply_transposed(const Eigen::VectorXd& v, Eigen::VectorXd& out) const override {
-    out.noalias() = tangent_.transpose() * v;
+  void apply(const Eigen::VectorXd& v, Eigen::VectorXd& out) const override {
+    out.noalias() = *loaded_.sparse() * v;
   }
   /// See Equations.
-  void matrix(Eigen::MatrixXd& b) const override { b = tangent_; }
+  void apply_transposed(const Eigen::VectorXd& v, Eigen::VectorXd& out) const override {
+    out.noalias() = loaded_.sparse()->transpose() * v;
+  }
   /// See Equations.
-  [[nodiscard]] const Eigen::SparseMatrix<double>* sparse() const override { return &tangent_; }
+  void matrix(Eigen::MatrixXd& b) const override { loaded_.matrix(b); }
+  /// See Equations.
+  [[nodiscard]] const Eigen::SparseMatrix<double>* sparse() const override { return loaded_.sparse(); }
   /// What the frame said last.
   [[nodiscard]] Status status() const override { return status_; }
   /// See Potential.
   [[nodiscard]] double energy(const Eigen::VectorXd& x) override;
 
  private:
-  const Frame& frame_;
-  Eigen::VectorXd direction_;
+  LoadedFrame loaded_;
   double load_;
-  Coupling coupling_;
-  Eigen::SparseMatrix<double> tangent_;
   Status status_;
 };
 
@@ -73,29 +71,30 @@ class WilliamsEquilibrium : public algebraic::Potential {
   /// Another W.
   void set_load(double load) { load_ = load; }
   /// The toggle.
-  [[nodiscard]] const Williams& toggle() const { return toggle_; }
+  [[nodiscard]] const Williams& toggle() const { return loaded_.toggle(); }
 
   /// 1
   [[nodiscard]] Eigen::Index size() const override { return 1; }
   /// See Equations.
   void residual(const Eigen::VectorXd& x, Eigen::VectorXd& f) override;
   /// See Equations.
-  void linearise(const Eigen::VectorXd& x) override;
+  void linearise(const Eigen::VectorXd& x) override { loaded_.linearise(x, load_); }
   /// See Equations.
-  void apply(const Eigen::VectorXd& v, Eigen::VectorXd& out) const override { out = slope_ * v; }
+  void apply(const Eigen::VectorXd& v, Eigen::VectorXd& out) const override { out = loaded_.slope() * v; }
   /// See Equations.
-  void apply_transposed(const Eigen::VectorXd& v, Eigen::VectorXd& out) const override { out = slope_ * v; }
+  void apply_transposed(const Eigen::VectorXd& v, Eigen::VectorXd& out) const override {
+    out = loaded_.slope() * v;
+  }
   /// See Equations.
-  void matrix(Eigen::MatrixXd& b) const override { b.setConstant(1, 1, slope_); }
+  void matrix(Eigen::MatrixXd& b) const override { loaded_.matrix(b); }
   /// Says where the equation ends.
   [[nodiscard]] Status status() const override { return status_; }
   /// See Potential; by Gauss' rule, to a few roundings of its largest part.
   [[nodiscard]] double energy(const Eigen::VectorXd& x) override;
 
  private:
-  Williams toggle_;
+  LoadedWilliams loaded_;
   double load_;
-  double slope_ = 0;
   Status status_;
 };
 

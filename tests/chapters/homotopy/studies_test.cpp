@@ -5,8 +5,6 @@
 #include <cmath>
 
 #include "chapters/drawing.hpp"
-#include "chapters/homotopy/paths/limit_point.hpp"
-#include "chapters/homotopy/paths/walked.hpp"
 #include "chapters/homotopy/solvers/counted.hpp"
 #include "chapters/homotopy/solvers/iterations.hpp"
 #include "nlmech/frames/toggle.hpp"
@@ -134,41 +132,6 @@ TEST(Iterations, RowsAreThoseOfTheTables) {
     EXPECT_EQ(row.model == Model::williams, row.table < "table-2.4") << row.table;
     EXPECT_EQ(row.height, row.table == "table-2.2" ? 0.32 : 0.44);
   }
-}
-
-// B v against central differences along v: h^2 F'''/6 and rounding of F over h.
-TEST(LimitPoint, DerivativeIsTheSlope) {
-  const frames::NamedFrame lee = build(shipped_model("lee"), 1);
-  const LimitPointStart start = limit_point_start(lee.frame, lee.load, 1.2);
-  LimitPoint equations(lee.frame, lee.load, start.stiffness);
-  const Eigen::Index n = lee.frame.size();
-  Eigen::VectorXd ahead, behind, product, transposed;
-  equations.residual(start.z, ahead);
-  EXPECT_LT(ahead.head(n).norm(), 1e-9);  // in equilibrium, of which phi is the tangent
-  EXPECT_NEAR(ahead.segment(n, n).norm(), 1, 1e-9);
-  EXPECT_NEAR(ahead[2 * n], 0, 1e-15);
-  equations.linearise(start.z);
-  for (Eigen::Index i = 0; i < equations.size(); ++i) {
-    const Eigen::VectorXd v = Eigen::VectorXd::Unit(equations.size(), i);
-    const double h = 1e-5;
-    equations.residual(start.z + h * v, ahead);
-    equations.residual(start.z - h * v, behind);
-    equations.apply(v, product);
-    EXPECT_LT((product - (ahead - behind) / (2 * h)).norm(), 1e-7 * (1 + product.norm())) << i;
-    equations.apply_transposed(product, transposed);
-    EXPECT_NEAR(transposed[i], product.squaredNorm(), 1e-12 * product.squaredNorm()) << i;
-  }
-}
-
-// oracle: homotopy_frames Lee's frame of 5 limit
-TEST(LimitPoint, IsThatOfThePath) {
-  const frames::NamedFrame lee = build(shipped_model("lee"), 1);
-  const frames::FramePaths paths = equilibrium_paths(lee, {.critical = 1});
-  ASSERT_TRUE(paths.status.ok()) << paths.status.sentence();
-  const frames::FramePoint& top = paths.points.back();
-  Eigen::VectorXd z(2 * lee.frame.size() + 1);
-  z << top.x, top.mode.normalized(), top.load;
-  EXPECT_NEAR(static_cast<double>(LimitPoint(lee.frame, lee.load, 1).refined(z)), 1.8559563314, 1e-10);
 }
 
 // Four operations on a variable; none on constants.

@@ -281,20 +281,20 @@ NamedFrame build(const FrameModel& model, int elements) {
   }
   // Whether a frame is a mechanism does not depend on what its members are divided into.
   const Parts whole = parts_of(model, names, 0), divided = parts_of(model, names, elements);
-  std::optional<LooseMotion> loose;
-  if (held.empty() && !model.may_move) loose = {0, Motion::x};
+  std::optional<Mechanism> mechanism;
+  if (held.empty() && !model.may_move) mechanism = {0, Motion::x};
   bool is_all_held = false;
   try {
-    if (!loose && !model.may_move) loose = loose_motion(frame_of(whole, held));
+    if (!mechanism && !model.may_move) mechanism = find_mechanism(frame_of(whole, held));
   } catch (const std::invalid_argument&) {
     is_all_held = true;  // nothing can move but inside of members
   }
-  if (loose) {
-    const auto at = static_cast<std::size_t>(loose->node);
+  if (mechanism) {
+    const auto at = static_cast<std::size_t>(mechanism->node);
     throw refusal(ModelPart::nodes, at,
                   "node {} can move along {} and no member is strained: nothing holds it, or the frame is a "
                   "mechanism; give it a support or a member",
-                  echoed(model.nodes[at].name), to_string(loose->motion));
+                  echoed(model.nodes[at].name), to_string(mechanism->motion));
   }
   if (is_all_held && supports.size() == held.size())
     throw refusal(ModelPart::supports, 0, "all motions of all nodes are held");

@@ -149,8 +149,8 @@ inline constexpr int most_beam_columns = 100'000;
 
 /// Builds it.
 ///
-/// Tests hold arches of arcs to those of tests/frames/structures.cpp, whose nodes are computed on the circle,
-/// and frames with their nodes in another order to the same loads.
+/// Tests compare nodes of arcs with the circle, and frames with their nodes in another order with the same
+/// loads.
 /// @param model see there
 /// @param elements beam-columns a member, times NamedMember::elements; positive
 /// @throws ModelError for a name that is none or stands twice, two nodes in one place, a node without a
@@ -163,14 +163,14 @@ inline constexpr int most_beam_columns = 100'000;
 [[nodiscard]] NamedFrame build(const FrameModel& model, int elements);
 
 /// A motion that strains no member, if there is one.
-struct LooseMotion {
+struct Mechanism {
   int node;       ///< the node that moves most, by the stiffness of what it is joined to
   Motion motion;  ///< along which
 };
 
-/// Is the frame at rest a mechanism? The softest shape is found by inverse iteration and its energy summed
-/// from the strains of the members, so that soft is told from loose: a strain energy of less than 1e-18 of
-/// that of the unknowns each by itself is none.
-[[nodiscard]] std::optional<LooseMotion> loose_motion(const Frame& frame);
+/// Is the frame at rest a mechanism? The softest shape is found by inverse iteration, and its energy is the
+/// sum of those of the strains of the members, which tells a soft frame from a mechanism: a strain energy of
+/// less than 1e-18 of that of the unknowns each by itself is none.
+[[nodiscard]] std::optional<Mechanism> find_mechanism(const Frame& frame);
 
 }  // namespace nlmech::frames

@@ -1,6 +1,5 @@
 #include "nlmech/frames/named/frame_motion.hpp"
 
-#include <Eigen/SparseLU>
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -129,53 +128,6 @@ void FrameEnergies::add(double t0, double t1, double moved, double lost, const E
   strain = f.frame.energy<double>(x1.head(n)).value;
   greatest = std::max(greatest, kinetic + strain);
   imbalance = std::max(imbalance, std::abs(kinetic + strain + dissipated - work));
-}
-
-std::optional<double> barrier_load(const NamedFrame& frame, const FramePaths& paths) {
-  if (!frame.given.empty())
-    throw std::invalid_argument("barrier_load: a frame with given displacements has no potential");
-  const auto potential = [&](const Eigen::VectorXd& x, double load) {
-    const Energy<double> strain = frame.frame.energy<double>(x);
-    return has_values(strain.status) ? strain.value - load * frame.load.dot(x) : nan;
-  };
-  /// The equilibrium under a load, near x.
-  const auto settled = [&](Eigen::VectorXd x, double load) {
-    Eigen::VectorXd f;
-    Eigen::SparseMatrix<double> k;
-    for (int i = 0; i < 20; ++i) {
-      if (!has_values(frame.frame.force<double>(x, f)) || !has_values(frame.frame.tangent<double>(x, k)))
-        break;
-      const Eigen::SparseLU<Eigen::SparseMatrix<double>> factors(k);
-      if (factors.info() != Eigen::Success) break;
-      const Eigen::VectorXd step = factors.solve(f - load * frame.load);
-      x -= step;
-      if (step.norm() <= 1e-10 * x.norm()) break;
-    }
-    return x;
-  };
-  std::optional<double> least;
-  for (std::size_t i = 1; i < paths.points.size(); ++i) {
-    const FramePoint &a = paths.points[i - 1], &b = paths.points[i];
-    const bool is_unstable = a.branch == b.branch && (a.negative > 0 || b.negative > 0);
-    if (!is_unstable || a.load <= 0 || b.load <= 0) continue;
-    const double before = potential(a.x, a.load), after = potential(b.x, b.load);
-    if (!((before > 0) != (after > 0))) continue;
-    // Along a path the potential falls by q x per load: Newton's iteration for its zero, from the line
-    // between both points.
-    const double part = before / (before - after);
-    double load = a.load + part * (b.load - a.load);
-    Eigen::VectorXd x = settled(a.x + part * (b.x - a.x), load);
-    for (int k = 0; k < 20; ++k) {
-      const double change = potential(x, load) / frame.load.dot(x);
-      load += change;
-      x = settled(x, load);
-      if (!(std::abs(change) > 1e-13 * std::abs(load))) break;
-    }
-    const bool is_between =
-        load >= std::min(a.load, b.load) * (1 - 1e-6) && load <= std::max(a.load, b.load) * (1 + 1e-6);
-    if (is_between && (!least || load < *least)) least = load;
-  }
-  return least;
 }
 
 }  // namespace nlmech::frames

@@ -8,11 +8,9 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "nlmech/frames/named/frame_model.hpp"
-#include "nlmech/frames/named/frame_paths.hpp"
 
 namespace nlmech::frames {
 
@@ -118,16 +116,5 @@ class FrameEnergies {
 
   const FrameMotion* motion_;
 };
-
-/// The least load factor on paths from rest at which an unstable equilibrium has no more potential energy
-/// than the frame at rest. A frame without damping that is loaded suddenly has the energy of rest for ever,
-/// and under a smaller load cannot cross that equilibrium: it is a bound for dynamic buckling from below, as
-/// far as the paths hold all equilibria, and for one degree of freedom the load itself.
-///
-/// Tests hold it to a truss of two bars in closed form (1e-10).
-/// @param frame without given displacements
-/// @param paths of it
-/// @return nothing if there is none on the paths
-[[nodiscard]] std::optional<double> barrier_load(const NamedFrame& frame, const FramePaths& paths);
 
 }  // namespace nlmech::frames

@@ -9,7 +9,6 @@
 
 #include "nlmech/algebraic/paths/path.hpp"
 #include "nlmech/frames/loaded_frame.hpp"
-#include "nlmech/frames/named/walked_frame.hpp"
 #include "nlmech/support/sentences.hpp"
 #include "nlmech/support/stopwatch.hpp"
 
@@ -42,17 +41,17 @@ struct Crossing {
 /// The walk along all branches.
 class Walk {
  public:
-  Walk(const WalkedFrame& walked, const FrameWalk& how)
+  Walk(LoadedFrame& equations, const FrameWalk& how)
       : how_(how),
-        walked_(walked),
-        first_(std::min(first_load(walked), std::abs(how.until.value_or(HUGE_VAL)) / 20)),
+        equations_(equations),
+        first_(std::min(equations.first_load(), std::abs(how.until.value_or(HUGE_VAL)) / 20)),
         path_({.first = first_,
                .turn = how.turn,
                .longest = 1e12,
                .iterations = 16,
                .aim = 8,
-               .scale = walked.scale()},
-              walked.equations, Eigen::VectorXd::Zero(walked.equations.size()), 0) {}
+               .scale = equations.scale()},
+              equations, Eigen::VectorXd::Zero(equations.size()), 0) {}
 
   FramePaths all() {
     Status status = path_.start(how_.until.value_or(1) > 0);
@@ -147,7 +146,7 @@ class Walk {
 
   /// A path that ends where a beam-column has no length left, or at loads whose squares are none, says so.
   [[nodiscard]] Status why_no_step(const Status& status) const {
-    const auto [left, x, y] = walked_.shortest(path_.now().x, path_.now().load);
+    const auto [left, x, y] = equations_.shortest(path_.now().x, path_.now().load);
     if (left < 1e-3)
       return failed_with(
           status.outcome(),
@@ -258,14 +257,14 @@ class Walk {
 
   void add(FramePoint::Kind kind, const PathPoint& p, Eigen::Index negative, const Eigen::VectorXd& mode = {},
            Eigen::Index vanishing = 0) {
-    out_.points.push_back({branch_, kind, p.load, walked_.whole(p.x, p.load), negative,
-                           mode.size() > 0 ? walked_.shape(mode) : mode, vanishing});
+    out_.points.push_back({branch_, kind, p.load, equations_.whole(p.x, p.load), negative,
+                           mode.size() > 0 ? equations_.shape(mode) : mode, vanishing});
   }
 
   /// Of two points; whole turns of members count as none.
   [[nodiscard]] double distance(const PathPoint& a, const PathPoint& b) const {
     Eigen::VectorXd y = a.at.y - b.at.y;
-    walked_.forget_turns(y);
+    equations_.remove_full_rotations(y);
     return algebraic::PathVector{std::move(y), a.at.m - b.at.m}.norm();
   }
 
@@ -304,7 +303,7 @@ class Walk {
   }
 
   FrameWalk how_;
-  WalkedFrame walked_;
+  const LoadedFrame& equations_;
   double first_;
   Path path_;
   FramePaths out_;
@@ -336,24 +335,10 @@ std::string_view to_string(FramePoint::Kind kind) noexcept {
   }
 }
 
-double first_load(const Frame& frame, const Eigen::VectorXd& load) {
-  LoadedFrame equations(frame, load);
-  return first_load(WalkedFrame{frame, equations});
-}
-
-double first_load(const NamedFrame& frame) {
-  return with_equations(frame, [](const WalkedFrame& walked) { return first_load(walked); });
-}
-
-FramePaths equilibrium_paths(const Frame& frame, const Eigen::VectorXd& load, const FrameWalk& walk) {
-  require(walk);
-  LoadedFrame equations(frame, load);
-  return Walk({frame, equations}, walk).all();
-}
-
 FramePaths equilibrium_paths(const NamedFrame& frame, const FrameWalk& walk) {
   require(walk);
-  return with_equations(frame, [&](const WalkedFrame& walked) { return Walk(walked, walk).all(); });
+  LoadedFrame equations(frame);
+  return Walk(equations, walk).all();
 }
 
 }  // namespace nlmech::frames

@@ -73,19 +73,14 @@ struct FramePaths {
 /// `seconds`, asked before each step, `time_limit`. `singular_matrix`: elements so short that by rounding the
 /// frame is unstable at rest.
 ///
-/// Tests hold limit and branch points to those of tests/frames/structures_test.cpp and to closed forms (a
-/// two-bar truss, Euler's loads, a cantilever that rolls up to a circle).
+/// Given motions have the same load factor, and eigenvalues are those with given motions held.
+///
+/// Tests compare limit and branch points with tools/oracles/homotopy_frames.py and closed forms (a two-bar
+/// truss, Euler's loads, a cantilever that rolls up to a circle), and paths under a given displacement with
+/// those under the force that it takes.
 /// @param frame stable at rest
-/// @param load forces for a load factor of 1, not all 0
 /// @param walk how far
-/// @throws std::invalid_argument if a number of @p walk is out of its range, or @p load of another size or
-/// not finite
-[[nodiscard]] FramePaths equilibrium_paths(const Frame& frame, const Eigen::VectorXd& load,
-                                           const FrameWalk& walk);
-
-/// The same of a frame by names, some of whose motions may be given: its load factor is theirs, too, and
-/// eigenvalues are those with given motions held. Tests hold paths under a given displacement to those under
-/// the force that it takes.
+/// @throws std::invalid_argument if a number of @p walk is out of its range
 [[nodiscard]] FramePaths equilibrium_paths(const NamedFrame& frame, const FrameWalk& walk);
 
 /// The frame with an imperfection built in, or why there is none.
@@ -108,12 +103,5 @@ struct Imperfect {
 /// meet
 [[nodiscard]] Imperfect imperfect(const NamedFrame& perfect, const Imperfection& imperfection,
                                   const FrameWalk& walk = {});
-
-/// A load factor for a first step: it moves no node by more than a thousandth of the frame's size by linear
-/// theory, turns none by more than 0.02 rad and no member's ends against each other by more than a tenth of
-/// its length, and with these displacements the frame is still stable.
-[[nodiscard]] double first_load(const Frame& frame, const Eigen::VectorXd& load);
-/// The same of a frame some of whose motions may be given.
-[[nodiscard]] double first_load(const NamedFrame& frame);
 
 }  // namespace nlmech::frames

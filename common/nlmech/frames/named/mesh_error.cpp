@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "nlmech/algebraic/symmetric_solver.hpp"
-#include "nlmech/frames/named/walked_frame.hpp"
+#include "nlmech/frames/loaded_frame.hpp"
 #include "nlmech/support/stopwatch.hpp"
 
 namespace nlmech::frames {
@@ -39,22 +39,23 @@ double apart(const FramePoint& a, const FramePoint& b) {
 class Comparison {
  public:
   Comparison(const MeshPair& meshes, double seconds)
-      : m_(meshes), seconds_(seconds), errors_(meshes.paths.points.size()) {}
+      : m_(meshes),
+        second_(meshes.second),
+        seconds_(seconds),
+        errors_(meshes.paths.points.size()),
+        scale_(second_.scale()) {}
 
   std::vector<std::optional<double>> all() {
-    return with_equations(m_.second, [&](const WalkedFrame& second) {
-      scale_ = second.scale();
-      for (int branch = 0; branch <= m_.paths.branches; ++branch) {
-        const auto mine = branch_of(m_.paths.points, branch), other = branch_of(m_.compared.points, branch);
-        if (mine && other) compare(second, *mine, *other);
-      }
-      return std::move(errors_);
-    });
+    for (int branch = 0; branch <= m_.paths.branches; ++branch) {
+      const auto mine = branch_of(m_.paths.points, branch), other = branch_of(m_.compared.points, branch);
+      if (mine && other) compare(*mine, *other);
+    }
+    return std::move(errors_);
   }
 
  private:
   /// The points of a branch, from one shared limit or branch point to the next.
-  void compare(const WalkedFrame& second, const Stretch& mine, const Stretch& other) {
+  void compare(const Stretch& mine, const Stretch& other) {
     const bool is_whole = m_.compared.status.ok();
     std::size_t begin = mine.begin, reached = other.begin, from = reached;
     for (std::size_t i = mine.begin; i <= mine.end; ++i) {
@@ -63,10 +64,10 @@ class Comparison {
       if (met) errors_[i] = share(apart(m_.paths.points[i], m_.compared.points[*met]));
       if (!met && is_whole) errors_[i] = 1;
       if (!met) continue;
-      compare_steps(second, {begin, i}, {reached, *met}, true);
+      compare_steps({begin, i}, {reached, *met}, true);
       begin = i, reached = *met, from = reached + 1;
     }
-    compare_steps(second, {begin, mine.end}, {reached, other.end}, is_whole);
+    compare_steps({begin, mine.end}, {reached, other.end}, is_whole);
   }
 
   /// The limit or branch point of the second mesh that one of the first is.
@@ -78,7 +79,7 @@ class Comparison {
     return std::nullopt;
   }
 
-  void compare_steps(const WalkedFrame& second, const Stretch& mine, const Stretch& other, bool is_whole) {
+  void compare_steps(const Stretch& mine, const Stretch& other, bool is_whole) {
     for (std::size_t i = mine.begin; i <= mine.end && time_.seconds() < seconds_; ++i) {
       const FramePoint& p = m_.paths.points[i];
       if (p.kind != FramePoint::Kind::step) continue;
@@ -86,14 +87,13 @@ class Comparison {
         errors_[i] = 0;
         continue;
       }
-      if (const auto off = off_path(second, p, other, is_whole)) errors_[i] = share(*off);
+      if (const auto off = off_path(p, other, is_whole)) errors_[i] = share(*off);
     }
   }
 
   /// How far a point is from that of the second mesh under the same load, on a stretch of its path; infinite
   /// if there is none, nothing if it was not found.
-  [[nodiscard]] std::optional<double> off_path(const WalkedFrame& second, const FramePoint& p,
-                                               const Stretch& near, bool is_whole) const {
+  [[nodiscard]] std::optional<double> off_path(const FramePoint& p, const Stretch& near, bool is_whole) {
     const Points& points = m_.compared.points;
     const double load = p.load;
     const auto off = [&](std::size_t j) { return points[j].load - load; };
@@ -108,7 +108,7 @@ class Comparison {
     const std::size_t next = at < near.end ? at + 1 : at > near.begin ? at - 1 : at;
     const bool is_between = (off(at) > 0) != (off(next) > 0);
     const double part = is_between ? off(at) / (off(at) - off(next)) : 0;
-    const auto free = [&](const Eigen::VectorXd& x) { return second.driven ? second.driven->free(x) : x; };
+    const auto free = [&](const Eigen::VectorXd& x) { return second_.free(x); };
     const Eigen::VectorXd start = free(points[at].x), way = part * (free(points[next].x) - start);
     const double size = (free(points[next].x) - start).cwiseProduct(scale_).norm();
     // Slender members bear small turns alone.
@@ -118,25 +118,24 @@ class Comparison {
       for (int i = 1; i <= parts && is_settled; ++i) {
         const double share = static_cast<double>(i) / parts;
         x += way / parts;
-        is_settled = settle(second.equations, points[at].load - share * off(at), size, x);
+        is_settled = settle(points[at].load - share * off(at), size, x);
       }
       if (is_settled && (x - start - way).cwiseProduct(scale_).norm() <= size)
-        return difference(p, second.whole(x, load));
+        return difference(p, second_.whole(x, load));
     }
     if (is_between || !is_whole) return std::nullopt;
     return std::abs(off(at) / load);  // beyond a limit point
   }
 
   /// Newton's iteration under a load, until its steps are rounding. @param size of a step of the path, scaled
-  [[nodiscard]] bool settle(algebraic::Loaded& equations, double load, double size,
-                            Eigen::VectorXd& x) const {
+  [[nodiscard]] bool settle(double load, double size, Eigen::VectorXd& x) {
     algebraic::SymmetricSolver solver;
     Eigen::VectorXd f, step(x.size());
     double before = HUGE_VAL;
     for (int k = 0; k < 20; ++k) {
-      equations.residual(x, load, f);
-      equations.linearise(x, load);
-      solver.take(*equations.sparse(), scale_);
+      second_.residual(x, load, f);
+      second_.linearise(x, load);
+      solver.take(*second_.sparse(), scale_);
       if (!f.allFinite() || !solver.is_finite()) return false;
       solver.factorise();
       solver.solve(f.cwiseQuotient(scale_), step);
@@ -181,6 +180,7 @@ class Comparison {
   [[nodiscard]] double share(double difference) const { return std::min(1., m_.factor * difference); }
 
   const MeshPair& m_;
+  LoadedFrame second_;
   double seconds_;
   Stopwatch time_;
   std::vector<std::optional<double>> errors_;

@@ -28,10 +28,10 @@ double twice_energy(const Frame& frame, const Eigen::VectorXd& x) {
 }
 
 /// Which node has this unknown; the rotation of a pinned end has none.
-std::optional<LooseMotion> owner_of(const Frame& frame, Eigen::Index unknown) {
+std::optional<Mechanism> owner_of(const Frame& frame, Eigen::Index unknown) {
   for (int node = 0; node < static_cast<int>(frame.nodes().size()); ++node) {
     for (const Motion motion : {Motion::x, Motion::y, Motion::rotation}) {
-      if (frame.unknown(node, motion) == unknown) return LooseMotion{node, motion};
+      if (frame.unknown(node, motion) == unknown) return Mechanism{node, motion};
     }
   }
   return std::nullopt;
@@ -39,7 +39,7 @@ std::optional<LooseMotion> owner_of(const Frame& frame, Eigen::Index unknown) {
 
 }  // namespace
 
-std::optional<LooseMotion> loose_motion(const Frame& frame) {
+std::optional<Mechanism> find_mechanism(const Frame& frame) {
   Eigen::SparseMatrix<double> k;
   const Eigen::VectorXd rest = Eigen::VectorXd::Zero(frame.size());
   if (!frame.tangent<double>(rest, k).ok()) return std::nullopt;
