@@ -53,8 +53,9 @@ ELSEWHERE = [
     (r"(\.ci/run)", ".ci/run", "#!"),
     (r"(git ls-files '\*\.hpp' '\*\.cpp' \| xargs clang-format) -i", ".ci/run", r"\1"),
     (r"(clang-tidy -p build-dev --quiet --checks=-clang-analyzer-\*) \S+", ".ci/run", r"\1"),
-    # Tests of pages by hand: the same files that ctest runs.
+    # Tests of pages and commands by hand: the same files that ctest runs.
     (r"(pytest-3) tests/[a-z/_]+(\.py)?", "tests/CMakeLists.txt", r"\1"),
+    (r"PATH=\S+ (cram3) -i tests/commands/[a-z_]+\.t", "tests/commands/CMakeLists.txt", r"\1"),
 ]
 
 
