@@ -147,9 +147,9 @@ TEST(Chapter, ShowsAllFiguresOfPartOne) {
   std::set<std::string> names;
   for (const scene::Scene& s : all.scenes()) names.insert(s.name);
   for (int k = 1; k <= 18; ++k) EXPECT_TRUE(names.contains("fig-5." + std::to_string(k))) << k;
-  for (const char* name : {"table-5.1", "table-5.2", "table-5.3", "extremals", "bounded-control",
-                           "interior-point", "shooting", "from-guesses",
-                           "scalar-homotopy", "extremes-ocp", "error-vs-time-ocp"})
+  for (const char* name :
+       {"table-5.1", "table-5.2", "table-5.3", "extremals", "bounded-control", "interior-point", "shooting",
+        "from-guesses", "scalar-homotopy", "extremes-ocp", "error-vs-time-ocp"})
     EXPECT_TRUE(names.contains(name)) << name;
 }
 
