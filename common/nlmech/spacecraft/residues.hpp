@@ -77,7 +77,7 @@ class ExponentialSum {
 
 /// The integral of f^2 from 0 to infinity.
 struct SquareIntegral {
-  double value = 0;
+  double value = 0;        ///< itself
   double uncertainty = 0;  ///< by rounding of the poles: the decay of each is known to 8 eps of its modulus
 };
 
