@@ -66,7 +66,7 @@ double worst(const std::vector<Sample>& samples, Form form, std::size_t what, do
 void draw(const std::vector<Sample>& samples, scene::Show& show) {
   scene::Plot& plot = show.plots("Only scaled exponentials hold from 1e-8 to 1e8 rad/s");
   plot.stacked().size(760, 600).columns({"curve", "panel", "x", "y"});
-  for (const std::size_t what : {0, 1}) {
+  for (const std::size_t what : {0U, 1U}) {
     scene::Panel& panel =
         plot.panel("{/:Italic ω} (rad/s)", what == 0 ? "relative error of {/:Italic θ}/{/:Italic u}"
                                                      : "relative error of {/:Italic y}(2 ft)/{/:Italic u}");

@@ -91,7 +91,8 @@ double load_at(const frames::NamedFrame& f, const FramePoint& near, Eigen::Index
     Eigen::VectorXd x = near.x;
     double load = near.load;
     for (int i = 0; i < parts * iterations; ++i) {
-      const double part = static_cast<double>(i / iterations + 1) / parts;
+      const int reached = i / iterations + 1;
+      const double part = static_cast<double>(reached) / parts;
       if (!f.frame.tangent<double>(x, k).ok() || !f.frame.force<double>(x, force).ok()) break;
       bordered.topLeftCorner(n, n) = k;
       bordered.topRightCorner(n, 1) = -f.load;
