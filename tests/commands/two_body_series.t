@@ -241,5 +241,5 @@ The example of the page
 
 A day about an oblate Earth, by another method:
 
-  $ two_body_series_example | sed 's/success: x = \([^,]*\),.*/x\n\1/' > example.csv
+  $ two_body_series_example | sed 's/success: x = \([^ ]*\) m,.*/x\n\1/' > example.csv
   $ tail -1 rkn.csv | cut -d, -f 2 | sed '1i x' | holds --like example.csv 1e-3
