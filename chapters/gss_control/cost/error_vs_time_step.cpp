@@ -181,6 +181,8 @@ void put(const scene::ProblemLines& all, scene::Show& show) {
   const auto best = [&](const char* method) { return all.of(method).least_error(); };
   show.at_most("least error of residues", best("residues, poles known"), 1e-7,
                "theta and y fall like n^-6 and n^-5: 16 pairs leave 16^-4 of a small part");
+  show.between("least error of Talbot's sums", best("Talbot"), 1e-3, 0.1,
+               "all modes above the contour's frequencies, some M/t, are left out");
   if (peers::cvode_available())
     show.between("least error of five assumed modes by CVODE", best("5 assumed modes by CVODE"), 1e-6, 0.2,
                  "truncation: y of ten modes is off by 5e-4 ft of 0.082 ft "
