@@ -8,20 +8,21 @@ BUILD := $(if $(filter release,$(PRESET)),build,build-$(PRESET))
 OUT := .
 # Sections of packages.txt, by goal.
 needs = $(if $(filter $(2),$(MAKECMDGOALS)),$(1))
-SECTIONS := programs $(call needs,tests,test adversary book-test oracles) $(call needs,pages,check pages bench book book-test package) \
-  $(call needs,benchmarks,bench) $(call needs,book,book book-test package) $(call needs,browser,book-test) $(call needs,package,package)
+SECTIONS := programs $(call needs,tests,test test-long adversary book-test oracles) $(call needs,pages,check pages bench book book-test package) \
+  $(call needs,benchmarks,bench) $(call needs,book,book book-test package) $(call needs,browser,book-test test-long) $(call needs,package,package)
 # Tests are configured once a goal runs them, and stay so.
-NLMECH_TESTS := $(or $(call needs,ON,test adversary book-test),$(if $(wildcard $(BUILD)/CMakeCache.txt),,OFF))
+NLMECH_TESTS := $(or $(call needs,ON,test test-long adversary book-test),$(if $(wildcard $(BUILD)/CMakeCache.txt),,OFF))
 SELECTION := $(foreach v,NLMECH_CHAPTERS NLMECH_PEERS NLMECH_TESTS NLMECH_WARNINGS_ARE_ERRORS NLMECH_UNITY,$(if $($(v)),-D$(v)='$($(v))'))
 CHAPTERS = $(shell cat $(BUILD)/chapters.txt 2>/dev/null)
 DRAWN = $(CHAPTERS:%=$(OUT)/figures/%/.complete)
 # All chapters at once: what measures times waits until it has the machine for itself.
 AT_ONCE = $(MAKE) --no-print-directory -j
 
-.PHONY: help deps configure build programs figures tables test adversary oracles check bench book book-test package gallery pages clean
+.PHONY: help deps configure build programs figures tables test test-long adversary oracles check bench book book-test package gallery pages clean
 help:
 	@echo "make figures         every figure and table of every chapter"
 	@echo "make test            all tests but the long ones"
+	@echo "make test-long       those, but for random cases and oracles"
 	@echo "make tables          numbers and tables without drawing"
 	@echo "make chapter-NAME    one chapter: figures, tables, verdicts"
 	@echo "make check           published beside reproduced, verdicts, figures, claims; tables/REPRODUCTION.md"
@@ -89,6 +90,10 @@ chapter-%: programs
 
 test: build
 	@ctest --preset $(PRESET) -j2
+
+# What takes long and rarely fails: all scenes twice, a program built against the installed library, pages broken on purpose.
+test-long: build
+	@ctest --test-dir $(BUILD) -L '^long$$' -E '^long/(adversary|oracles|Package)' -j2 --output-on-failure
 
 # All random cases, of each of the seeds; the tests of `make test` run a share of the first's.
 SEEDS ?= 1

@@ -8,7 +8,9 @@ target_compile_options(nlmech_options INTERFACE -Wall -Wextra -Wpedantic -Wconve
                                                 $<$<CXX_COMPILER_ID:GNU>:-Wno-error=maybe-uninitialized>
                                                 # GCC 12 sees overlaps and overruns in "x" + std::string that are none (its bug 105651).
                                                 $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict -Wno-error=array-bounds>
-                                                # Its garbage collector takes a seventh of the time where it begins at 128 MB.
+                                                # Clang asks for a pair of braces about each array inside an aggregate.
+                                                $<$<CXX_COMPILER_ID:Clang>:-Wno-missing-braces>
+                                                # GCC's garbage collector takes a seventh of the time where it begins at 128 MB.
                                                 # Clang's tools, which read the preset dev, do not know the option.
                                                 $<$<AND:$<BOOL:${NLMECH_UNITY}>,$<CXX_COMPILER_ID:GNU>>:--param=ggc-min-heapsize=524288>)
 # Sources are compiled some at a time: the linker leaves out what a program does not use of them.

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -110,7 +111,7 @@ scene::Table table_of(const std::vector<Errors>& distance, const std::vector<Err
 /// Curves of a block of the data, ours on top. An empty cell breaks a curve; zero, which has no logarithm,
 /// is drawn at 1e-17.
 void add_curves(scene::Panel& panel, int block, const Errors& errors) {
-  for (const std::size_t i : {2, 3, 4, 5, 1, 0}) {
+  for (const std::size_t i : std::array<std::size_t, 6>{2, 3, 4, 5, 1, 0}) {
     const auto& [method, column, look] = all_drawn[i];
     if (!errors.of.contains(method)) continue;  // a peer that this build has not
     panel.columns(method, fmt::format("abscissa:(column('{0}') < 1e-17 ? 1e-17 : column('{0}'))", column),
