@@ -1,4 +1,4 @@
-/// Readers of the chapters' own files: a spacecraft and two orbits as TOML, parts of a pork-chop grid.
+/// Readers of the chapters' own files: a spacecraft, and two orbits, as TOML.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -6,7 +6,6 @@
 
 #include "chapters/gss_control/commands/spacecraft_file.hpp"
 #include "chapters/rbf_inverse/commands/porkchop_file.hpp"
-#include "nlmech/scene/program/csv.hpp"
 #include "tests/adversary/mutation.hpp"
 
 namespace nlmech::adversary::chapter_readers_test {
@@ -69,49 +68,6 @@ TEST(AdversaryReaders, KeysOfManyTables) {
       EXPECT_TRUE(refused(chapters::gss_control::parse_spacecraft)) << tables;
       EXPECT_TRUE(refused(chapters::rbf_inverse::read_porkchop)) << tables;
     }
-  }
-}
-
-// What is accepted has as many rows as the parts announce, in order of their times.
-TEST(AdversaryReaders, PartsOfAGrid) {
-  const std::string header = "departure,arrival,v_departure,v_arrival,revolutions\n";
-  static const std::vector<std::string> examples = {
-      "# shard 1 / 2 grid 2 x 2 rows 2 problem 9f86d081884c7d65\n" + header +
-          "0,10,1.5,2.5,0\n0,20,1.25,2,1\n",
-      "# shard 2 / 2 grid 2 x 2 rows 1 problem 9f86d081884c7d65\n" + header + "5,20,1.75,2.25,0\n",
-      "# shard 1 / 1 grid 1 x 1 rows 1 problem 0123456789abcdef\n" + header + "5,20,1.75,2.25,0\n"};
-  hunt({.quick = 1500, .full = all_of_them, .least_right = 0.005}, [&](Draw& draw) {
-    // One or two parts, the first of them damaged.
-    std::vector<chapters::rbf_inverse::PorkchopPart> parts = {{damaged(draw, examples), "first.csv"}};
-    if (draw.chance(0.7)) parts.push_back({draw.one_of(examples), "second.csv"});
-    return read_or_refused(parts[0].text, [&](const std::string& /*text*/) {
-      const scene::NumberColumns all =
-          scene::parse_numbers(chapters::rbf_inverse::merged(parts), "merged",
-                               {"departure", "arrival", "v_departure", "v_arrival", "revolutions"});
-      for (std::size_t i = 0; i < all.rows(); ++i) {
-        const double n = all.column[4][i];
-        if (!(n >= 0 && n == std::floor(n)) || all.column[2][i] < 0 || all.column[3][i] < 0) return false;
-        if (i > 0 && std::pair(all.column[0][i], all.column[1][i]) <=
-                         std::pair(all.column[0][i - 1], all.column[1][i - 1]))
-          return false;
-      }
-      return true;
-    });
-  });
-}
-
-TEST(AdversaryReaders, RowsThatAreNoTransfer) {
-  for (const std::string row :
-       {"5,20,-1.75,2.25,0", "5,20,1.75,-1,0", "5,20,1.75,2.25,0.5", "5,20,1.75,2.25,-1"}) {
-    const std::string text =
-        "# shard 1 / 1 grid 1 x 1 rows 1 problem 0123456789abcdef\n"
-        "departure,arrival,v_departure,v_arrival,revolutions\n" +
-        row + "\n";
-    const Case c = read_or_refused(text, [](const std::string& t) {
-      static_cast<void>(chapters::rbf_inverse::merged({{t, "part.csv"}}));
-      return true;
-    });
-    EXPECT_EQ(c.verdict, Case::Verdict::refused) << row;
   }
 }
 

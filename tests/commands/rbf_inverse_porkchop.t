@@ -6,20 +6,12 @@ Grids of transfers
   $ orbits=chapters/rbf_inverse/earth-mars.toml
   $ porkchop() { rbf_inverse porkchop "$@"; }
 
-Any number of threads, and shards in any order, write the same bytes:
+Any number of threads writes the same bytes:
 
   $ porkchop $orbits --grid 23x31 --threads 1 > whole.csv
   $ head -1 whole.csv
   departure,arrival,v_departure,v_arrival,revolutions
   $ for threads in 0 2 7; do porkchop $orbits --grid 23x31 --threads $threads | cmp - whole.csv; done
-  $ for shards in 1 3 23 30; do
-  >   parts=
-  >   for k in $(seq $shards); do
-  >     porkchop $orbits --grid 23x31 --shard $k/$shards --threads 2 > $k.csv
-  >     parts="$k.csv $parts"
-  >   done
-  >   rbf_inverse merge $parts | cmp - whole.csv
-  > done
 
 Summer of 2003, recorded over continuous times by other code: 5669.373 m/s in all, leaving 1253.40 days and arriving 1457.10 days after J2000. The grid
 has steps of 5 days and is above by less than two thousandths, since the cost is flat there:
@@ -63,8 +55,6 @@ In the current folder, when the numbers are written, over an older picture of th
   $ rm two.svg
   $ refused rbf_inverse porkchop two.toml --grid 3x9 --plot
   rbf_inverse: --grid 3x9: --plot needs 4x4 or more
-  $ refused rbf_inverse porkchop two.toml --grid 20x20 --plot --shard 1/2
-  rbf_inverse: --shard 1/2: a part is not drawn; leave out --plot
 
 Without gnuplot there are numbers:
 
@@ -74,70 +64,16 @@ Without gnuplot there are numbers:
   [1]
   $ cmp numbers.csv plain.csv
 
-The commands of the chapter's page
-----------------------------------
+The command of the chapter's page
+---------------------------------
 
-The first one draws. A job array needs nothing but its number, and GNU Parallel runs its line as a reader types it:
+It draws:
 
   $ block() { awk -v first="$1" 'index($0, first) == 1 {inside = 1} /^```/ && inside {exit} inside' chapters/rbf_inverse/rbf_inverse.md; }
-  $ block 'build/bin/rbf_inverse porkchop' > first.sh
-  $ sh -e first.sh
+  $ block 'build/bin/rbf_inverse porkchop' > page.sh
+  $ sh -e page.sh
   $ tail -1 earth-mars.svg
   <!-- drawn by a command of nlmech -->
-  $ porkchop $orbits --grid 400x400 > whole.csv
-  $ block '#SBATCH --array' > job.sh
-  $ for k in $(seq 8); do SLURM_ARRAY_TASK_ID=$k sh -e job.sh; done
-  $ rbf_inverse merge part-*.csv | cmp - whole.csv
-  $ rm part-*.csv grid.csv
-  $ block 'seq 8 | parallel' > parallel.sh
-  $ sh -e parallel.sh 2> said.txt
-  $ cmp grid.csv whole.csv
-
-What merge refuses
-------------------
-
-Shards that are missing, doubled, of other grids or orbits, no shards, and none:
-
-  $ merge() { refused rbf_inverse merge "$@"; }
-  $ part() { rbf_inverse porkchop ${3:-$orbits} --grid ${2:-8x6} --shard $1; }
-  $ for k in 1 2 3; do part $k/3 > $k.csv; done
-  $ rbf_inverse merge 1.csv 2.csv 3.csv | wc -l
-  47
-  $ merge 1.csv 3.csv
-  rbf_inverse: 1.csv: shards 2 of 3 are missing
-  $ merge 1.csv 2.csv 3.csv 2.csv
-  rbf_inverse: 2.csv: shard 2 / 3 is in 2.csv already
-  $ part 2/3 8x7 > other.csv
-  $ merge 1.csv other.csv 3.csv
-  rbf_inverse: other.csv, line 1: shard 2 / 3 of grid 8 x 7 problem * is no part of that of 1.csv: 3 shards of grid 8 x 6 problem * (glob)
-  $ part 2/2 > halves.csv
-  $ merge 1.csv halves.csv
-  rbf_inverse: halves.csv, line 1: shard 2 / 2 of grid 8 x 6 problem * is no part of that of 1.csv: 3 shards of grid 8 x 6 problem * (glob)
-  $ sed 's/0.0933941/0.0933942/' $orbits > other.toml
-  $ part 2/3 8x6 other.toml > foreign.csv
-  $ merge 1.csv foreign.csv 3.csv
-  rbf_inverse: foreign.csv, line 1: shard 2 / 3 of grid 8 x 6 problem * is no part of that of 1.csv: 3 shards of grid 8 x 6 problem * (glob)
-  $ porkchop $orbits --grid 8x6 > whole.csv
-  $ merge whole.csv
-  rbf_inverse: whole.csv, line 1: 'departure,arrival,v_departure,v_arrival,revolutions' does not say which part of which grid this is; merge joins what porkchop --shard i/n writes
-  $ printf '' > empty.csv
-  $ merge empty.csv
-  rbf_inverse: empty.csv, line 1: '' does not say which part of which grid this is; merge joins what porkchop --shard i/n writes
-  $ merge absent.csv
-  rbf_inverse: absent.csv: No such file or directory
-
-A writer that was killed, a number that was changed, rows that changed places:
-
-  $ cp 2.csv second.csv
-  $ sed '$d' second.csv > 2.csv
-  $ merge 1.csv 2.csv 3.csv
-  rbf_inverse: 2.csv: 17 rows where its first line announces 18: the file is not whole
-  $ sed '$s/^/x/' second.csv > 2.csv
-  $ merge 1.csv 2.csv 3.csv
-  rbf_inverse: 2.csv: line 20, column 1 (departure): 'x111702857.14285*' is not a finite number (glob)
-  $ { sed 'N;$!P;$!D;$d' second.csv; tail -2 second.csv | tac; } > 2.csv
-  $ merge 1.csv 2.csv 3.csv
-  rbf_inverse: 2.csv, line 20: departure 111702857.1428* and arrival 144288000 do not come after 111702857.1428* and 151200000 (glob)
 
 Mistakes
 --------
@@ -152,13 +88,6 @@ Mistakes
   rbf_inverse: --grid 5x: needs two whole numbers from 1 to 1000000 with 'x' between
   rbf_inverse: --grid 1e9x2: needs two whole numbers from 1 to 1000000 with 'x' between
   rbf_inverse: --grid nanx3: needs two whole numbers from 1 to 1000000 with 'x' between
-  $ for shard in 2 0/2 3/2 1/0 a/b 1/2/3; do wrong $orbits --grid 4x4 --shard $shard; done
-  rbf_inverse: --shard 2: needs two whole numbers from 1 to 1000000 with '/' between
-  rbf_inverse: --shard 0/2: needs two whole numbers from 1 to 1000000 with '/' between
-  rbf_inverse: --shard 3/2: there are 2 shards
-  rbf_inverse: --shard 1/0: needs two whole numbers from 1 to 1000000 with '/' between
-  rbf_inverse: --shard a/b: needs two whole numbers from 1 to 1000000 with '/' between
-  rbf_inverse: --shard 1/2/3: needs two whole numbers from 1 to 1000000 with '/' between
   $ wrong $orbits --grid 4x4 --threads -2
   rbf_inverse: --threads -2: must be a whole number from 0 to 1024
   $ wrong $orbits --grid 50000x50000
@@ -195,9 +124,9 @@ In a file, with line and value:
   $ bad '1s/.*/mu = -1/'
   rbf_inverse: bad.toml, line 1: mu = -1 must be positive
   $ bad '1s/.*/mu = "one"/'
-  rbf_inverse: bad.toml, line 1: mu = 'one' is not a finite number
+  rbf_inverse: bad.toml, line 1: mu = 'one': not a number
   $ bad '1s/.*/mu = nan/'
-  rbf_inverse: bad.toml, line 1: mu = nan is not a finite number
+  rbf_inverse: bad.toml, line 1: mu = nan: not a finite number
   $ bad '1s/.*/mu = 1e-200/'
   rbf_inverse: bad.toml, line 1: mu makes a size of 1e-200; it must be from 1e-100 to 1e+100, so choose other units
   $ bad '4s/.*/e = -0.5/'
@@ -215,7 +144,7 @@ In a file, with line and value:
   $ bad '6s/.*/position = [0, 0, 0]/; 7s/.*/velocity = [0, 1, 0]/'
   rbf_inverse: bad.toml, line 6: to.position is the centre
   $ bad '6s/.*/position = [1, 0, inf]/; 7s/.*/velocity = [0, 1, 0]/'
-  rbf_inverse: bad.toml, line 6: to.position = inf is not a finite number
+  rbf_inverse: bad.toml, line 6: to.position = inf: not a finite number
   $ bad '6s/.*/position = [1e150, 0, 0]/; 7s/.*/velocity = [0, 1, 0]/'
   rbf_inverse: bad.toml, line 6: to.position makes a size of 1e+150; it must be from 1e-100 to 1e+100, so choose other units
   $ bad '6s/.*/position = [1, 0, 0]/; 7d'

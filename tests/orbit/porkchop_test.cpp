@@ -1,5 +1,5 @@
-/// Grids of transfers: every cell against Lambert's problem solved by itself, the same bits for any threads
-/// and shards, and Hohmann's transfer as the known minimum.
+/// Grids of transfers: every cell against Lambert's problem solved by itself, the same bits for any number
+/// of threads, and Hohmann's transfer as the known minimum.
 #include "nlmech/orbit/transfer/porkchop.hpp"
 
 #include <gtest/gtest.h>
@@ -38,7 +38,7 @@ void expect_same_bits(const PorkchopCell& a, const PorkchopCell& b) {
 
 TEST(Porkchop, EveryCellIsTheBestOfAllArcs) {
   const PorkchopProblem p = two_orbits();
-  const Porkchop grid = porkchop(p, {.threads = 1});
+  const Porkchop grid = porkchop(p, 1);
   ASSERT_TRUE(grid.status.ok()) << grid.status.text();
   int revolving = 0, without = 0;
   for (std::size_t i = 0; i < 41; i += 3) {
@@ -73,28 +73,12 @@ TEST(Porkchop, EveryCellIsTheBestOfAllArcs) {
 
 TEST(Porkchop, SameBitsForAnyNumberOfThreads) {
   const PorkchopProblem p = two_orbits();
-  const Porkchop one = porkchop(p, {.threads = 1});
+  const Porkchop one = porkchop(p, 1);
   for (const int threads : {0, 2, 3, 16, 64}) {
-    const Porkchop many = porkchop(p, {.threads = threads});
+    const Porkchop many = porkchop(p, threads);
     ASSERT_EQ(many.cells.size(), one.cells.size());
     for (std::size_t k = 0; k < one.cells.size(); ++k) expect_same_bits(one.cells[k], many.cells[k]);
     EXPECT_EQ(many.statistics.steps, one.statistics.steps);
-  }
-}
-
-TEST(Porkchop, ShardsAreDisjointAndMakeUpTheGrid) {
-  const PorkchopProblem p = two_orbits();
-  const Porkchop whole = porkchop(p);
-  for (const int shards : {2, 5, 41, 50}) {
-    std::size_t k = 0;
-    for (int shard = 1; shard <= shards; ++shard) {
-      const Porkchop part = porkchop(p, {.threads = 2, .shard = shard, .shards = shards});
-      EXPECT_EQ(static_cast<std::size_t>(part.first_row) * whole.arrivals.size(), k);
-      for (std::size_t i = 0; i < part.departures.size(); ++i)
-        EXPECT_EQ(part.departures[i], whole.departures[static_cast<std::size_t>(part.first_row) + i]);
-      for (const PorkchopCell& cell : part.cells) expect_same_bits(cell, whole.cells.at(k++));
-    }
-    EXPECT_EQ(k, whole.cells.size());
   }
 }
 
@@ -162,10 +146,10 @@ TEST(Porkchop, FailuresAreToldAndMistakesRefused) {
   PorkchopProblem p = two_orbits();
   p.arrivals = {1e60, 2e60, 3};
   EXPECT_EQ(porkchop(p).status.outcome(), Outcome::outside_validity);
-  const auto refused = [](auto change, PorkchopWork work = {}) {
+  const auto refused = [](auto change, int threads = 0) {
     PorkchopProblem q = two_orbits();
     change(q);
-    EXPECT_THROW((void)porkchop(q, work), std::invalid_argument);
+    EXPECT_THROW((void)porkchop(q, threads), std::invalid_argument);
   };
   refused([](auto& q) { q.mu = 0; });
   refused([](auto& q) { q.from.state.position = {0, 0, 0}; });
@@ -176,9 +160,7 @@ TEST(Porkchop, FailuresAreToldAndMistakesRefused) {
   refused([](auto& q) { q.departures.count = 0; });
   refused([](auto& q) { q.departures.count = q.arrivals.count = 50'000; });
   refused([](auto& q) { q.most_revolutions = -1; });
-  refused([](auto&) {}, {.threads = -1});
-  refused([](auto&) {}, {.shard = 3, .shards = 2});
-  refused([](auto&) {}, {.shard = 0, .shards = 2});
+  refused([](auto&) {}, -1);
 }
 
 }  // namespace

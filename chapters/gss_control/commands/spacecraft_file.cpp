@@ -1,16 +1,13 @@
 #include "chapters/gss_control/commands/spacecraft_file.hpp"
 
 #include <fmt/format.h>
-#include <toml++/toml.h>
 
+#include <algorithm>
 #include <array>
-#include <cmath>
-#include <sstream>
 #include <stdexcept>
 
+#include "chapters/toml_file.hpp"
 #include "nlmech/scene/program/files.hpp"
-#include "nlmech/scene/program/toml_text.hpp"
-#include "nlmech/support/echo.hpp"
 #include "nlmech/support/errors.hpp"
 
 namespace nlmech::chapters::gss_control {
@@ -40,23 +37,11 @@ std::string names_of_keys() {
   return all;
 }
 
-/// A value as it stands in the file, near enough to be found there.
-std::string text_of(const toml::node& node) {
-  std::ostringstream out;
-  node.visit([&out](const auto& value) { out << value; });
-  return echoed(out.str());
-}
-
 /// The number behind a key. @throws InputError
-double number(const toml::node& node, const Key& key, const std::string& where) {
-  const auto complain = [&](const std::string& what) {
-    throw InputError(fmt::format("{}: {} = {}: {}", where, key.name, text_of(node), what));
-  };
-  if (!node.is_number()) complain("not a number");
-  const double value = node.value<double>().value_or(std::nan(""));
-  if (!std::isfinite(value)) complain("not a finite number");
-  if (key.may_vanish ? value < 0 : value <= 0)
-    complain(key.may_vanish ? "must not be negative" : "must be positive");
+double number(const toml::node& node, const Key& key, const std::string& file) {
+  const double value = number_of(file, node, key.name);
+  if (key.may_vanish && value < 0) complain(file, node, key.name, "must not be negative");
+  if (!key.may_vanish && value <= 0) complain(file, node, key.name, "must be positive");
   return value;
 }
 
@@ -64,23 +49,10 @@ double number(const toml::node& node, const Key& key, const std::string& where) 
 
 spacecraft::Parameters parse_spacecraft(std::string_view text, const std::string& name) {
   Parameters parameters = spacecraft::table_3_1();
-  scene::require_shallow_toml(text, name);
-  try {
-    const toml::table table = toml::parse(text, name);
-    for (const auto& [key, node] : table) {
-      const std::string where = fmt::format("{}, line {}", name, node.source().begin.line);
-      const Key* known = nullptr;
-      for (const Key& k : keys) {
-        if (k.name == key.str()) known = &k;
-      }
-      if (known == nullptr)
-        throw InputError(fmt::format("{}: {} = {}: no such key; there are {}", where, echoed(key.str()),
-                                     text_of(node), names_of_keys()));
-      parameters.*(known->field) = number(node, *known, where);
-    }
-  } catch (const toml::parse_error& error) {
-    throw InputError(fmt::format("{}, line {}, column {}: {}", name, error.source().begin.line,
-                                 error.source().begin.column, echoed(error.description(), 400)));
+  for (const auto& [key, node] : parse_toml(text, name)) {
+    const auto known = std::ranges::find(keys, key.str(), &Key::name);
+    if (known == keys.end()) complain(name, node, key.str(), "no such key; there are " + names_of_keys());
+    parameters.*(known->field) = number(node, *known, name);
   }
   try {
     spacecraft::require_physical(parameters);

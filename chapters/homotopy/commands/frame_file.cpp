@@ -1,7 +1,6 @@
 #include "chapters/homotopy/commands/frame_file.hpp"
 
 #include <fmt/format.h>
-#include <toml++/toml.h>
 
 #include <algorithm>
 #include <array>
@@ -9,11 +8,10 @@
 #include <map>
 #include <optional>
 #include <set>
-#include <sstream>
 #include <utility>
 
+#include "chapters/toml_file.hpp"
 #include "nlmech/scene/program/files.hpp"
-#include "nlmech/scene/program/toml_text.hpp"
 #include "nlmech/support/echo.hpp"
 #include "nlmech/support/errors.hpp"
 
@@ -22,13 +20,6 @@ namespace {
 
 using frames::ModelPart;
 using frames::Motion;
-
-/// A value as it stands in the file, near enough to be found there.
-std::string text_of(const toml::node& node) {
-  std::ostringstream out;
-  node.visit([&out](const auto& value) { out << value; });
-  return echoed(out.str());
-}
 
 using MemberNumber = std::pair<std::string_view, double frames::NamedMember::*>;
 constexpr std::array member_numbers = {
@@ -85,8 +76,7 @@ class Reader {
   }
 
   [[noreturn]] void complain(const toml::node& node, const std::string& key, const std::string& what) const {
-    throw InputError(fmt::format("{}, line {}: {} = {}: {}", file_.name, node.source().begin.line,
-                                 echoed(key), text_of(node), what));
+    chapters::complain(file_.name, node, key, what);
   }
 
   void note_line(ModelPart part, const toml::node& node) {
@@ -166,10 +156,7 @@ class Reader {
   }
 
   double number(const toml::node& node, const std::string& key) const {
-    if (!node.is_number()) complain(node, key, "not a number");
-    const double value = node.value<double>().value_or(HUGE_VAL);
-    if (!std::isfinite(value)) complain(node, key, "not a finite number");
-    return value;
+    return number_of(file_.name, node, key);
   }
 
   std::string text(const toml::node& node, const std::string& key) const {
@@ -360,13 +347,7 @@ std::string_view name_of(ModelPart part) {
 
 FrameFile parse_frame(std::string_view text, const std::string& name,
                       const std::optional<std::string>& load_case) {
-  scene::require_shallow_toml(text, name);
-  try {
-    return Reader(toml::parse(text, name), name, load_case).take();
-  } catch (const toml::parse_error& error) {
-    throw InputError(fmt::format("{}, line {}, column {}: {}", name, error.source().begin.line,
-                                 error.source().begin.column, echoed(error.description(), 400)));
-  }
+  return Reader(parse_toml(text, name), name, load_case).take();
 }
 
 FrameFile read_frame(const std::string& path, const std::optional<std::string>& load_case) {

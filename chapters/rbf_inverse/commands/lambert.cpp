@@ -153,7 +153,7 @@ std::string lambert(const Arc& a) {
 
 /// `porkchop`
 struct Grid {
-  std::string file, grid, shard;
+  std::string file, grid;
   int threads = 0;
   bool plot = false;
 };
@@ -162,27 +162,26 @@ void declare_grid(scene::Options& options, Grid& g) {
   options.add("orbits", g.file, "TOML: mu, [from], [to], [departures], [arrivals]; - is standard input")
       .required();
   options.add("--grid", g.grid, "NxM: departures and arrivals").required();
-  options.add("--shard", g.shard, "i/n: the i-th of n disjoint parts, for merge");
   options.add("--threads", g.threads, "how many; 0: one a processor").range(0, 1024);
   options.add("--plot", g.plot,
               "also draws the grid: <name of the TOML file>.svg in this folder, over an older picture alone");
   options.footer(porkchop_keys());
 }
 
-/// Two whole numbers from 1 with a mark between.
-std::pair<int, int> halves(const char* option, const std::string& text, char mark) {
-  const std::size_t place = text.find(mark);
+/// Departures and arrivals of --grid NxM.
+std::pair<int, int> counts_of(const std::string& grid) {
+  const std::size_t place = grid.find('x');
   try {
     if (place != std::string::npos) {
-      const auto whole = [&](const std::string& half) {
-        return scene::typed_whole(option, half, 1, 1'000'000);
+      const auto whole = [](const std::string& half) {
+        return scene::typed_whole("--grid", half, 1, 1'000'000);
       };
-      return {whole(text.substr(0, place)), whole(text.substr(place + 1))};
+      return {whole(grid.substr(0, place)), whole(grid.substr(place + 1))};
     }
   } catch (const InputError&) {  // of one half; the sentence below names all
   }
-  throw InputError(fmt::format("{} {}: needs two whole numbers from 1 to 1000000 with '{}' between", option,
-                               echoed(text), mark));
+  throw InputError(
+      fmt::format("--grid {}: needs two whole numbers from 1 to 1000000 with 'x' between", echoed(grid)));
 }
 
 /// The power of a thousand in which numbers up to @p largest are short, and how a label says so.
@@ -214,8 +213,6 @@ std::filesystem::path picture_of(const Grid& g) {
 /// The picture, if one is asked for; refuses what cannot be drawn before there are numbers.
 scene::Picture wanted_picture(const Grid& g, const orbit::PorkchopProblem& p) {
   if (!g.plot) return scene::Picture("");
-  if (!g.shard.empty())
-    throw InputError(fmt::format("--shard {}: a part is not drawn; leave out --plot", g.shard));
   if (p.departures.count < 4 || p.arrivals.count < 4)
     throw InputError(fmt::format("--grid {}: --plot needs 4x4 or more", g.grid));
   for (const auto& [name, window] : {std::pair("departures", p.departures), {"arrivals", p.arrivals}}) {
@@ -227,42 +224,21 @@ scene::Picture wanted_picture(const Grid& g, const orbit::PorkchopProblem& p) {
 
 void porkchop(const Grid& g) {
   orbit::PorkchopProblem p = read_porkchop(scene::read_whole(g.file), g.file);
-  std::tie(p.departures.count, p.arrivals.count) = halves("--grid", g.grid, 'x');
-  orbit::PorkchopWork work{.threads = g.threads};
-  if (!g.shard.empty()) {
-    std::tie(work.shard, work.shards) = halves("--shard", g.shard, '/');
-    if (work.shard > work.shards)
-      throw InputError(fmt::format("--shard {}: there are {} shards", g.shard, work.shards));
-  }
+  std::tie(p.departures.count, p.arrivals.count) = counts_of(g.grid);
   const scene::Picture picture = wanted_picture(g, p);
   orbit::Porkchop grid;
   try {
-    grid = orbit::porkchop(p, work);
+    grid = orbit::porkchop(p, g.threads);
   } catch (const std::invalid_argument& error) {
     throw InputError(fmt::format("{}: {}", g.file, error.what()));
   }
   if (!grid.status.ok()) throw Failure(grid.status);
-  if (g.shard.empty() && std::ranges::none_of(grid.cells, &orbit::PorkchopCell::exists))
+  if (std::ranges::none_of(grid.cells, &orbit::PorkchopCell::exists))
     scene::tell(
         "rbf_inverse: no cell has a transfer: no arrival is after its departure, or the positions lie in one "
         "direction from the centre");
-  scene::print_result(g.shard.empty() ? porkchop_csv(grid) : porkchop_part_csv(p, work, grid));
+  scene::print_result(porkchop_csv(grid));
   if (picture.wanted()) picture.draw([&] { return porkchop_map(grid, plain_axes(grid)); });
-}
-
-/// `merge`
-struct Parts {
-  std::vector<std::string> files;
-};
-
-void declare_parts(scene::Options& options, Parts& parts) {
-  options.add("parts", parts.files, "files written by porkchop --shard").required();
-}
-
-std::string merge(const Parts& typed) {
-  std::vector<PorkchopPart> parts;
-  for (const std::string& name : typed.files) parts.push_back({scene::read_whole(name), name});
-  return merged(parts);
 }
 
 }  // namespace
@@ -276,8 +252,6 @@ void add_lambert_commands(scene::Commands& all) {
           "Excess speeds of transfers between two orbits over a grid of times, as CSV: "
           "departure,arrival,v_departure,v_arrival,revolutions",
           declare_grid, porkchop);
-  all.add("merge", "Joins all shards of one grid, given in any order, to what one run writes", declare_parts,
-          merge);
 }
 
 }  // namespace nlmech::chapters::rbf_inverse

@@ -1,28 +1,22 @@
 #include "chapters/rbf_inverse/commands/porkchop_file.hpp"
 
 #include <fmt/format.h>
-#include <toml++/toml.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <iterator>
 #include <optional>
-#include <sstream>
 #include <string_view>
 #include <utility>
 
+#include "chapters/toml_file.hpp"
 #include "nlmech/orbit/elements.hpp"
-#include "nlmech/scene/program/csv.hpp"
-#include "nlmech/scene/program/toml_text.hpp"
 #include "nlmech/support/degrees.hpp"
 #include "nlmech/support/echo.hpp"
 #include "nlmech/support/errors.hpp"
 
 namespace nlmech::chapters::rbf_inverse {
 namespace {
-
-const std::vector<std::string> header = {"departure", "arrival", "v_departure", "v_arrival", "revolutions"};
 
 /// A table of the file, with its path for complaints: "from" or "" for the whole.
 class Reader {
@@ -74,13 +68,7 @@ class Reader {
 
  private:
   [[nodiscard]] double number_of(const toml::node* node, std::string_view key) const {
-    const auto value = node->value<double>();
-    if (!value || !node->is_number() || !std::isfinite(*value)) {
-      std::ostringstream shown;
-      shown << toml::node_view<const toml::node>(node);
-      refuse(node, fmt::format("{} = {} is not a finite number", full(key), echoed(shown.str())));
-    }
-    return *value;
+    return chapters::number_of(name_, *node, full(key));
   }
 
   const toml::table& table_;
@@ -157,88 +145,10 @@ orbit::Window window_of(const Reader& r) {
   return window;
 }
 
-void add_row(std::string& text, double departure, double arrival, double v1, double v2, double revolutions) {
-  fmt::format_to(std::back_inserter(text), "{:.17g},{:.17g},{:.17g},{:.17g},{:.0f}\n", departure, arrival, v1,
-                 v2, revolutions);
-}
-
-/// A number for everything that the cells depend on: FNV-1a of all values in hexadecimal digits.
-std::uint64_t digest(const orbit::PorkchopProblem& p) {
-  std::string text =
-      fmt::format("{:a} {} {:a} {:a} {} {:a} {:a} {}", p.mu, p.departures.count, p.departures.first,
-                  p.departures.last, p.arrivals.count, p.arrivals.first, p.arrivals.last, p.most_revolutions);
-  for (const orbit::Ephemeris* body : {&p.from, &p.to}) {
-    text += fmt::format(" {:a}", body->epoch);
-    for (int k = 0; k < 3; ++k)
-      text += fmt::format(" {:a} {:a}", body->state.position[k], body->state.velocity[k]);
-  }
-  std::uint64_t hash = 0xcbf29ce484222325U;
-  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
-  return hash;
-}
-
-/// What the first line of a part says.
-struct Label {
-  int shard = 0, shards = 0;
-  std::string grid;  ///< "200 x 300 problem 9f86d081884c7d65"
-  std::int64_t rows = 0;
-};
-
-Label label_of(const PorkchopPart& part) {
-  const std::string line = part.text.substr(0, std::min<std::size_t>(part.text.find('\n'), 200));
-  std::istringstream in(line);
-  std::string mark, shard, slash, grid, down, times, across, rows, problem, number, rest;
-  Label label;
-  in >> mark >> shard >> label.shard >> slash >> label.shards >> grid >> down >> times >> across >> rows >>
-      label.rows >> problem >> number;
-  const std::string words = mark + shard + slash + grid + times + rows + problem;
-  if (!in || (in >> rest) || std::string_view(words) != std::string_view("#shard/gridxrowsproblem") ||
-      label.shard < 1 || label.shard > label.shards || label.shards > 1'000'000 || label.rows < 0)
-    throw InputError(
-        fmt::format("{}, line 1: '{}' does not say which part of which grid this is; merge joins what "
-                    "porkchop --shard i/n writes",
-                    part.name, echoed(line)));
-  label.grid = echoed(fmt::format("{} x {} problem {}", down, across, number), 200);
-  return label;
-}
-
-/// The parts by number, each there once.
-std::vector<const PorkchopPart*> in_order(const std::vector<PorkchopPart>& parts) {
-  const Label first = label_of(parts.at(0));
-  std::vector<const PorkchopPart*> ordered(static_cast<std::size_t>(first.shards), nullptr);
-  for (const PorkchopPart& part : parts) {
-    const Label label = label_of(part);
-    if (label.grid != first.grid || label.shards != first.shards)
-      throw InputError(fmt::format(
-          "{}, line 1: shard {} / {} of grid {} is no part of that of {}: {} shards of grid {}", part.name,
-          label.shard, label.shards, label.grid, parts[0].name, first.shards, first.grid));
-    const PorkchopPart*& place = ordered[static_cast<std::size_t>(label.shard - 1)];
-    if (place != nullptr)
-      throw InputError(fmt::format("{}: shard {} / {} is in {} already", part.name, label.shard, label.shards,
-                                   place->name));
-    place = &part;
-  }
-  std::string missing;
-  for (std::size_t k = 0; k < ordered.size(); ++k) {
-    if (ordered[k] == nullptr && missing.size() < 60)
-      missing += fmt::format("{}{}", missing.empty() ? "" : ", ", k + 1);
-  }
-  if (!missing.empty())
-    throw InputError(fmt::format("{}: shards {} of {} are missing", parts[0].name, missing, first.shards));
-  return ordered;
-}
-
 }  // namespace
 
 orbit::PorkchopProblem read_porkchop(const std::string& text, const std::string& name) {
-  scene::require_shallow_toml(text, name);
-  toml::table table;
-  try {
-    table = toml::parse(std::string_view(text), name);
-  } catch (const toml::parse_error& error) {
-    throw InputError(
-        fmt::format("{}, line {}: {}", name, error.source().begin.line, echoed(error.description(), 400)));
-  }
+  const toml::table table = parse_toml(text, name);
   const Reader whole(table, name, "");
   whole.only({"mu", "from", "to", "departures", "arrivals", "revolutions"});
   orbit::PorkchopProblem p;
@@ -278,51 +188,13 @@ chapters/rbf_inverse/earth-mars.toml is one.)";
 }
 
 std::string porkchop_csv(const orbit::Porkchop& grid) {
-  std::string text = fmt::format("{}\n", fmt::join(header, ","));
+  std::string text = "departure,arrival,v_departure,v_arrival,revolutions\n";
   for (std::size_t i = 0; i < grid.departures.size(); ++i) {
     for (std::size_t j = 0; j < grid.arrivals.size(); ++j) {
       const orbit::PorkchopCell& cell = grid.at(i, j);
       if (cell.exists())
-        add_row(text, grid.departures[i], grid.arrivals[j], cell.v_departure, cell.v_arrival,
-                cell.revolutions);
-    }
-  }
-  return text;
-}
-
-std::string porkchop_part_csv(const orbit::PorkchopProblem& problem, const orbit::PorkchopWork& work,
-                              const orbit::Porkchop& grid) {
-  const auto rows = std::count_if(grid.cells.begin(), grid.cells.end(),
-                                  [](const orbit::PorkchopCell& cell) { return cell.exists(); });
-  return fmt::format("# shard {} / {} grid {} x {} rows {} problem {:016x}\n", work.shard, work.shards,
-                     problem.departures.count, problem.arrivals.count, rows, digest(problem)) +
-         porkchop_csv(grid);
-}
-
-std::string merged(const std::vector<PorkchopPart>& parts) {
-  const std::vector<const PorkchopPart*> ordered = in_order(parts);
-  std::string text = fmt::format("{}\n", fmt::join(header, ","));
-  std::pair<double, double> before(-HUGE_VAL, -HUGE_VAL);
-  for (const PorkchopPart* part : ordered) {
-    const scene::NumberColumns n = scene::parse_numbers(part->text, part->name, header);
-    const std::int64_t announced = label_of(*part).rows;
-    if (static_cast<std::int64_t>(n.rows()) != announced)
-      throw InputError(fmt::format("{}: {} rows where its first line announces {}: the file is not whole",
-                                   part->name, n.rows(), announced));
-    for (std::size_t i = 0; i < n.rows(); ++i) {
-      const std::pair<double, double> times(n.column[0][i], n.column[1][i]);
-      if (!(before < times))
-        throw InputError(
-            fmt::format("{}, line {}: departure {:.17g} and arrival {:.17g} do not come after {:.17g} "
-                        "and {:.17g}",
-                        part->name, n.line[i], times.first, times.second, before.first, before.second));
-      before = times;
-      const double v1 = n.column[2][i], v2 = n.column[3][i], revolutions = n.column[4][i];
-      if (v1 < 0 || v2 < 0 || revolutions < 0 || revolutions != std::floor(revolutions))
-        throw InputError(
-            fmt::format("{}, line {}: speeds {:.17g} and {:.17g} and {:.17g} revolutions are no transfer",
-                        part->name, n.line[i], v1, v2, revolutions));
-      add_row(text, times.first, times.second, v1, v2, revolutions);
+        fmt::format_to(std::back_inserter(text), "{:.17g},{:.17g},{:.17g},{:.17g},{}\n", grid.departures[i],
+                       grid.arrivals[j], cell.v_departure, cell.v_arrival, cell.revolutions);
     }
   }
   return text;

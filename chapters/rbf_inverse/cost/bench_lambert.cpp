@@ -89,7 +89,7 @@ scene::BenchSeries wall(const std::string& name, int threads, int times) {
   scene::BenchSeries series{name, "us a run", {}};
   for (int k = 0; k < times; ++k) {
     const Stopwatch watch;
-    benchmark::DoNotOptimize(orbit::porkchop(p, {.threads = threads}).cells.data());
+    benchmark::DoNotOptimize(orbit::porkchop(p, threads).cells.data());
     series.repetition.push_back(1e6 * watch.seconds());
   }
   return series;

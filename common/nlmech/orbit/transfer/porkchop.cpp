@@ -34,7 +34,7 @@ void check_window(const Window& w, const char* which) {
   require(w.count >= 1, fmt::format("the number of {} must be at least 1, not {}", which, w.count));
 }
 
-void check_all(const PorkchopProblem& p, const PorkchopWork& work) {
+void check_all(const PorkchopProblem& p, int threads) {
   check(Gravity{.mu = p.mu});
   check(p.from.state, "porkchop, the body left");
   check(p.to.state, "porkchop, the body reached");
@@ -50,16 +50,14 @@ void check_all(const PorkchopProblem& p, const PorkchopWork& work) {
           fmt::format("{} x {} cells are too many", p.departures.count, p.arrivals.count));
   require(p.most_revolutions >= 0 && p.most_revolutions <= 1000,
           fmt::format("the number of revolutions must be from 0 to 1000, not {}", p.most_revolutions));
-  require(work.threads >= 0 && work.threads <= 1024,
-          fmt::format("the number of threads must be from 0 to 1024, not {}", work.threads));
-  require(work.shards >= 1 && work.shard >= 1 && work.shard <= work.shards,
-          fmt::format("there is no shard {} of {}", work.shard, work.shards));
+  require(threads >= 0 && threads <= 1024,
+          fmt::format("the number of threads must be from 0 to 1024, not {}", threads));
 }
 
-/// Where a body is at the times @p first to @p last of a window.
-[[nodiscard]] Status follow(const Ephemeris& body, double mu, const Window& window, int first, int last,
+/// Where a body is at the times of a window.
+[[nodiscard]] Status follow(const Ephemeris& body, double mu, const Window& window,
                             std::vector<double>& times, std::vector<State>& states) {
-  for (int k = first; k < last; ++k) {
+  for (int k = 0; k < window.count; ++k) {
     times.push_back(window.at(k));
     KeplerSolution at = propagate_kepler(body.state, times.back() - body.epoch, mu);
     if (!at.status.ok()) return at.status;
@@ -174,24 +172,17 @@ class Search {
 
 }  // namespace
 
-Porkchop porkchop(const PorkchopProblem& problem, const PorkchopWork& work) {
-  check_all(problem, work);
+Porkchop porkchop(const PorkchopProblem& problem, int threads) {
+  check_all(problem, threads);
   const Stopwatch watch;
   Porkchop grid;
-  const auto row_of = [&](int part) {
-    return static_cast<int>(static_cast<std::int64_t>(problem.departures.count) * part / work.shards);
-  };
-  const int first = row_of(work.shard - 1), last = row_of(work.shard);
-  grid.first_row = first;
   std::vector<State> left, reached;
-  grid.status = follow(problem.from, problem.mu, problem.departures, first, last, grid.departures, left);
-  if (grid.status.ok()) {
-    grid.status =
-        follow(problem.to, problem.mu, problem.arrivals, 0, problem.arrivals.count, grid.arrivals, reached);
-  }
+  grid.status = follow(problem.from, problem.mu, problem.departures, grid.departures, left);
+  if (grid.status.ok())
+    grid.status = follow(problem.to, problem.mu, problem.arrivals, grid.arrivals, reached);
   if (!grid.status.ok()) return grid;
   grid.cells.resize(left.size() * reached.size());
-  const Counts counts = fill(problem, work.threads, left, reached, grid);
+  const Counts counts = fill(problem, threads, left, reached, grid);
   grid.statistics.steps = counts.arcs;
   grid.statistics.right_hand_sides = counts.evaluations;
   grid.statistics.seconds = watch.seconds();

@@ -40,13 +40,6 @@ struct PorkchopProblem {
   int most_revolutions = 0;  ///< transfers of up to so many whole revolutions are looked at; at most 1000
 };
 
-/// Who computes what.
-struct PorkchopWork {
-  int threads = 0;  ///< how many; 0: one a processor
-  int shard = 1;    ///< which part, from 1 to shards: a block of consecutive rows
-  int shards = 1;   ///< number of parts; they are disjoint and make up the grid
-};
-
 /// One pair of times.
 struct PorkchopCell {
   double v_departure = 0;         ///< |v_1 - v(body left)|; infinite if there is no transfer
@@ -61,9 +54,8 @@ struct PorkchopCell {
   [[nodiscard]] bool exists() const noexcept { return revolutions >= 0; }
 };
 
-/// A grid, or a shard of one.
+/// A grid.
 struct Porkchop {
-  int first_row = 0;                ///< number of the first row within the whole grid, from 0
   std::vector<double> departures;   ///< times of the rows
   std::vector<double> arrivals;     ///< times of the columns
   std::vector<PorkchopCell> cells;  ///< row after row
@@ -73,7 +65,7 @@ struct Porkchop {
   /// the grid, and then there are no cells
   Status status;
 
-  /// Row @p i and column @p j of this shard.
+  /// Row @p i and column @p j.
   [[nodiscard]] const PorkchopCell& at(std::size_t i, std::size_t j) const {
     return cells[i * arrivals.size() + j];
   }
@@ -83,12 +75,13 @@ struct Porkchop {
 /// ways round and all revolutions. Where the positions are opposite, in the plane of the body that is left;
 /// where they are one (to 64 eps), by whole revolutions in the direction of that body.
 /// The positions of both bodies are computed once a row and column. Every cell is computed by itself, so that
-/// the numbers are the same to the last bit for any number of threads and shards.
+/// the numbers are the same to the last bit for any number of threads.
 ///
 /// Tests hold every cell to the best of all its arcs (16 eps), Hohmann's transfer to the minimum (64 eps),
 /// and the bits to be the same for any number of threads.
+/// @param threads how many, at most 1024; 0: one a processor
 /// @throws std::invalid_argument for states, times or counts that cannot be meant (naming them), more than
-/// 2^31 - 1 cells, mu or a distance beyond 1e-100 to 1e100, or a shard that is not one
-[[nodiscard]] Porkchop porkchop(const PorkchopProblem& problem, const PorkchopWork& work = {});
+/// 2^31 - 1 cells, or mu or a distance beyond 1e-100 to 1e100
+[[nodiscard]] Porkchop porkchop(const PorkchopProblem& problem, int threads = 0);
 
 }  // namespace nlmech::orbit
