@@ -116,7 +116,7 @@ In a file, with line and value:
   $ porkchop good.toml --grid 4x4 | wc -l
   15
   $ bad '1s/.*/mu = = 1/'
-  rbf_inverse: bad.toml, line 1: Error while parsing value: could not determine value type
+  rbf_inverse: bad.toml, line 1, column 6: Error while parsing value: could not determine value type
   $ bad '2,4d'
   rbf_inverse: bad.toml, line 1: the table [from] is missing
   $ bad 1,4d
