@@ -4,8 +4,8 @@
   python3 scripts/book/forge.py check SOURCE OUT CHAPTER...   exit code 1 if one is not what it would write, line by line
 
 A page shows the few of its figures that are kept in docs/gallery (`make gallery` draws them, a test holds them to their scenes) and
-names the command for the others; likewise for long tables and tables of run times. A table whose numbers depend on rounding is marked by the
-chapter's page and left out, [caption](path "depends on rounding"), or loses the rows and columns that are named there,
+names the command for the others; likewise for long tables and tables of run times. Tables of the sources stand without their run times. A table
+whose numbers depend on rounding is marked by the chapter's page and left out, [caption](path "depends on rounding"), or loses the rows and columns that are named there,
 [caption](path "depends on rounding: row; column"). Run times differ at each run, and rounding from machine to machine. So a check takes any number where one is of a scene with run times; other results may differ by a factor of two, or
 as they like where both are below 1e-10 and are noise. All else is compared by the letter.
 """
@@ -34,6 +34,11 @@ def is_timed(book, scene):
     """Has the scene a column of run times? Their data, tables and figures differ from run to run."""
     file = book.out / f"results/{scene}.csv"
     return file.exists() and ",time_" in "," + file.open(encoding="utf-8").readline()
+
+
+def run_times(rows):
+    """Headings of the columns with run times, of a table of a source."""
+    return [heading.strip() for heading in re.split(r"(?<!\\)\|", rows[0])[1:-1] if re.search(r"\btime\b", heading)]
 
 
 def drawn_by(path):
@@ -90,13 +95,17 @@ class ForgePage(Page):
         mark = "" if scene in self.marked else f'<a id="{scene}"></a>'
         self.marked.add(scene)
         kept = self.book.source / f"docs/gallery/{chapter}-{scene}.svg"
-        if is_table and given != ROUNDING and not is_timed(self.book, f"{chapter}/{scene}"):
+        timed = is_timed(self.book, f"{chapter}/{scene}")
+        if is_table and given != ROUNDING and (not timed or scene.startswith("table-")):
             rows = self.book.text(file).rstrip("\n").split("\n")
             if len(rows) <= MOST_ROWS + 2:
-                note = ""
-                if given:
-                    rows = without(rows, given.removeprefix(f"{ROUNDING}: ").split("; "), path)
-                    note = f"\n\n*Without what depends on rounding; `{chapter} run {scene}` writes all.*"
+                left_out = given.removeprefix(f"{ROUNDING}: ").split("; ") if given else []
+                what = ["what depends on rounding"] if given else []
+                if timed:
+                    left_out += run_times(rows)
+                    what.append("run times")
+                rows = without(rows, left_out, path)
+                note = f"\n\n*Without {' and '.join(what)}; `{chapter} run {scene}` writes all.*" if what else ""
                 table = "\n".join(rows[:2] + [IN_TABLE.sub(rf"{COMPUTED}\g<0>{END}", row) for row in rows[2:]])
                 return f"{mark}{caption}\n\n{table}{note}"
         elif not is_table and kept.exists():
