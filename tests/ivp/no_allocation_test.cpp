@@ -3,6 +3,7 @@
 // instances are those that the library has.
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -25,8 +26,9 @@
 #include "nlmech/ivp/transversal/mtl.hpp"
 
 namespace {
-std::int64_t requests = 0;  // of memory, since the program began
-}
+// Of memory, since the program began. Clang takes it that malloc() changes no variable but an atomic one.
+std::atomic<std::int64_t> requests = 0;
+}  // namespace
 
 // NOLINTBEGIN(bugprone-reserved-identifier): the linker gives these names.
 extern "C" {
@@ -82,7 +84,11 @@ TEST(NoAllocation, IsCounted) {
   const std::int64_t before = requests;
   const Eigen::VectorXd algebra(7);
   const std::string text(100, 'x');
-  EXPECT_EQ(requests - before, 2) << algebra.size() << text;
+  // Clang leaves out an allocation that nobody can see.
+  for (const void* volatile block :
+       {static_cast<const void*>(algebra.data()), static_cast<const void*>(text.data())})
+    EXPECT_NE(block, nullptr);
+  EXPECT_EQ(requests - before, 2);
 }
 
 // The workspace of a run is made in the library's own code.
