@@ -54,7 +54,8 @@ std::vector<std::vector<Real>> lists(const std::vector<State>& states) {
 }
 
 /// Derivatives of the ends of a Taylor step's parts by their begins. Parts turn the fastest motion by four
-/// radians or decades, for which eight Radau nodes leave 1e-6.
+/// radians or decades, for which eight Radau nodes leave 1e-6. The condition is made of their products: a
+/// quotient of two fundamental matrices has no digit on a stiff or chaotic problem.
 void add_links(const TaylorStep& step, const TextProblem& problem, std::vector<Link>& links) {
   static const references::RadauRule<double> rule(8);
   const ivp::System system(problem);

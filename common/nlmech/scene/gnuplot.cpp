@@ -57,6 +57,8 @@ std::string with_answers(std::string svg, const std::string& answers) {
 }
 
 std::string draw(const fs::path& folder, const std::string& script, PictureFormat format) {
+  // The picture comes from standard output and is written by write_whole(): if gnuplot wrote the file, a
+  // failure or a killed program would leave half a picture.
   std::vector<std::string> command = {"gnuplot"};
   if (format == PictureFormat::png) command.insert(command.end(), {"-e", "png=1"});
   command.push_back(script);

@@ -76,6 +76,8 @@ typename RadauDefect<s>::Weights fractions(const std::vector<Complex>& upper, P 
   return weights;
 }
 
+// The usual estimate, of order s + 1 and compared with a power of the tolerance because the end is of order
+// 2 s - 1, fails where stiffness reduces the order: a fast vibration far above the tolerance passes it.
 template <int s>
 RadauDefect<s> make_defect() {
   const Vector<Real> nodes = (radau_right<Real>(s).array() + 1) / 2;

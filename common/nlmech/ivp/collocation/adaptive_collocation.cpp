@@ -133,7 +133,8 @@ class Run : public AdaptiveStepLoop<System, Run<Sweeps, Newton>> {
     if (is_stiff_) {
       calm_ = newton_.current([](const auto& e) { return e.stiffness(); }) < gentle ? calm_ + 1 : 0;
     } else {
-      // In a problem that has become stiff every second trial takes many sweeps, or does not converge.
+      // In a problem that has become stiff every second trial takes many sweeps, or does not converge. Two
+      // such trials are enough: with more, sweeps take much of the work on a problem such as HIRES.
       const bool is_slow = trial_.iterations > many_sweeps;
       slow_ = is_slow && change > much ? slow_ + 2 : std::max(0, slow_ - 1);
       if (is_slow)

@@ -53,6 +53,8 @@ std::string sentence(const TimeLimit::Command& command) {
       command.program, command.name, *command.seconds, doing_now());
 }
 
+// A thread ends the process, because checks inside loops do not cover every case: a loop without a check, a
+// call of a library or a wait for standard input would exceed the limit.
 void watch(const std::stop_token& stop, const TimeLimit::Command& command, Clock::time_point start) {
   using namespace std::chrono_literals;
   const bool terminal = ::isatty(STDERR_FILENO) == 1;
