@@ -1,21 +1,93 @@
 /// @file
-/// What the programs of `make bench` share: options, times kept, claims judged and written. Included by them
-/// alone, since Google Benchmark is looked for only there.
+/// What the programs of `make bench` share: each one adds its rows (pieces of work, and claims about them) to
+/// a `Speed`, which measures, judges and writes them. Included by them alone, since Google Benchmark is
+/// looked for only there.
 #pragma once
 
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <exception>
+#include <functional>
 #include <map>
+#include <optional>
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "nlmech/scene/evidence/bench.hpp"
 #include "nlmech/scene/evidence/ratios.hpp"
+#include "nlmech/support/stopwatch.hpp"
 
 namespace nlmech::chapters {
+
+/// A piece of work.
+struct Work {
+  std::string name;           ///< of its series
+  std::function<void()> run;  ///< once
+  double points = 0;          ///< that one run converts; 0: its time is given for a run, not for a point
+  double seconds = 0;         ///< of a run, found by fastest()
+};
+
+/// A function whose result the compiler has to compute.
+template <class Run>
+[[nodiscard]] std::function<void()> keep_result(Run run) {
+  return [run = std::move(run)]() mutable {
+    if constexpr (std::is_void_v<std::invoke_result_t<Run&>>) {
+      run();
+    } else {
+      auto result = run();
+      benchmark::DoNotOptimize(result);
+    }
+    benchmark::ClobberMemory();
+  };
+}
+
+/// Powers of ten whose exponents are halves: 10^(-from/2), ..., 10^(-to/2).
+[[nodiscard]] inline std::vector<double> half_decades(int from, int to, int stride = 1) {
+  std::vector<double> all;
+  for (int half = from; half <= to; half += stride) all.push_back(std::pow(10, -0.5 * half));
+  return all;
+}
+
+/// Median error of runs to several end times; nothing if one of them fails.
+/// @param error_at gives the error of the run to the i-th time, or nothing
+template <class ErrorAt>
+[[nodiscard]] std::optional<double> median_error(std::size_t times, const ErrorAt& error_at) {
+  std::vector<double> errors;
+  for (std::size_t i = 0; i < times; ++i) {
+    const std::optional<double> error = error_at(i);
+    if (!error) return std::nullopt;
+    errors.push_back(*error);
+  }
+  return median(errors);
+}
+
+/// The fastest of some settings that has the wanted error; nothing if none has.
+/// @param settings cheapest first: the search ends where times are twice the least one
+/// @param error of a setting, nothing if it fails @param run what is timed of a setting
+template <class Setting, class Error, class Run>
+[[nodiscard]] std::optional<Work> fastest(const std::string& name, const std::vector<Setting>& settings,
+                                          double wanted, const Error& error, const Run& run) {
+  std::optional<Work> best;
+  for (const Setting& setting : settings) {
+    const std::optional<double> here = error(setting);
+    if (!here || !(*here <= wanted)) continue;
+    Work work{name, keep_result([run, setting] { return run(setting); })};
+    work.seconds = time_repeats(work.run, 5).smallest;
+    if (best && work.seconds > 2 * best->seconds) break;
+    if (!best || work.seconds < best->seconds) best = std::move(work);
+  }
+  if (best)
+    fmt::print("{}: {:.1f} us\n", name, 1e6 * best->seconds);
+  else
+    fmt::print("{}: {:.0e} is not reached\n", name, wanted);
+  return best;
+}
 
 /// Keeps the CPU time of every repetition, in microseconds a run.
 class TimeKeeper : public benchmark::BenchmarkReporter {
@@ -27,58 +99,90 @@ class TimeKeeper : public benchmark::BenchmarkReporter {
         times[run.run_name.function_name].push_back(run.GetAdjustedCPUTime());
     }
   }
-  [[nodiscard]] std::vector<scene::BenchSeries> series() const {
-    std::vector<scene::BenchSeries> all;
-    for (const auto& [name, values] : times) all.push_back({name, "us a run", values});
-    return all;
-  }
-
- private:
   std::map<std::string, std::vector<double>> times;
 };
 
-/// Hands the options of the command line to Google Benchmark, behind ours.
-/// @param least_time of a repetition, in seconds
-inline void begin_speed(int argc, char** argv, const char* least_time = "0.02") {
-  // Interleaved in random order, so that a disturbance of the machine does not fall on one method.
-  std::vector<std::string> defaults = {"--benchmark_repetitions=11",
-                                       "--benchmark_enable_random_interleaving=true",
-                                       std::string("--benchmark_min_time=") + least_time};
-  std::vector<char*> options(argv, argv + argc);
-  for (std::string& option : defaults) options.insert(options.begin() + 1, option.data());
-  int count = static_cast<int>(options.size());
-  benchmark::Initialize(&count, options.data());
-}
-
-/// Measures pieces of work with a name and a function run().
-template <class Work>
-[[nodiscard]] std::vector<scene::BenchSeries> measure_speed(const std::vector<Work>& all) {
-  for (const Work& w : all) {
-    benchmark::RegisterBenchmark(w.name.c_str(), [&w](benchmark::State& state) {
-      for (auto _ : state) w.run();
-    })->Unit(benchmark::kMicrosecond);
+/// All that one program measures, and what it promises.
+class Speed {
+ public:
+  /// Adds work. One that returns whether it succeeds is tried, and left out if it does not.
+  template <class Run>
+  void add(const std::string& name, Run run) {
+    if constexpr (std::is_same_v<std::invoke_result_t<Run&>, bool>) {
+      if (!run()) return fmt::print("{}: fails\n", name);
+    }
+    add(Work{name, keep_result(std::move(run))});
   }
-  TimeKeeper keeper;
-  benchmark::RunSpecifiedBenchmarks(&keeper);
-  return keeper.series();
-}
-
-/// Judges the claims, prints a line each, and writes results/bench/<name>.json.
-/// @return the exit code: 1 if a claim is not held
-inline int judge_speed(const std::string& name, const std::vector<scene::SpeedClaim>& claims,
-                       const std::vector<scene::BenchSeries>& series) {
-  bool held = true;
-  std::vector<scene::SpeedResult> results;
-  for (const scene::SpeedClaim& claim : claims) {
-    results.push_back(scene::judge_claim(claim, series));
-    const scene::SpeedResult& r = results.back();
-    held = held && r.held;
-    fmt::print("{:4} {}: {:.2f} ({:.2f} to {:.2f}), promised {:g}\n", r.held ? "" : "NOT", claim.text,
-               r.ratio, r.low, r.high, claim.least);
+  /// Adds it unless there is one of this name, or none was found.
+  void add(std::optional<Work> work) {
+    if (work && !has(work->name)) all_.push_back(std::move(*work));
   }
-  scene::write_bench(name, series, results, ".");
-  return held ? 0 : 1;
-}
+  /// Adds times that are measured otherwise.
+  void add(scene::BenchSeries series) { others_.push_back(std::move(series)); }
+  /// Adds a time that is promised, so that the promise is a ratio as all others.
+  void add_budget(const std::string& name, double microseconds) {
+    add(scene::BenchSeries{name, "us a run", std::vector<double>(11, microseconds)});
+  }
+
+  /// Is there work of this name, or a series?
+  [[nodiscard]] bool has(const std::string& name) const {
+    return std::ranges::count(all_, name, &Work::name) +
+               std::ranges::count(others_, name, &scene::BenchSeries::name) >
+           0;
+  }
+
+  /// "Ours takes at most 1/least of the time of theirs", where this build and machine have both.
+  /// @param text empty: "ours against theirs"
+  void claim(const std::string& ours, const std::string& theirs, double least, std::string text = {}) {
+    if (text.empty()) text = fmt::format("{} against {}", ours, theirs);
+    if (has(ours) && has(theirs))
+      claims_.push_back({std::move(text), ours, theirs, least});
+    else
+      fmt::print("not measured here: {}\n", text);
+  }
+
+  /// Measures all.
+  [[nodiscard]] std::vector<scene::BenchSeries> measure() const {
+    for (const Work& w : all_) {
+      benchmark::RegisterBenchmark(w.name.c_str(), [&w](benchmark::State& state) {
+        for (auto _ : state) w.run();
+      })->Unit(benchmark::kMicrosecond);
+    }
+    TimeKeeper keeper;
+    benchmark::RunSpecifiedBenchmarks(&keeper);
+    std::vector<scene::BenchSeries> series;
+    for (auto& [name, times] : keeper.times) {
+      const double points = std::ranges::find(all_, name, &Work::name)->points;
+      if (points > 0) {
+        for (double& t : times) t *= 1e3 / points;
+      }
+      series.push_back({name, points > 0 ? "ns a point" : "us a run", times});
+    }
+    series.insert(series.end(), others_.begin(), others_.end());
+    return series;
+  }
+
+  /// Measures all, judges the claims, prints a line each, and writes results/bench/<name>.json.
+  /// @return the exit code: 1 if a claim is not held
+  [[nodiscard]] int judge(const std::string& name) const {
+    const std::vector<scene::BenchSeries> series = measure();
+    bool held = true;
+    std::vector<scene::SpeedResult> results;
+    for (const scene::SpeedClaim& claim : claims_) {
+      const scene::SpeedResult& r = results.emplace_back(scene::judge_claim(claim, series));
+      held = held && r.held;
+      fmt::print("{:4} {}: {:.2f} ({:.2f} to {:.2f}), promised {:g}\n", r.held ? "" : "NOT", claim.text,
+                 r.ratio, r.low, r.high, claim.least);
+    }
+    scene::write_bench(name, series, results, ".");
+    return held ? 0 : 1;
+  }
+
+ private:
+  std::vector<Work> all_;
+  std::vector<scene::BenchSeries> others_;
+  std::vector<scene::SpeedClaim> claims_;
+};
 
 /// Prints a line for each ratio, and writes results/ratios/<name>.json.
 /// @return the exit code: 0, because a ratio that does not hold is a finding and no promise of ours
@@ -96,14 +200,41 @@ inline int tell_ratios(const std::string& name, const scene::TimeRatios& ratios)
   return 0;
 }
 
-/// The body of main(): a failure is a sentence and exit code 1.
-inline int speed_main(const char* program, int (*bench)(int, char**), int argc, char** argv) {
+/// Hands the options of the command line to Google Benchmark, behind ours, and calls @p body with an empty
+/// `Speed`; a failure is a sentence and exit code 1.
+/// @param least_time of a repetition, in seconds
+template <class Body>
+int run_bench(const std::string& program, int argc, char** argv, const char* least_time, const Body& body) {
+  // Interleaved in random order, so that a disturbance of the machine does not fall on one method.
+  std::vector<std::string> defaults = {"--benchmark_repetitions=11",
+                                       "--benchmark_enable_random_interleaving=true",
+                                       std::string("--benchmark_min_time=") + least_time};
+  std::vector<char*> options(argv, argv + argc);
+  for (std::string& option : defaults) options.insert(options.begin() + 1, option.data());
+  int count = static_cast<int>(options.size());
+  benchmark::Initialize(&count, options.data());
   try {
-    return bench(argc, argv);
+    Speed speed;
+    return body(speed);
   } catch (const std::exception& error) {
     fmt::print(stderr, "{}: {}\n", program, error.what());
     return 1;
   }
+}
+
+/// The body of main() of the program `<name>_bench`. @param rows adds work and claims
+inline int speed_main(const std::string& name, void (*rows)(Speed&), int argc, char** argv,
+                      const char* least_time = "0.02") {
+  return run_bench(name + "_bench", argc, argv, least_time, [&](Speed& speed) {
+    rows(speed);
+    return speed.judge(name);
+  });
+}
+
+/// The body of main() of the program `<name>_ratios_bench`. @param compare adds work, measures and compares
+inline int ratios_main(const std::string& name, scene::TimeRatios (*compare)(Speed&), int argc, char** argv) {
+  return run_bench(name + "_ratios_bench", argc, argv, "0.02",
+                   [&](Speed& speed) { return tell_ratios(name, compare(speed)); });
 }
 
 }  // namespace nlmech::chapters

@@ -9,14 +9,11 @@
 namespace nlmech::chapters::algebraic_series::error_vs_time {
 namespace {
 
-using comparison::Contender;
 using comparison::Kind;
 
-std::vector<Contender> contenders(bool quick) {
-  std::vector<Contender> all = {comparison::by_tolerances("series", Kind::series, quick),
-                                comparison::by_tolerances("ode45", Kind::explicit_, quick)};
-  for (const Contender& peer : comparison::all_peers(quick)) all.push_back(peer);
-  return all;
+std::vector<comparison::Contender> methods(bool quick) {
+  return {comparison::by_tolerances("series", Kind::series, quick),
+          comparison::by_tolerances("ode45", Kind::explicit_, quick)};
 }
 
 // A tolerance bounds the error of a step; the condition tells how a change at the begin grows. What steps err
@@ -24,10 +21,9 @@ std::vector<Contender> contenders(bool quick) {
 // empirical: on the oscillator the error was 13 times the bound without it at 1e-8, 3.4 times at 1e-13. The
 // run is the most accurate by its setting, not by the luck of errors that cancel.
 void check(const comparison::Costs& costs, scene::Show& show) {
-  const comparison::Cost& last = comparison::curve_of(costs.curves, "series").costs.back();
+  const scene::Attempt& last = costs.lines.of("series").attempts.back();
   const double bound =
-      20 * comparison::tightest_tolerance(show.quick()) * static_cast<double>(last.work.steps);
-  comparison::check_condition(costs, show);
+      20 * comparison::tightest_tolerance(show.quick()) * static_cast<double>(comparison::steps_of(last));
   show.at_most("error of series at its tightest tolerance",
                last.error.value_or(std::numeric_limits<double>::quiet_NaN()), bound * costs.condition,
                "20 tolerances in each step, all of one sign, times the condition: 13 have been seen");
@@ -36,15 +32,13 @@ void check(const comparison::Costs& costs, scene::Show& show) {
 /// @param change of the begin, for the condition
 scene::Scene scene_of(const comparison::Example& (*example)(), const std::string& name,
                       const std::string& title, double change) {
-  return comparison::cost_scene({.name = name,
-                                 .problem = title,
-                                 .reading = "default settings over one sweep of tolerances",
-                                 .measure =
-                                     [example, change](bool quick) {
-                                       return comparison::costs_of(example(), contenders(quick), change,
-                                                                   quick);
-                                     },
-                                 .check = check});
+  return comparison::work_precision_scene({.name = name,
+                                           .problem = title,
+                                           .reading = "default settings over one sweep of tolerances",
+                                           .example = example,
+                                           .methods = methods,
+                                           .change = change,
+                                           .check = check});
 }
 
 }  // namespace

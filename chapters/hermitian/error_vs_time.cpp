@@ -1,6 +1,4 @@
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <string>
 #include <vector>
 
@@ -16,41 +14,29 @@ using comparison::Contender;
 using comparison::Kind;
 
 /// @param scale longest of the fixed steps
-std::vector<Contender> contenders(double scale, bool quick) {
+std::vector<Contender> methods(double scale, bool quick) {
   constexpr std::array<double, 7> factors = {1, 0.5, 0.25, 0.1, 0.05, 0.02, 0.005};
-  std::vector<Contender> all = {comparison::by_tolerances("laier", Kind::source, quick),
-                                comparison::by_tolerances("argyris", Kind::source, quick),
-                                comparison::by_steps("newmark", {}, Kind::classical, scale, factors, quick),
-                                comparison::by_steps("rk4", {}, Kind::classical, scale, factors, quick),
-                                comparison::by_tolerances("series", Kind::series, quick),
-                                comparison::by_tolerances("ode45", Kind::explicit_, quick)};
-  for (const Contender& peer : comparison::all_peers(quick)) all.push_back(peer);
-  return all;
-}
-
-void check(const comparison::Costs& costs, scene::Show& show) {
-  const comparison::Cost& tightest = comparison::curve_of(costs.curves, "laier").costs.back();
-  const double steps = static_cast<double>(tightest.work.steps);
-  comparison::check_condition(costs, show);
-  show.at_most("error of laier at the tightest tolerance", tightest.error.value_or(HUGE_VAL),
-               comparison::tightest_tolerance(show.quick()) * steps * std::max(1.0, costs.condition),
-               "the tolerance in each step, all of one sign, times the condition");
+  return {comparison::by_tolerances("laier", Kind::source, quick),
+          comparison::by_tolerances("argyris", Kind::source, quick),
+          comparison::by_steps("newmark", {}, Kind::classical, scale, factors, quick),
+          comparison::by_steps("rk4", {}, Kind::classical, scale, factors, quick),
+          comparison::by_tolerances("series", Kind::series, quick),
+          comparison::by_tolerances("ode45", Kind::explicit_, quick)};
 }
 
 /// @param scale longest of the fixed steps @param change of the begin, for the condition
 scene::Scene scene_of(const problems::TextProblem& problem, const std::string& title, double end,
                       double scale, double change) {
-  const auto measure = [=](bool quick) {
-    return comparison::costs_of(
-        comparison::example_of(problem, problem.name, problem.initial_state(), 0, end),
-        contenders(scale, quick), change, quick);
-  };
-  return comparison::cost_scene(
+  return comparison::work_precision_scene(
       {.name = problem.name,
        .problem = title,
        .reading = "default settings over one sweep of tolerances, fixed steps over one of steps",
-       .measure = measure,
-       .check = check});
+       .example =
+           [=] { return comparison::example_of(problem, problem.name, problem.initial_state(), 0, end); },
+       .methods = [=](bool quick) { return methods(scale, quick); },
+       .change = change,
+       .check = [](const comparison::Costs& costs,
+                   scene::Show& show) { check_tightest(costs, "laier", show); }});
 }
 
 }  // namespace

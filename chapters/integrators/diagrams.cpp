@@ -12,31 +12,29 @@
 namespace nlmech::chapters::integrators::diagrams {
 namespace {
 
-using comparison::Curve;
-
 /// What a method came to, as diagrams show it. A method that a problem is not for has no runs.
-Curve curve_of(const MethodTrials& m) {
-  Curve curve{m.method, comparison::kind_of(comparison::any_method(m.method)), {}};
+scene::MethodLine line_of(const MethodTrials& m) {
+  scene::MethodLine line =
+      comparison::line_of(m.method, comparison::kind_of(comparison::any_method(m.method)));
   for (const Trial& t : m.trials) {
     if (t.status != "refused")
-      curve.costs.push_back(
-          {(t.step > 0 ? "" : "tolerance ") + t.setting(), t.status, t.error, t.work, t.time});
+      line.attempts.push_back(comparison::attempt_of((t.step > 0 ? "" : "tolerance ") + t.setting(), t.status,
+                                                     t.error, t.work, t.time));
   }
-  return curve;
+  return line;
 }
 
 /// The diagram of a problem.
 void put(const ProblemTrials& p, scene::Show& show) {
-  std::vector<Curve> curves;
+  scene::ProblemLines lines;
   double most = 0;
   for (const MethodTrials& m : p.methods) {
-    curves.push_back(curve_of(m));
+    lines.lines.push_back(line_of(m));
     for (const Trial& t : m.trials) most = std::max(most, t.success() ? t.digits() : 0);
   }
-  const scene::ProblemLines lines{"", comparison::method_lines(curves)};
   const bool known = p.condition >= 10;  // less lies beyond the 15 digits of the picture
   scene::show_work_precision({.heading = p.problem + ": " + scene::who_leads(lines),
-                              .work = {"right-hand sides", "steps", "rejected"},
+                              .work = comparison::work_columns(),
                               .work_label = "right-hand sides evaluated",
                               .groups = comparison::method_groups(),
                               .rounding = known ? p.condition * 0x1p-53 : 0},

@@ -1,6 +1,4 @@
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <vector>
 
 #include "nlmech/comparison/commands/example_of.hpp"
@@ -16,46 +14,36 @@ using comparison::Kind;
 /// The equation of the page's commands, as it is typed there.
 constexpr const char* equation = "x'' + 0.1 x' + x + 3 x^3 = 0.2 cos(1.1 t)";
 
-std::vector<comparison::Contender> contenders(bool quick) {
+std::vector<comparison::Contender> methods(bool quick) {
   constexpr std::array<double, 7> factors = {1, 0.5, 0.25, 0.1, 0.05, 0.02, 0.005};
-  std::vector<comparison::Contender> all = {
-      comparison::by_tolerances("adaptive-collocation", Kind::own, quick),
-      comparison::by_tolerances("series", Kind::series, quick),
-      comparison::by_tolerances("ode45", Kind::explicit_, quick),
-      comparison::by_tolerances("dop853", Kind::explicit_, quick),
-      comparison::by_steps("rk4", {}, Kind::classical, 0.2, factors, quick),
-      comparison::by_steps("newmark", {}, Kind::classical, 0.2, factors, quick)};
-  for (const comparison::Contender& peer : comparison::all_peers(quick)) all.push_back(peer);
-  return all;
+  return {comparison::by_tolerances("adaptive-collocation", Kind::own, quick),
+          comparison::by_tolerances("series", Kind::series, quick),
+          comparison::by_tolerances("ode45", Kind::explicit_, quick),
+          comparison::by_tolerances("dop853", Kind::explicit_, quick),
+          comparison::by_steps("rk4", {}, Kind::classical, 0.2, factors, quick),
+          comparison::by_steps("newmark", {}, Kind::classical, 0.2, factors, quick)};
 }
 
-comparison::Costs measure(bool quick) {
+comparison::Example example() {
   const program::Equations equations(program::SourceText("equation", equation));
-  const auto example = comparison::example_of(program::Problem(equations), "duffing", {1, 0}, 0, 50);
-  return comparison::costs_of(example, contenders(quick), 1e-8, quick);
+  return comparison::example_of(program::Problem(equations), "duffing", {1, 0}, 0, 50);
 }
 
 void check(const comparison::Costs& costs, scene::Show& show) {
-  comparison::check_condition(costs, show);
-  for (const char* method : {"adaptive-collocation", "series"}) {
-    const comparison::Cost& tightest = comparison::curve_of(costs.curves, method).costs.back();
-    const double steps = static_cast<double>(tightest.work.steps);
-    show.at_most(std::string("error of ") + method + " at the tightest tolerance",
-                 tightest.error.value_or(HUGE_VAL),
-                 comparison::tightest_tolerance(show.quick()) * steps * std::max(1.0, costs.condition),
-                 "the tolerance in each step, all of one sign, times the condition");
-  }
+  for (const char* method : {"adaptive-collocation", "series"}) check_tightest(costs, method, show);
 }
 
 }  // namespace
 
 std::vector<scene::Scene> scenes() {
-  return {comparison::cost_scene(
+  return {comparison::work_precision_scene(
       {.name = "",
        .problem = "A typed Duffing equation to t = 50",
        .reading = "typed equation, x = 1, x' = 0, to t = 50; default settings over one sweep of tolerances, "
                   "fixed steps over one of steps",
-       .measure = measure,
+       .example = example,
+       .methods = methods,
+       .change = 1e-8,
        .check = check})};
 }
 

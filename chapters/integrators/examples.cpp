@@ -4,14 +4,78 @@
 #include <string>
 #include <vector>
 
-#include "chapters/integrators/course.hpp"
+#include "nlmech/comparison/any_method.hpp"
+#include "nlmech/program/problem.hpp"
+#include "nlmech/scene/program/files.hpp"
 #include "nlmech/scene/scene.hpp"
+#include "nlmech/support/errors.hpp"
 
 namespace nlmech::chapters::integrators::examples {
 namespace {
 
 constexpr const char* independent =
     "two methods that share nothing but the equation, at a tolerance of 1e-13";
+
+/// A solution at some times, and how far an independent one is from its end.
+struct Course {
+  std::vector<std::string> names;            ///< of the components
+  std::vector<double> t;                     ///< times
+  std::vector<std::vector<double>> columns;  ///< a component each
+  /// Of the end states of two methods, relative to the greatest values; 0 of one alone.
+  double difference = 0;
+
+  /// The column of a component.
+  [[nodiscard]] const std::vector<double>& operator[](const std::string& name) const {
+    const auto place = std::find(names.begin(), names.end(), name) - names.begin();
+    return columns.at(static_cast<std::size_t>(place));
+  }
+};
+
+/// The equations of chapters/integrators/examples/<name>.ode. @throws Failure if the file is not there
+program::Equations example(const std::string& name) {
+  const std::string file = name + ".ode";
+  const auto path = scene::data_folder() / "chapters" / "integrators" / "examples" / file;
+  return program::Equations(program::SourceText(file, scene::read_whole(path)));
+}
+
+/// @p count + 1 equidistant times from @p begin to @p end.
+std::vector<double> equidistant(double begin, double end, int count) {
+  std::vector<double> times;
+  for (int i = 0; i <= count; ++i) times.push_back(begin + (end - begin) * i / count);
+  return times;
+}
+
+/// From the file's initial values to each of @p times, which rise. @p method and @p other begin anew at each
+/// time that is asked for with a tolerance of 1e-13. Where nothing determines the end @p other is empty.
+/// @throws Failure if one of them fails
+Course course(const program::Equations& equations, const std::vector<double>& times,
+              const std::string& method, const std::string& other) {
+  const ivp::System system{program::Problem(equations)};
+  const std::vector<double> x0 = program::Equations(equations).initial_state("initial state", "");
+  const ivp::State begin = Eigen::Map<const Eigen::VectorXd>(x0.data(), static_cast<Eigen::Index>(x0.size()));
+  const ivp::Settings settings{.tolerance = 1e-13};
+  Course made{equations.state_names(), {}, std::vector<std::vector<double>>(x0.size()), 0};
+  ivp::State size = begin.cwiseAbs();
+  const auto go = [&](const std::string& name, bool keep) {
+    const auto run = comparison::any_method(name).with(settings);
+    ivp::State x = begin;
+    double t = equations.initial_time().value_or(0);
+    for (const double next : times) {
+      const auto end = run(system, x, t, next, {}, {});
+      if (!end.status.ok()) throw Failure(end.status);
+      x = end.x;
+      t = next;
+      size = size.cwiseMax(x.cwiseAbs());
+      if (!keep) continue;
+      made.t.push_back(t);
+      for (Eigen::Index i = 0; i < x.size(); ++i) made.columns[static_cast<std::size_t>(i)].push_back(x[i]);
+    }
+    return x;
+  };
+  const ivp::State one = go(method, true);
+  if (!other.empty()) made.difference = ((one - go(other, false)).array().abs() / size.array()).maxCoeff();
+  return made;
+}
 
 /// Greatest departure of a quantity from its first value, relative to that or, for @p scale > 0, to a scale.
 template <class Quantity>

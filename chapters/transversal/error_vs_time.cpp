@@ -21,7 +21,7 @@ Contender by_points(int p, bool quick) {
   return c;
 }
 
-std::vector<Contender> contenders(bool quick) {
+std::vector<Contender> methods(bool quick) {
   constexpr std::array factors = {0.2, 0.1, 0.05, 0.025, 0.0125, 0.00625};
   std::vector<Contender> all;
   for (const int p : {1, 2, 3, 4, 5, 8}) all.push_back(by_points(p, quick));
@@ -30,38 +30,35 @@ std::vector<Contender> contenders(bool quick) {
   all.push_back(comparison::by_tolerances("adaptive-collocation", Kind::own, quick));
   all.push_back(comparison::by_tolerances("series", Kind::series, quick));
   all.push_back(comparison::by_tolerances("ode45", Kind::explicit_, quick));
-  for (const Contender& peer : comparison::all_peers(quick)) all.push_back(peer);
   return all;
 }
 
 comparison::Example example() { return comparison::example_of(problems::TextProblem("driven-duffing")); }
 
 void check(const comparison::Costs& costs, scene::Show& show) {
-  const comparison::Curve& three = comparison::curve_of(costs.curves, "mtl, p = 3");
-  const auto error = [&](std::size_t i) { return three.costs.at(i).error.value_or(NAN); };
+  const scene::MethodLine& three = costs.lines.of("mtl, p = 3");
+  const auto error = [&](std::size_t i) { return three.attempts.at(i).error.value_or(NAN); };
   // Steps of 0.1 and 0.025, among all of them or among quick's.
   const double fourth = show.quick() ? error(1) / error(2) : error(2) / error(4);
   // oracle: transversal_motions driven Duffing *
   show.near("reference position at t = 50", static_cast<double>(example().reference(50)[0]),
             1.203734404401093362708, 1e-15, "tools/oracles/transversal_motions.py");
   show.between("error of p = 3, step over a quarter of it", fourth, 150, 400, "order 4: 256");
-  show.at_most("least error of p = 5", comparison::least_error(costs.curves, "mtl, p = 5"), 1e-9,
+  show.at_most("least error of p = 5", costs.lines.of("mtl, p = 5").least_error(), 1e-9,
                "order 6 of steps of 0.00625, above roundings");
 }
 
 }  // namespace
 
 std::vector<scene::Scene> scenes() {
-  return {comparison::cost_scene({.name = "",
-                                  .problem = "Driven Duffing oscillator to t = 50",
-                                  .reading = "x'' + x + x^3 = cos t from (1, 0); fixed steps by hand, "
-                                             "default settings over one sweep of tolerances",
-                                  .measure =
-                                      [](bool quick) {
-                                        return comparison::Costs{
-                                            comparison::cost_curves(example(), contenders(quick), quick)};
-                                      },
-                                  .check = check})};
+  return {
+      comparison::work_precision_scene({.name = "",
+                                        .problem = "Driven Duffing oscillator to t = 50",
+                                        .reading = "x'' + x + x^3 = cos t from (1, 0); fixed steps by hand, "
+                                                   "default settings over one sweep of tolerances",
+                                        .example = example,
+                                        .methods = methods,
+                                        .check = check})};
 }
 
 }  // namespace nlmech::chapters::transversal::error_vs_time

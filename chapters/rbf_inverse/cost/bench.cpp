@@ -3,15 +3,9 @@
 /// one polynomial and by multiple shooting with CVODE, and a direct start by our own descent and by Ipopt,
 /// by Google Benchmark. Writes results/bench/rbf_inverse.json under the current folder; exit code 1 if a
 /// claim is not held.
-#include <benchmark/benchmark.h>
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <string>
-#include <utility>
-#include <vector>
 
 #include "chapters/rbf_inverse/control/duffing_runs.hpp"
 #include "chapters/rbf_inverse/control/shooting_methods.hpp"
@@ -24,12 +18,6 @@ using namespace nlmech;
 namespace inverse = chapters::rbf_inverse;
 using bvp::DuffingCase;
 using Eigen::VectorXd;
-
-/// A piece of work that is measured; false if it misses nine digits.
-struct Work {
-  std::string name;
-  std::function<bool()> run;
-};
 
 /// A case at T = 2 and the start of all: a coarse direct method's trajectory, which is not timed.
 struct Subject {
@@ -53,71 +41,46 @@ struct Subject {
   bvp::Start start;
 };
 
-std::string named(const char* method, const Subject& s) {
-  return fmt::format("{}, {}", method, to_string(s.known.which));
-}
-constexpr const char *refined = "refined intervals", *one = "one polynomial", *shooting = "multiple shooting",
-                     *own = "own direct start", *ipopt = "ipopt";
-
-/// The settings are the least exact ones that give nine digits in both cases; a method that fails is said to.
-std::vector<Work> work_on(const Subject& s) {
-  std::vector<Work> all = {
-      {named(refined, s),
-       [&s] {
-         const bvp::Solution r = solve(s.problem, s.start, {.nodes = 6, .intervals = 3, .tolerance = 1e-6});
-         return s.right(r.status, r.first());
-       }},
-      {named(one, s),
-       [&s] {
-         const bool is_free = s.known.which == DuffingCase::free;
-         const bvp::GlobalResult r = solve_global(s.problem,
-                                                  {.nodes = is_free ? 25 : 60,
-                                                   .derivative = bvp::DerivativeMatrix::polynomial,
-                                                   .rows = printed_rows(s.problem)},
-                                                  s.start, 0.1, true);
-         return s.right(r.extremal.solution.status, r.extremal.solution.first());
-       }},
-      {named(own, s), [&s] { return direct_start(s.problem, s.guess, {.pieces = 200}).status.ok(); }}};
+/// The settings are the least exact ones that give nine digits in both cases.
+/// @param s outlives the measurement
+void add_rows(chapters::Speed& all, const Subject& s) {
+  const auto named = [&s](const char* method) {
+    return fmt::format("{}, {}", method, to_string(s.known.which));
+  };
+  const char *refined = "refined intervals", *one = "one polynomial", *shooting = "multiple shooting";
+  all.add(named(refined), [&s] {
+    const bvp::Solution r = solve(s.problem, s.start, {.nodes = 6, .intervals = 3, .tolerance = 1e-6});
+    return s.right(r.status, r.first());
+  });
+  all.add(named(one), [&s] {
+    const bvp::GlobalResult r = solve_global(s.problem,
+                                             {.nodes = s.known.which == DuffingCase::free ? 25 : 60,
+                                              .derivative = bvp::DerivativeMatrix::polynomial,
+                                              .rows = printed_rows(s.problem)},
+                                             s.start, 0.1, true);
+    return s.right(r.extremal.solution.status, r.extremal.solution.first());
+  });
+  all.add(named("own direct start"),
+          [&s] { return direct_start(s.problem, s.guess, {.pieces = 200}).status.ok(); });
   if (inverse::multiple_shooting_available())
-    all.push_back({named(shooting, s), [&s] {
-                     const inverse::Shot r = inverse::shoot(s.problem, s.start, {.tolerance = 1e-10});
-                     return s.right(r.status, r.first);
-                   }});
+    all.add(named(shooting), [&s] {
+      const inverse::Shot r = inverse::shoot(s.problem, s.start, {.tolerance = 1e-10});
+      return s.right(r.status, r.first);
+    });
   if (peers::ipopt_available())
-    all.push_back({named(ipopt, s),
-                   [&s] { return peers::ipopt_start(s.problem, s.guess, {.pieces = 200}).status.ok(); }});
-  return all;
+    all.add(named("ipopt"),
+            [&s] { return peers::ipopt_start(s.problem, s.guess, {.pieces = 200}).status.ok(); });
+  all.claim(named(refined), named(shooting), 2,
+            named("nine digits by refined intervals against multiple shooting with CVODE"));
+  all.claim(named(refined), named(one), 1.2,
+            named("nine digits by refined intervals against one polynomial"));
 }
 
-int bench(int argc, char** argv) {
-  chapters::begin_speed(argc, argv);
-  const std::vector<Subject> subjects = {Subject(DuffingCase::free), Subject(DuffingCase::fixed)};
-  std::vector<Work> all;
-  std::vector<scene::SpeedClaim> claims;
-  for (const Subject& s : subjects) {
-    std::vector<std::string> done;
-    for (Work& w : work_on(s)) {
-      if (!w.run()) {
-        fmt::print("{}: misses nine digits\n", w.name);
-        continue;
-      }
-      done.push_back(w.name);
-      all.push_back(std::move(w));
-    }
-    const auto claim = [&](const char* ours, const char* theirs, const char* what, double least) {
-      const std::string a = named(ours, s), b = named(theirs, s);
-      if (std::find(done.begin(), done.end(), a) == done.end()) return;
-      if (std::find(done.begin(), done.end(), b) == done.end()) return;
-      claims.push_back({fmt::format("{}, {}", what, to_string(s.known.which)), a, b, least});
-    };
-    claim(refined, shooting, "nine digits by refined intervals against multiple shooting with CVODE", 2);
-    claim(refined, one, "nine digits by refined intervals against one polynomial", 1.2);
-  }
-  return chapters::judge_speed("rbf_inverse", claims, chapters::measure_speed(all));
+void rows(chapters::Speed& all) {
+  static const Subject subjects[] = {Subject(DuffingCase::free), Subject(DuffingCase::fixed)};
+  for (const Subject& s : subjects) add_rows(all, s);
 }
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  return nlmech::chapters::speed_main("rbf_inverse_bench", &bench, argc, argv);
-}
+int main(int argc, char** argv) { return nlmech::chapters::speed_main("rbf_inverse", &rows, argc, argv); }

@@ -3,12 +3,7 @@
 /// microsecond and against collocation, and grids of transfers by one and two threads, by Google Benchmark.
 /// Writes results/bench/rbf_inverse_lambert.json under the current folder; exit code 1 if a claim is not
 /// held.
-#include <benchmark/benchmark.h>
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <cmath>
-#include <functional>
 #include <random>
 #include <string>
 #include <vector>
@@ -24,12 +19,6 @@ namespace {
 
 using namespace nlmech;
 
-/// A piece of work that is measured.
-struct Work {
-  std::string name;
-  std::function<void()> run;
-};
-
 constexpr int solves = 1000;
 
 /// Problems of all kinds: ellipses, hyperbolas, short and long ways, times from a tenth to ten.
@@ -44,31 +33,6 @@ std::vector<orbit::LambertProblem> problems() {
     p.time = std::pow(10, 2 * uniform(engine) - 1);
   }
   return made;
-}
-
-Work izzo() {
-  return {fmt::format("{} solves by Izzo's method", solves), [all = problems()] {
-            bool long_way = false;
-            for (const orbit::LambertProblem& p : all) {
-              long_way = !long_way;
-              benchmark::DoNotOptimize(orbit::solve_lambert(p, {long_way, 0, orbit::LambertBranch::low}).v1);
-            }
-          }};
-}
-
-Work one() {
-  const orbit::TransferProblem p = chapters::rbf_inverse::printed_transfer();
-  return {"the printed transfer by Izzo's method",
-          [l = orbit::LambertProblem{p.from, p.to, p.time, p.gravity.mu}] {
-            benchmark::DoNotOptimize(orbit::solve_lambert(l).v1);
-          }};
-}
-
-Work collocation(const std::string& name, orbit::TransferEquations equations) {
-  return {name, [equations] {
-            benchmark::DoNotOptimize(
-                orbit::collocate(chapters::rbf_inverse::printed_transfer(), {.equations = equations}).v1);
-          }};
 }
 
 /// Cells between orbits like those of Earth and Mars.
@@ -95,35 +59,42 @@ scene::BenchSeries wall(const std::string& name, int threads, int times) {
   return series;
 }
 
-int bench(int argc, char** argv) {
-  chapters::begin_speed(argc, argv);
-  using orbit::TransferEquations;
-  const std::vector<Work> all = {
-      izzo(), one(),
-      collocation("the printed transfer by collocation of positions", TransferEquations::positions),
-      collocation("the printed transfer by collocation, 6N equations",
-                  TransferEquations::positions_and_velocities)};
-  std::vector<scene::BenchSeries> series = chapters::measure_speed(all);
-  // Times to compare with, so that a promised time is a ratio as the others.
+void rows(chapters::Speed& all) {
+  using enum orbit::TransferEquations;
+  const std::string many = fmt::format("{} solves by Izzo's method", solves),
+                    one = "the printed transfer by Izzo's method",
+                    collocated = "the printed transfer by collocation of positions",
+                    printed = "the printed transfer by collocation, 6N equations";
+  all.add(many, [lambert = problems()] {
+    bool long_way = false;
+    for (const orbit::LambertProblem& p : lambert) {
+      long_way = !long_way;
+      benchmark::DoNotOptimize(orbit::solve_lambert(p, {long_way, 0, orbit::LambertBranch::low}).v1);
+    }
+  });
+  const orbit::TransferProblem p = chapters::rbf_inverse::printed_transfer();
+  all.add(one, [l = orbit::LambertProblem{p.from, p.to, p.time, p.gravity.mu}] {
+    return orbit::solve_lambert(l).v1;
+  });
+  all.add(collocated, [p] { return orbit::collocate(p, {.equations = positions}).v1; });
+  all.add(printed, [p] { return orbit::collocate(p, {.equations = positions_and_velocities}).v1; });
   const std::string budget = fmt::format("half a microsecond for each of {} solves", solves),
-                    five = "five seconds";
-  series.push_back({budget, "us a run", std::vector<double>(11, 0.5 * solves)});
-  series.push_back({five, "us a run", std::vector<double>(5, 5e6)});
-  const std::string one_thread = "grid of 2000 x 2000 cells, one thread, time on the wall",
+                    five = "five seconds",
+                    one_thread = "grid of 2000 x 2000 cells, one thread, time on the wall",
                     two_threads = "grid of 2000 x 2000 cells, two threads, time on the wall";
-  series.push_back(wall(one_thread, 1, 5));
-  series.push_back(wall(two_threads, 2, 5));
-  const std::vector<scene::SpeedClaim> claims = {
-      {"Lambert's problem in half a microsecond", all[0].name, budget, 1},
-      {"Izzo's method against collocation of positions, one transfer", all[1].name, all[2].name, 500},
-      {"Izzo's method against the printed 6N equations, one transfer", all[1].name, all[3].name, 2000},
-      {"a grid of 2000 x 2000 cells in five seconds on two processors", two_threads, five, 1},
-      {"two threads against one on a grid", two_threads, one_thread, 1.5}};
-  return chapters::judge_speed("rbf_inverse_lambert", claims, series);
+  all.add_budget(budget, 0.5 * solves);
+  all.add_budget(five, 5e6);
+  all.add(wall(one_thread, 1, 5));
+  all.add(wall(two_threads, 2, 5));
+  all.claim(many, budget, 1, "Lambert's problem in half a microsecond");
+  all.claim(one, collocated, 500, "Izzo's method against collocation of positions, one transfer");
+  all.claim(one, printed, 2000, "Izzo's method against the printed 6N equations, one transfer");
+  all.claim(two_threads, five, 1, "a grid of 2000 x 2000 cells in five seconds on two processors");
+  all.claim(two_threads, one_thread, 1.5, "two threads against one on a grid");
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  return nlmech::chapters::speed_main("rbf_inverse_lambert_bench", &bench, argc, argv);
+  return nlmech::chapters::speed_main("rbf_inverse_lambert", &rows, argc, argv);
 }

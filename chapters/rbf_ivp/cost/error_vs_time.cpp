@@ -1,3 +1,4 @@
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -17,27 +18,39 @@ struct Subject {
   const char* reason;
 };
 
+/// The least error of a method: no more than so much in each step of that run, of one sign, times the
+/// condition.
+void check_least(const Costs& costs, const std::string& method, double each_step, const char* reason,
+                 scene::Show& show) {
+  const scene::MethodLine& line = costs.lines.of(method);
+  const double steps = line.best() != nullptr ? static_cast<double>(comparison::steps_of(*line.best())) : 0;
+  show.at_most("least error of " + method, line.least_error(), each_step * steps * costs.condition, reason);
+}
+
 scene::Scene against_all(const Subject& subject, const Case& (*problem)(), const StepScales& scales) {
   const auto measure = [problem, scales](bool quick) -> Costs {
     const auto accurate = ivp::named_integrator("radau-coll", {.step = scales.many_nodes / 8, .nodes = 17});
-    return {comparison::cost_curves(problem(), contenders(scales, quick), quick),
+    return {{"", comparison::cost_curves(problem(), contenders(scales, quick), quick)},
             comparison::condition_of(problem(), accurate)};
   };
   const auto check = [subject](const Costs& costs, scene::Show& show) {
-    show.between("least error of rbf-coll, N = 35", comparison::least_error(costs.curves, "rbf-coll, N = 35"),
+    show.between("least error of rbf-coll, N = 35", costs.lines.of("rbf-coll, N = 35").least_error(),
                  subject.radial_low, subject.radial_high, subject.reason);
-    check_at_rounding(costs, "radau-coll, N = 17", show);
-    if (show.quick()) return check_at_quick_tolerance(costs, show);
-    show.at_most("least error of adaptive-collocation",
-                 comparison::least_error(costs.curves, "adaptive-collocation"), 1e-11,
-                 "end errors of hundred periods are the tolerance, 1e-13, times their number");
+    check_least(costs, "radau-coll, N = 17", 4 * std::numeric_limits<double>::epsilon() / 2,
+                "condition times half an epsilon, four times in each step and always of one sign", show);
+    if (show.quick())
+      return check_least(costs, "adaptive-collocation", comparison::tightest_tolerance(true),
+                         "the tightest tolerance in each step, all of one sign, times the condition", show);
+    show.at_most("least error of adaptive-collocation", costs.lines.of("adaptive-collocation").least_error(),
+                 1e-11, "end errors of hundred periods are the tolerance, 1e-13, times their number");
   };
-  return comparison::cost_scene({.name = subject.name,
-                                 .problem = subject.title,
-                                 .reading = "default settings over one sweep of tolerances; steps of "
-                                            "fixed-step methods by hand, beginning with the dissertation's",
-                                 .measure = measure,
-                                 .check = check});
+  return comparison::work_precision_scene(
+      {.name = subject.name,
+       .problem = subject.title,
+       .reading = "default settings over one sweep of tolerances; steps of "
+                  "fixed-step methods by hand, beginning with the dissertation's",
+       .measure = measure,
+       .check = check});
 }
 
 }  // namespace

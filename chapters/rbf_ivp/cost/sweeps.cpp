@@ -1,7 +1,5 @@
 #include "chapters/rbf_ivp/cost/sweeps.hpp"
 
-#include <limits>
-
 #include "chapters/rbf_ivp/examples/cases.hpp"
 
 namespace nlmech::chapters::rbf_ivp {
@@ -17,15 +15,6 @@ constexpr double picard_ladder[] = {4, 2, 1, 0.5};
 constexpr double runge_kutta_ladder[] = {1, 0.2, 0.04, 0.008};
 constexpr double second_order_ladder[] = {0.2, 0.02, 0.004};
 constexpr double first_order_ladder[] = {0.01, 0.001};
-
-/// Checks that a method errs by no more than so much, of one sign, in each step of its best run.
-void check_least(const comparison::Costs& costs, const std::string& method, double each_step,
-                 const char* reason, scene::Show& show) {
-  const comparison::Cost* best = comparison::best_of(comparison::curve_of(costs.curves, method));
-  const double steps = best != nullptr ? static_cast<double>(best->work.steps) : 0;
-  show.at_most("least error of " + method, comparison::least_error(costs.curves, method),
-               each_step * steps * costs.condition, reason);
-}
 
 }  // namespace
 
@@ -62,25 +51,10 @@ std::vector<Contender> contenders(const StepScales& s, bool quick) {
     all.push_back(by_steps(name, {}, Kind::classical, few, second_order_ladder, quick));
   for (const char* name : {"rk4", "rk6"})
     all.push_back(by_steps(name, {}, Kind::classical, few, runge_kutta_ladder, quick));
-  for (const Contender& one : with_step_control(quick)) all.push_back(one);
-  return all;
-}
-
-std::vector<Contender> with_step_control(bool quick) {
-  std::vector<Contender> all = {comparison::by_tolerances("adaptive-collocation", Kind::own, quick),
-                                comparison::by_tolerances("ode45", Kind::explicit_, quick)};
+  all.push_back(comparison::by_tolerances("adaptive-collocation", Kind::own, quick));
+  all.push_back(comparison::by_tolerances("ode45", Kind::explicit_, quick));
   for (const Contender& peer : comparison::all_peers(quick)) all.push_back(peer);
   return all;
-}
-
-void check_at_rounding(const comparison::Costs& costs, const std::string& method, scene::Show& show) {
-  check_least(costs, method, 4 * std::numeric_limits<double>::epsilon() / 2,
-              "condition times half an epsilon, four times in each step and always of one sign", show);
-}
-
-void check_at_quick_tolerance(const comparison::Costs& costs, scene::Show& show) {
-  check_least(costs, "adaptive-collocation", comparison::tightest_tolerance(true),
-              "the tightest tolerance in each step, all of one sign, times the condition", show);
 }
 
 }  // namespace nlmech::chapters::rbf_ivp

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "nlmech/comparison/cost/contenders.hpp"
-#include "nlmech/comparison/cost/cost_scene.hpp"
 
 namespace nlmech::chapters::rbf_ivp {
 
@@ -30,14 +29,5 @@ struct StepScales {
 /// with one sweep of tolerances for all.
 /// @param quick fewer settings of each
 [[nodiscard]] std::vector<comparison::Contender> contenders(const StepScales& scales, bool quick);
-
-/// Those with step control alone: adaptive-collocation, ode45 and the peers.
-[[nodiscard]] std::vector<comparison::Contender> with_step_control(bool quick);
-
-/// Checks that a method errs by no more than four roundings of one sign in each step of its best run.
-void check_at_rounding(const comparison::Costs& costs, const std::string& method, scene::Show& show);
-/// The same of `adaptive-collocation` with --quick, whose tolerances end at 1e-8: that tolerance in each
-/// step.
-void check_at_quick_tolerance(const comparison::Costs& costs, scene::Show& show);
 
 }  // namespace nlmech::chapters::rbf_ivp

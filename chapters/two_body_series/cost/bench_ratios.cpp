@@ -1,9 +1,8 @@
 /// @file
 /// `two_body_series_ratios_bench`: the printed ratios of run times of Tables 3.2 and 3.3, and of the text,
 /// beside ours, by Google Benchmark. Writes results/ratios/two_body_series.json under the current folder.
-#include <benchmark/benchmark.h>
-
-#include <functional>
+#include <map>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -18,36 +17,8 @@ namespace two_body = chapters::two_body_series;
 using two_body::Orbit;
 using two_body::Propagator;
 
-/// A piece of work that is measured.
-struct Work {
-  std::string name;
-  std::function<void()> run;
-};
-
 /// Whose times are printed: not those of F and G.
 constexpr Propagator timed[] = {Propagator::ode45, Propagator::rkn1210, Propagator::series};
-
-std::vector<Work> works() {
-  std::vector<Work> all;
-  for (const Orbit& orbit : {two_body::low_orbit(), two_body::high_orbit()}) {
-    for (const int orbits : two_body::revolutions) {
-      for (const Propagator propagator : timed)
-        all.push_back({table_of(orbit) + ", " + row_in_source(orbit, propagator, orbits),
-                       timed_work(orbit, orbits, propagator)});
-    }
-  }
-  return all;
-}
-
-/// The series over as many orbits.
-std::map<std::string, std::string> references(const Orbit& orbit) {
-  std::map<std::string, std::string> all;
-  for (const int orbits : two_body::revolutions) {
-    for (const Propagator propagator : timed)
-      all.emplace(row_in_source(orbit, propagator, orbits), row_in_source(orbit, Propagator::series, orbits));
-  }
-  return all;
-}
 
 /// The method that the series is said to be faster than.
 Propagator subject_of(const scene::PublishedValue& claim) {
@@ -69,22 +40,31 @@ void add_claims(scene::TimeRatios& all, const Orbit& orbit,
   }
 }
 
-int bench(int argc, char** argv) {
-  chapters::begin_speed(argc, argv);
+scene::TimeRatios compare(chapters::Speed& speed) {
+  const std::vector<Orbit> all_orbits = {two_body::low_orbit(), two_body::high_orbit()};
+  std::map<std::string, std::map<std::string, std::string>> references;  // the series over as many orbits
+  for (const Orbit& orbit : all_orbits) {
+    for (const int orbits : two_body::revolutions) {
+      for (const Propagator propagator : timed) {
+        const std::string row = row_in_source(orbit, propagator, orbits);
+        references[table_of(orbit)].emplace(row, row_in_source(orbit, Propagator::series, orbits));
+        speed.add(table_of(orbit) + ", " + row, timed_work(orbit, orbits, propagator));
+      }
+    }
+  }
   const std::vector<scene::PublishedValue> published = scene::read_published(scene::data_folder());
-  const std::vector<Work> all = works();
-  const std::vector<scene::BenchSeries> series = chapters::measure_speed(all);
+  const std::vector<scene::BenchSeries> series = speed.measure();
   scene::TimeRatios ratios;
-  for (const Orbit& orbit : {two_body::low_orbit(), two_body::high_orbit()}) {
-    for (auto& row : scene::compare_times(published, table_of(orbit), references(orbit), series))
+  for (const Orbit& orbit : all_orbits) {
+    for (auto& row : scene::compare_times(published, table_of(orbit), references[table_of(orbit)], series))
       ratios.rows.push_back(row);
     add_claims(ratios, orbit, published);
   }
-  return chapters::tell_ratios("two_body_series", ratios);
+  return ratios;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  return nlmech::chapters::speed_main("two_body_series_ratios_bench", &bench, argc, argv);
+  return nlmech::chapters::ratios_main("two_body_series", &compare, argc, argv);
 }

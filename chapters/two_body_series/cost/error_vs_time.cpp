@@ -14,8 +14,6 @@
 namespace nlmech::chapters::two_body_series::error_vs_time {
 namespace {
 
-using comparison::Cost;
-using comparison::Curve;
 using comparison::Example;
 using comparison::Kind;
 
@@ -59,41 +57,43 @@ Example example_of(const Subject& subject) {
 }
 
 /// Analytic continuation over the sweep of tolerances and on to what double can hold.
-Curve adaptive(const Example& c, bool quick) {
-  Curve curve{ours, Kind::own, {}};
+scene::MethodLine adaptive(const Example& c, bool quick) {
+  scene::MethodLine curve = comparison::line_of(ours, Kind::own);
   for (int power = 4; power <= 17; power += quick ? 6 : 1) {
     const double tolerance = std::pow(10, -power);
-    curve.costs.push_back(
+    curve.attempts.push_back(
         cost_of(c, fmt::format("tolerance {:.0e}", tolerance),
                 continuation_integrator(orbit::AnalyticContinuation{.tolerance = tolerance}, 1), quick));
   }
   return curve;
 }
 
-Curve fixed(const Example& c, const Subject& subject, bool quick) {
-  Curve curve{fmt::format("fixed steps, order {}", subject.order), Kind::source, {}};
+scene::MethodLine fixed(const Example& c, const Subject& subject, bool quick) {
+  scene::MethodLine curve =
+      comparison::line_of(fmt::format("fixed steps, order {}", subject.order), Kind::source);
   for (std::size_t i = 0; i < subject.steps.size(); ++i) {
     if (quick && subject.printed < 0 && i % 2 == 1) continue;  // these short steps are dear
     const orbit::FixedContinuation method{.step = revolution / subject.steps[i], .order = subject.order};
     const char* remark = static_cast<int>(i) == subject.printed ? " (as printed)" : "";
-    curve.costs.push_back(cost_of(c, fmt::format("{} steps an orbit{}", subject.steps[i], remark),
-                                  continuation_integrator(method, 1), quick));
+    curve.attempts.push_back(cost_of(c, fmt::format("{} steps an orbit{}", subject.steps[i], remark),
+                                     continuation_integrator(method, 1), quick));
   }
   return curve;
 }
 
 /// Kepler's solution of the end, timed in thousands: one is as short as the clock's tick.
-Curve closed(const Example& c, bool quick) {
+scene::MethodLine closed(const Example& c, bool quick) {
   const auto run = kepler_integrator(1);
-  Cost cost = cost_of(c, "", run, true);
+  scene::MethodLine line = comparison::line_of("Kepler", Kind::closed_form);
+  line.attempts = {cost_of(c, "", run, true)};
   constexpr int calls = 1000;
   const orbit::State start = parted(c.x0);
   const auto work = [&] {
     for (int i = 0; i < calls; ++i) static_cast<void>(orbit::propagate_kepler(start, c.t1 - i, 1));
   };
   const Timing t = time_repeats(work, quick ? 1 : 9);
-  cost.time = {t.median / calls, t.smallest / calls, t.largest / calls, t.repeats};
-  return {"Kepler", Kind::closed_form, {cost}};
+  line.attempts.front().time = {t.median / calls, t.smallest / calls, t.largest / calls, t.repeats};
+  return line;
 }
 
 /// As LastEnds sees it: the median over 16 times in the last tenth, in halves of eps.
@@ -106,42 +106,42 @@ double condition_near_end(const Subject& subject) {
   return median(all) / (std::numeric_limits<double>::epsilon() / 2);
 }
 
-/// `condition` is the rounding of a CostScene: rounding_of_data(), median near the end.
+/// Its condition is that of rounding_of_data(), median near the end.
 comparison::Costs measure(const Subject& subject, bool quick) {
   const Example c = example_of(subject);
   std::vector<comparison::Contender> others = {comparison::by_tolerances("series", Kind::series, quick),
                                                comparison::by_tolerances("rkn1210", Kind::explicit_, quick),
                                                comparison::by_tolerances("ode45", Kind::explicit_, quick)};
   for (const auto& peer : comparison::all_peers(quick)) others.push_back(peer);
-  comparison::Costs m{{closed(c, quick), adaptive(c, quick), fixed(c, subject, quick)},
+  comparison::Costs m{{"", {closed(c, quick), adaptive(c, quick), fixed(c, subject, quick)}},
                       condition_near_end(subject)};
-  for (Curve& curve : comparison::cost_curves(c, others, quick)) m.curves.push_back(std::move(curve));
+  for (auto& curve : comparison::cost_curves(c, others, quick)) m.lines.lines.push_back(std::move(curve));
   return m;
 }
 
 void check(const comparison::Costs& m, const Subject& subject, scene::Show& show) {
   const double rounding = m.condition * std::numeric_limits<double>::epsilon();
-  const Curve& series = comparison::curve_of(m.curves, ours);
-  const double tightest = static_cast<double>(comparison::best_of(series)->work.steps);
-  const auto least = [&](const char* name) { return comparison::least_error(m.curves, name); };
+  const scene::MethodLine& series = m.lines.of(ours);
+  const auto tightest = static_cast<double>(comparison::steps_of(*series.best()));
+  const auto least = [&](const char* name) { return m.lines.of(name).least_error(); };
   show.at_most("least error of analytic continuation", least(ours), 8 * rounding,
                "eight roundings of the data times the condition of Kepler's problem, by its derivatives");
   show.at_most("error of Kepler's solution", least("Kepler"), 8 * rounding, "the same");
   show.at_most("error of analytic continuation at a tolerance of 1e-10",
-               series.costs[show.quick() ? 1 : 6].error.value_or(HUGE_VAL), 1e-10 * tightest * m.condition,
+               series.attempts[show.quick() ? 1 : 6].error.value_or(HUGE_VAL), 1e-10 * tightest * m.condition,
                "the tolerance in each step, all of one sign, times the condition");
   show.at_most("least error of rkn1210", least("rkn1210"),
                comparison::tightest_tolerance(show.quick()) * 600 * m.condition,
                "the tightest tolerance in each of at most 600 steps, times the condition");
   if (subject.printed < 0) return;
   show.between("error of the printed steps",
-               m.curves[2].costs[static_cast<std::size_t>(subject.printed)].error.value_or(HUGE_VAL),
+               m.lines.lines[2].attempts[static_cast<std::size_t>(subject.printed)].error.value_or(HUGE_VAL),
                subject.low, subject.high,
                "recorded at the end of 20 orbits; the median of others within a factor of ten");
 }
 
 scene::Scene scene_of(const Subject& subject) {
-  return comparison::cost_scene(
+  return comparison::work_precision_scene(
       {.name = subject.name,
        .problem = subject.title,
        .reading = "units a = 1, mu = 1, 20 orbits from the periapsis; one sweep of tolerances in default "

@@ -2,11 +2,9 @@
 /// `two_body_series_ensemble_bench`: orbits in lanes against the same orbits one by one, at equal achieved
 /// median error, and beside them the multiply-adds alone; by Google Benchmark. Writes
 /// results/bench/two_body_series_ensemble.json under the current folder; exit code 1 if a claim is not held.
-#include <benchmark/benchmark.h>
-#include <fmt/format.h>
-
 #include <cmath>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <random>
 #include <string>
@@ -15,15 +13,14 @@
 
 #include "chapters/floor.hpp"
 #include "chapters/speed.hpp"
+#include "chapters/two_body_series/orbits/ellipses.hpp"
 #include "nlmech/orbit/ensemble.hpp"
-#include "nlmech/orbit/kepler.hpp"
-#include "nlmech/support/extended_real.hpp"
-#include "nlmech/support/stopwatch.hpp"
 
 namespace {
 
 using namespace nlmech;
-using Real = ExtendedReal<50>;
+namespace two_body = chapters::two_body_series;
+using two_body::revolution;
 
 /// Orbits from their periapsis over some twenty revolutions, and where they end.
 struct Orbits {
@@ -33,19 +30,16 @@ struct Orbits {
   std::vector<double> errors;  ///< median ones that are compared
 };
 
-constexpr double revolution = 6.283185307179586;
-
 /// About a point mass; the ends in 50 digits.
 Orbits ellipses(std::string name, double least, double largest) {
   Orbits orbits{std::move(name), {}, {}, {1e-9, 1e-12}};
   std::mt19937_64 random(21);
   for (int i = 0; i < 512; ++i) {
     const double e = least + (largest - least) * static_cast<double>(random() >> 11U) * 0x1p-53;
-    const orbit::State start{{1 - e, 0, 0}, {0, std::sqrt((1 + e) / (1 - e)), 0}};
-    orbits.flights.push_back({start, revolution * (19.25 + (i % 16 + 0.5) / 16), {}});
-    const orbit::BasicState<Real> s{start.position.cast<Real>(), start.velocity.cast<Real>()};
-    const auto c = orbit::lagrange_coefficients(s, Real(orbits.flights.back().until), Real(1));
-    orbits.ends.push_back(orbit::moved(s, c).position.cast<double>());
+    const orbit::State start = two_body::on_ellipse(e);
+    const double end = revolution * (19.25 + (i % 16 + 0.5) / 16);
+    orbits.flights.push_back({start, end, {}});
+    orbits.ends.push_back(two_body::state_in_50_digits(start, end, 1).position.cast<double>());
   }
   return orbits;
 }
@@ -66,20 +60,22 @@ Orbits low_orbits() {
   return orbits;
 }
 
-using Way = std::function<std::vector<orbit::Solution>(const Orbits&, double tolerance)>;
+using Shared = std::shared_ptr<const Orbits>;
+using Way = std::function<std::vector<orbit::Solution>(double tolerance)>;
 
-std::vector<orbit::Solution> one_by_one(const Orbits& orbits, double tolerance) {
-  std::vector<orbit::Solution> ends;
-  for (const orbit::Flight& f : orbits.flights)
-    ends.push_back(orbit::propagate(f.start, 0, f.until, f.gravity,
-                                    orbit::AnalyticContinuation{.tolerance = tolerance}));
-  return ends;
+Way one_by_one(const Shared& orbits) {
+  return [orbits](double tolerance) {
+    std::vector<orbit::Solution> ends;
+    for (const orbit::Flight& f : orbits->flights)
+      ends.push_back(orbit::propagate(f.start, 0, f.until, f.gravity,
+                                      orbit::AnalyticContinuation{.tolerance = tolerance}));
+    return ends;
+  };
 }
 
-Way in_lanes(InstructionSet set, int threads) {
-  return [=](const Orbits& orbits, double tolerance) {
-    return orbit::propagate_all(orbits.flights,
-                                {.tolerance = tolerance, .threads = threads, .instructions = set});
+Way in_lanes(const Shared& orbits, InstructionSet set) {
+  return [orbits, set](double tolerance) {
+    return orbit::propagate_all(orbits->flights, {.tolerance = tolerance, .threads = 1, .instructions = set});
   };
 }
 
@@ -89,87 +85,62 @@ double multiply_adds_of(const orbit::Flight& flight, double n) {
   return flight.gravity.degree() == 0 ? n * n + 20 * n : 11 * n * n;
 }
 
-/// A piece of work that is measured.
-struct Work {
-  std::string name;
-  std::function<void()> run;
-  double tolerance = 0;  ///< at which it is done
-};
-
-/// With the loosest tolerance, by half decades, whose median error is as wanted.
-std::optional<Work> work_to(const Orbits& orbits, const std::string& way, const Way& run, double wanted) {
-  for (int half = 12; half <= 34; ++half) {
-    const double tolerance = std::pow(10, -0.5 * half);
-    const auto ends = run(orbits, tolerance);
-    std::vector<double> errors;
-    double steps = 0;
-    for (std::size_t i = 0; i < ends.size(); ++i) {
-      errors.push_back((ends[i].x.position - orbits.ends[i]).norm());
-      steps += static_cast<double>(ends[i].statistics.steps) / static_cast<double>(ends.size());
-    }
-    if (!(median(errors) <= wanted)) continue;
-    const std::string name = fmt::format("{}, {} to {:g}", orbits.name, way, wanted);
-    const double seconds =
-        time_repeats([&] { (void)run(orbits, tolerance); }, 5).smallest / static_cast<double>(ends.size());
-    fmt::print("{}: tolerance {:.1e}, error {:.1e}, {:.1f} steps, {:.2f} us an orbit, {:.1f} ns a step\n",
-               name, tolerance, median(errors), steps, 1e6 * seconds, 1e9 * seconds / steps);
-    return Work{name,
-                [&orbits, run, tolerance] {
-                  auto all = run(orbits, tolerance);
-                  benchmark::DoNotOptimize(all);
-                },
-                tolerance};
-  }
-  return std::nullopt;
-}
-
-/// The multiply-adds of the orbits in lanes, and nothing else.
-Work floor_of(const Orbits& orbits, InstructionSet set, double tolerance, const std::string& name) {
+/// Of all orbits.
+double multiply_adds_of(const Orbits& orbits, const std::vector<orbit::Solution>& ends) {
   double count = 0;
-  const auto ends = in_lanes(set, 1)(orbits, tolerance);
   for (std::size_t i = 0; i < ends.size(); ++i) {
     const auto steps = static_cast<double>(ends[i].statistics.steps),
                orders = static_cast<double>(ends[i].statistics.right_hand_sides);
     count += steps * multiply_adds_of(orbits.flights[i], orders / steps);
   }
-  return {name + ", multiply-adds alone",
-          [set, count] {
-            double sum = chapters::multiply_adds(set, count);
-            benchmark::DoNotOptimize(sum);
-          },
-          tolerance};
+  return count;
 }
 
-int bench(int argc, char** argv) {
-  chapters::begin_speed(argc, argv);
-  const std::vector<Orbits> all_orbits = {ellipses("512 orbits, e = 0.1", 0.1, 0.1),
-                                          ellipses("512 orbits, e = 0.7", 0.7, 0.7),
-                                          ellipses("512 orbits, e in 0 to 0.9", 0, 0.9), low_orbits()};
-  std::vector<Work> all;
-  std::vector<scene::SpeedClaim> claims;
-  for (const Orbits& orbits : all_orbits) {
-    for (const double wanted : orbits.errors) {
-      const auto single = work_to(orbits, "one by one", one_by_one, wanted);
-      if (!single) continue;
-      all.push_back(*single);
-      const auto add = [&](InstructionSet set, double least) {
-        if (!available(set)) return;
-        const auto ours =
-            work_to(orbits, fmt::format("lanes of {}", to_string(set)), in_lanes(set, 1), wanted);
-        if (!ours) return;
-        all.push_back(*ours);
-        all.push_back(floor_of(orbits, set, ours->tolerance, ours->name));
-        claims.push_back({fmt::format("{} against one by one", ours->name), ours->name, single->name, least});
-      };
-      add(InstructionSet::avx2, 4);
-      add(InstructionSet::avx512, 5);
-    }
+/// The loosest tolerance, by half decades, at which the median error is as wanted; nothing if none is.
+std::optional<double> loosest(const Orbits& orbits, const Way& run, double wanted) {
+  for (const double tolerance : chapters::half_decades(12, 34)) {
+    const auto ends = run(tolerance);
+    const auto error = chapters::median_error(ends.size(), [&](std::size_t i) {
+      return std::optional((ends[i].x.position - orbits.ends[i]).norm());
+    });
+    if (error && *error <= wanted) return tolerance;
   }
-  return chapters::judge_speed("two_body_series_ensemble", claims, chapters::measure_speed(all));
+  return std::nullopt;
+}
+
+/// One by one, in lanes, and the multiply-adds of the orbits in lanes and nothing else.
+void add_rows(chapters::Speed& all, const Shared& orbits, double wanted) {
+  const auto name_of = [&](const std::string& way) {
+    return fmt::format("{}, {} to {:g}", orbits->name, way, wanted);
+  };
+  const std::string single = name_of("one by one");
+  const Way alone = one_by_one(orbits);
+  if (const auto tolerance = loosest(*orbits, alone, wanted))
+    all.add(single, [alone, t = *tolerance] { return alone(t); });
+  for (const auto& [set, least] : {std::pair{InstructionSet::avx2, 4}, {InstructionSet::avx512, 5}}) {
+    if (!available(set)) continue;
+    const std::string ours = name_of(fmt::format("lanes of {}", to_string(set)));
+    const Way run = in_lanes(orbits, set);
+    const auto tolerance = loosest(*orbits, run, wanted);
+    if (!tolerance) continue;
+    all.add(ours, [run, t = *tolerance] { return run(t); });
+    const double count = multiply_adds_of(*orbits, run(*tolerance));
+    all.add(ours + ", multiply-adds alone",
+            [instructions = set, count] { return chapters::multiply_adds(instructions, count); });
+    all.claim(ours, single, least, ours + " against one by one");
+  }
+}
+
+void rows(chapters::Speed& all) {
+  for (const Orbits& orbits :
+       {ellipses("512 orbits, e = 0.1", 0.1, 0.1), ellipses("512 orbits, e = 0.7", 0.7, 0.7),
+        ellipses("512 orbits, e in 0 to 0.9", 0, 0.9), low_orbits()}) {
+    for (const double wanted : orbits.errors) add_rows(all, std::make_shared<const Orbits>(orbits), wanted);
+  }
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  return nlmech::chapters::speed_main("two_body_series_ensemble_bench", &bench, argc, argv);
+  return nlmech::chapters::speed_main("two_body_series_ensemble", &rows, argc, argv);
 }

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "nlmech/comparison/commands/runs.hpp"
-#include "nlmech/comparison/cost/accuracy.hpp"
+#include "nlmech/comparison/cost/cost_curves.hpp"
 #include "nlmech/comparison/reference/verification.hpp"
 #include "nlmech/scene/program/this_process.hpp"
 #include "nlmech/scene/program/typed.hpp"
@@ -176,7 +176,7 @@ class ComparisonTable {
   /// All of it.
   [[nodiscard]] Comparison take() {
     if (!some_) throw InputError("--methods: none of them is for this: " + unsuitable_);
-    return {std::move(text_), std::move(curves_)};
+    return {std::move(text_), std::move(lines_)};
   }
 
  private:
@@ -194,7 +194,7 @@ class ComparisonTable {
   ivp::State size_;
   bool some_ = false;
   std::string unsuitable_;
-  std::vector<Curve> curves_;
+  std::vector<scene::MethodLine> lines_;
   std::string text_ = "method,setting,status,digits,seconds,right_hand_sides,note\n";
 };
 
@@ -227,8 +227,9 @@ void ComparisonTable::add(const Choice& choice, const ivp::Solution& end, const 
   const std::string name(choice.method->name), status(to_string(end.status.outcome()));
   text_ += fmt::format("{},{},{},{},{:.4g},{},{}\n", name, choice.setting(), status, digits, time.median,
                        end.statistics.right_hand_sides, note);
-  if (curves_.empty() || curves_.back().name != name) curves_.push_back({name, kind_of(*choice.method), {}});
-  curves_.back().costs.push_back({choice.setting(), status, error, end.statistics, time});
+  if (lines_.empty() || lines_.back().method != name)
+    lines_.push_back(line_of(name, kind_of(*choice.method)));
+  lines_.back().attempts.push_back(attempt_of(choice.setting(), status, error, end.statistics, time));
 }
 
 }  // namespace

@@ -7,7 +7,8 @@
 #include <vector>
 
 #include "nlmech/comparison/commands/run_options.hpp"
-#include "nlmech/comparison/cost/contenders.hpp"
+#include "nlmech/ivp/named/named_methods.hpp"
+#include "nlmech/scene/cost/lines.hpp"
 
 namespace nlmech::comparison {
 
@@ -30,8 +31,8 @@ struct Choice {
 
 /// Methods side by side.
 struct Comparison {
-  std::string rows;           ///< CSV
-  std::vector<Curve> curves;  ///< the same by method, for a picture
+  std::string rows;                      ///< CSV
+  std::vector<scene::MethodLine> lines;  ///< the same by method, for a picture
 };
 
 /// Rows `method,setting,status,digits,seconds,right_hand_sides,note`. Methods that fail, and those that are

@@ -50,7 +50,7 @@ void compare(const TypedOptions& typed, const std::string& program) {
   const RunOptions options = run_options(typed, problem, problem.initial_state(typed.initial));
   const Comparison found = comparison(problem, options, choices(typed, problem, options), program);
   scene::print_result(found.rows);
-  if (picture.wanted()) picture.draw([&] { return comparison_figure(found.curves, heading_of(typed)); });
+  if (picture.wanted()) picture.draw([&] { return comparison_figure(found.lines, heading_of(typed)); });
 }
 
 /// A command that runs the first of a choice.

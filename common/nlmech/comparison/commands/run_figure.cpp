@@ -210,15 +210,15 @@ scene::Figure section_figure(const PlotSamples& run, const std::string& heading)
   return put("{/:Italic t}", t, italic(run.components[moving].name), values(moving));
 }
 
-scene::Figure comparison_figure(const std::vector<Curve>& curves, const std::string& heading) {
-  if (std::ranges::none_of(curves, [](const Curve& c) { return best_of(c) != nullptr; }))
+scene::Figure comparison_figure(const std::vector<scene::MethodLine>& lines, const std::string& heading) {
+  if (std::ranges::none_of(lines, [](const scene::MethodLine& l) { return l.best() != nullptr; }))
     throw Failure("no method has digits");
   scene::Show show(false);
   scene::show_work_precision({.heading = scene::without_markup(heading),
-                              .work = {"right-hand sides", "steps", "rejected"},
+                              .work = work_columns(),
                               .work_label = "right-hand sides",
                               .groups = method_groups("adaptive collocation")},
-                             {{"", method_lines(curves)}}, show);
+                             {{"", lines}}, show);
   return *show.take().figure;
 }
 

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "nlmech/comparison/cost/contenders.hpp"
 #include "nlmech/ivp/solution.hpp"
+#include "nlmech/scene/cost/lines.hpp"
 #include "nlmech/scene/show.hpp"
 
 namespace nlmech::comparison {
@@ -83,7 +83,8 @@ struct PlotSamples {
 
 /// Digits against run time and against right-hand sides.
 /// @throws Failure if no method has digits
-[[nodiscard]] scene::Figure comparison_figure(const std::vector<Curve>& curves, const std::string& heading);
+[[nodiscard]] scene::Figure comparison_figure(const std::vector<scene::MethodLine>& lines,
+                                              const std::string& heading);
 
 /// Unknowns that a picture shows.
 inline constexpr int most_panels = 12;

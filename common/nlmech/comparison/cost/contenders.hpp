@@ -8,8 +8,6 @@
 #include <vector>
 
 #include "nlmech/comparison/any_method.hpp"
-#include "nlmech/support/statistics.hpp"
-#include "nlmech/support/stopwatch.hpp"
 
 namespace nlmech::comparison {
 
@@ -29,22 +27,6 @@ enum class Kind {
 
 /// The kind of a method or peer, where no page has a source of its own.
 [[nodiscard]] Kind kind_of(const ivp::MethodInfo& method);
-
-/// What one setting of one method came to.
-struct Cost {
-  std::string setting;          ///< "tolerance 1e-06"
-  std::string status;           ///< "success"
-  std::optional<double> error;  ///< median of the relative errors; nothing if the run failed
-  Statistics work;              ///< of one run
-  Timing time;                  ///< seconds
-};
-
-/// A method with what its settings cost.
-struct Curve {
-  std::string name;         ///< of the method
-  Kind kind;                ///< for its colour
-  std::vector<Cost> costs;  ///< empty: not in this build
-};
 
 /// One setting of a method.
 struct Setting {

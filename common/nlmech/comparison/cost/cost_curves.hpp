@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "nlmech/comparison/cost/accuracy.hpp"
@@ -13,19 +15,38 @@
 #include "nlmech/scene/scene.hpp"
 #include "nlmech/scene/work_precision.hpp"
 #include "nlmech/support/errors.hpp"
+#include "nlmech/support/statistics.hpp"
 #include "nlmech/support/stopwatch.hpp"
 
 namespace nlmech::comparison {
 
+/// The line of a method or peer, without runs: its group is its kind, which method_groups() names.
+/// @param name of what is no method, too; it may go on: "rbf-coll, N = 35"
+[[nodiscard]] scene::MethodLine line_of(std::string name, Kind kind);
+
+/// Further columns of all attempts here.
+[[nodiscard]] inline std::vector<std::string> work_columns() {
+  return {"right-hand sides", "steps", "rejected"};
+}
+
+/// A run with these columns. @param error nothing if it failed
+[[nodiscard]] scene::Attempt attempt_of(std::string setting, std::string status, std::optional<double> error,
+                                        const Statistics& work, const Timing& time);
+
+/// Steps of such an attempt.
+[[nodiscard]] inline std::int64_t steps_of(const scene::Attempt& a) {
+  return std::get<std::int64_t>(a.work.at(1));
+}
+
 /// One setting, ready to run. No clock calls it off, but 20 million steps do: it is to come out the same
 /// twice.
-[[nodiscard]] inline Cost cost_of(const Example& c, const std::string& setting,
-                                  const ivp::NamedIntegrator& run, bool quick) {
+[[nodiscard]] inline scene::Attempt cost_of(const Example& c, const std::string& setting,
+                                            const ivp::NamedIntegrator& run, bool quick) {
   const ivp::Limits limits{.steps = 20'000'000};
   const Accuracy seen = accuracy_of(c, run, limits);
   const auto again = [&] { static_cast<void>(run(c.system, c.x0, c.t0, c.t1, {}, limits)); };
-  return {setting, std::string(to_string(seen.status.outcome())), seen.error, seen.work,
-          repeated_timing(again, seen.work.seconds, quick)};
+  return attempt_of(setting, std::string(to_string(seen.status.outcome())), seen.error, seen.work,
+                    repeated_timing(again, seen.work.seconds, quick));
 }
 
 /// No curve goes on after a run of more right-hand sides: those after it took most of the time of a
@@ -39,16 +60,17 @@ inline constexpr std::size_t least_runs = 3;
 
 /// Every setting of every method, in the order given (coarse first), to enough_right_hand_sides.
 /// @param quick to enough_for_a_look, even without least_runs
-[[nodiscard]] inline std::vector<Curve> cost_curves(const Example& c,
-                                                    const std::vector<Contender>& contenders, bool quick) {
-  std::vector<Curve> curves;
+[[nodiscard]] inline std::vector<scene::MethodLine> cost_curves(const Example& c,
+                                                                const std::vector<Contender>& contenders,
+                                                                bool quick) {
+  std::vector<scene::MethodLine> curves;
   for (const Contender& contender : contenders) {
-    Curve curve{contender.label(), contender.kind, {}};
+    scene::MethodLine curve = line_of(contender.label(), contender.kind);
     for (const Setting& setting : contender.settings) {
-      curve.costs.push_back(cost_of(c, setting.text, integrator(contender, setting), quick));
-      const std::int64_t right_hand_sides = curve.costs.back().work.right_hand_sides;
+      curve.attempts.push_back(cost_of(c, setting.text, integrator(contender, setting), quick));
+      const auto right_hand_sides = std::get<std::int64_t>(curve.attempts.back().work.front());
       if (quick ? right_hand_sides > enough_for_a_look
-                : right_hand_sides > enough_right_hand_sides && curve.costs.size() >= least_runs)
+                : right_hand_sides > enough_right_hand_sides && curve.attempts.size() >= least_runs)
         break;
     }
     curves.push_back(std::move(curve));
@@ -77,19 +99,6 @@ inline constexpr std::size_t least_runs = 3;
   }
   return greatest;
 }
-
-/// The setting of a curve with the smallest error; nothing if all failed.
-[[nodiscard]] const Cost* best_of(const Curve& curve);
-
-/// The smallest error of a method; NaN if all its runs failed. @throws std::out_of_range naming the method,
-/// if there is no curve of it
-[[nodiscard]] double least_error(const std::vector<Curve>& curves, const std::string& name);
-
-/// The curve of a method. @throws std::out_of_range naming the method, if there is none
-[[nodiscard]] const Curve& curve_of(const std::vector<Curve>& curves, const std::string& name);
-
-/// As work-precision diagrams show them, with right-hand sides, steps and rejected steps.
-[[nodiscard]] std::vector<scene::MethodLine> method_lines(const std::vector<Curve>& curves);
 
 /// What MethodLine::group numbers, in the order of Kind. @param own, source what methods of these kinds are
 [[nodiscard]] std::vector<scene::MethodGroup> method_groups(

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace nlmech::comparison {
@@ -14,30 +16,49 @@ std::string heading_of(const std::string& problem, const scene::ProblemLines& li
   return whole.size() <= 118 ? whole : problem + ": digits against cost";
 }
 
-}  // namespace
-
-void check_condition(const Costs& costs, scene::Show& show) {
-  show.near("condition", costs.condition, costs.again, 0.05,
-            "a hundred times the change of the begin: the answer is linear");
+/// Every setting of every method and peer, and the condition for two changes by a series at 1e-16.
+Costs costs_of(const WorkPrecisionStudy& study, bool quick) {
+  if (study.measure) return study.measure(quick);
+  const Example example = study.example();
+  std::vector<Contender> all = study.methods(quick);
+  for (Contender& peer : all_peers(quick)) all.push_back(std::move(peer));
+  Costs costs{{"", cost_curves(example, all, quick)}};
+  if (study.change == 0) return costs;
+  const auto accurate = ivp::named_integrator("series", {.tolerance = 1e-16});
+  costs.condition = condition_of(example, accurate, study.change);
+  costs.again = condition_of(example, accurate, 100 * study.change);
+  return costs;
 }
 
-scene::Scene cost_scene(CostScene what) {
+}  // namespace
+
+void check_tightest(const Costs& costs, const std::string& method, scene::Show& show) {
+  const scene::Attempt& tightest = costs.lines.of(method).attempts.back();
+  show.at_most("error of " + method + " at the tightest tolerance", tightest.error.value_or(HUGE_VAL),
+               tightest_tolerance(show.quick()) * static_cast<double>(steps_of(tightest)) *
+                   std::max(1.0, costs.condition),
+               "the tolerance in each step, all of one sign, times the condition");
+}
+
+scene::Scene work_precision_scene(WorkPrecisionStudy what) {
   const std::string suffix = what.name.empty() ? "" : "-" + what.name;
   const scene::Result<Costs> costs(
       "times" + suffix,
       fmt::format("{}; error: median over 16 ends of steps in the last tenth; one thread, median of repeats; "
                   "a curve ends with its first run of more than {} right-hand sides, {} with --quick",
                   what.reading, enough_right_hand_sides, enough_for_a_look),
-      what.measure);
+      [what](bool quick) { return costs_of(what, quick); });
   const auto put = [what](const Costs& all, scene::Show& show) {
     const bool known = all.condition >= 10;  // less lies beyond the 15 digits of the picture
-    const scene::ProblemLines lines{"", method_lines(all.curves)};
-    scene::show_work_precision({.heading = heading_of(what.problem, lines),
-                                .work = {"right-hand sides", "steps", "rejected"},
+    scene::show_work_precision({.heading = heading_of(what.problem, all.lines),
+                                .work = work_columns(),
                                 .work_label = "right-hand sides evaluated",
                                 .groups = method_groups(),
                                 .rounding = known ? all.condition * 0x1p-53 : 0},
-                               {lines}, show);
+                               {all.lines}, show);
+    if (what.change > 0)
+      show.near("condition", all.condition, all.again, 0.05,
+                "a hundred times the change of the begin: the answer is linear");
     what.check(all, show);
   };
   return {.name = "error-vs-time" + suffix,
