@@ -90,8 +90,7 @@ void put_bounded(const std::vector<Bounded>& all, scene::Show& show) {
             {"cost", [](const Bounded& b) { return b.found(b.extremal.cost); }, 10},
             {"lambda1(0)", [](const Bounded& b) { return b.first(2); }, 8},
             {"lambda2(0)", [](const Bounded& b) { return b.first(3); }, 8},
-            {"miss of the integrated end", [](const Bounded& b) { return b.found(b.extremal.miss); }, 2},
-            {"what is said", [](const Bounded& b) { return b.status().ok() ? "" : b.status().sentence(); }}});
+            {"miss of the integrated end", [](const Bounded& b) { return b.found(b.extremal.miss); }, 2}});
   const Bounded& at_15 = all[1];
   show.near("peak of the unbounded force", {all[0].control.peak(), "1/s^2"}, 16.409, 1e-3, "recorded");
   show.near("cost at 15", at_15.extremal.cost, 122.3004593, 1e-6,
