@@ -6,11 +6,13 @@
 #include <Eigen/SparseCore>
 #include <cmath>
 #include <initializer_list>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "nlmech/algebraic/equations.hpp"
+#include "tests/random.hpp"
 
 namespace nlmech::algebraic::classics {
 
@@ -21,6 +23,29 @@ inline VectorXd vector(std::initializer_list<double> list) {
   VectorXd v(static_cast<Eigen::Index>(list.size()));
   std::copy(list.begin(), list.end(), v.begin());
   return v;
+}
+
+/// Components from -4 to 4.
+inline VectorXd random_vector(Eigen::Index n) {
+  VectorXd v(n);
+  for (double& x : v) x = *rc::gen::map(rc::gen::inRange(-1000, 1001), [](int k) { return k / 250.0; });
+  return v;
+}
+inline MatrixXd random_matrix(Eigen::Index n, Eigen::Index m) {
+  MatrixXd a(n, m);
+  for (Eigen::Index k = 0; k < m; ++k) a.col(k) = random_vector(n);
+  return a;
+}
+
+/// The iterates of a method.
+template <class Method>
+std::vector<VectorXd> iterates(const Method& method, Equations& equations, VectorXd x) {
+  std::vector<VectorXd> all;
+  static_cast<void>(find_root(method, equations, x, [&](const Iterate& i) {
+    all.push_back(i.x);
+    return true;
+  }));
+  return all;
 }
 
 /// The same equations with their matrix stored as a sparse one, every entry of it, zeros too.
@@ -55,12 +80,23 @@ DenseEquations scalar(F f, D d) {
           [d](const VectorXd& x, MatrixXd& b) { b(0, 0) = d(x[0]); }};
 }
 
+/// x^3 - 8.
+inline DenseEquations cube() {
+  return scalar([](double x) { return x * x * x - 8; }, [](double x) { return 3 * x * x; });
+}
 /// The circle x^2 + y^2 = 4 meets the hyperbola x y = 1 at x^2 = 2 + sqrt(3); dF/dx is singular at 0.
 inline DenseEquations circle() {
   return {2, [](const VectorXd& x, VectorXd& f) { f << x.squaredNorm() - 4, x[0] * x[1] - 1; },
           [](const VectorXd& x, MatrixXd& b) { b << 2 * x[0], 2 * x[1], x[1], x[0]; }};
 }
 
+/// Options that no method takes.
+template <class Method>
+void expect_refused(const Method& method) {
+  DenseEquations equations = circle();
+  VectorXd x = vector({2, 1});
+  EXPECT_THROW((void)find_root(method, equations, x), std::invalid_argument);
+}
 /// Rosenbrock 1960: root (1, 1), usual start (-1.2, 1).
 inline DenseEquations rosenbrock() {
   return {2, [](const VectorXd& x, VectorXd& f) { f << 10 * (x[1] - x[0] * x[0]), 1 - x[0]; },

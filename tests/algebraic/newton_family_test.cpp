@@ -22,32 +22,6 @@ using namespace classics;
 constexpr double eps = std::numeric_limits<double>::epsilon();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-template <class Method>
-std::vector<VectorXd> iterates(const Method& method, Equations& equations, VectorXd x) {
-  std::vector<VectorXd> all;
-  static_cast<void>(find_root(method, equations, x, [&](const Iterate& i) {
-    all.push_back(i.x);
-    return true;
-  }));
-  return all;
-}
-
-VectorXd random_vector(Eigen::Index n) {
-  VectorXd v(n);
-  for (double& x : v) x = *rc::gen::map(rc::gen::inRange(-1000, 1001), [](int k) { return k / 250.0; });
-  return v;
-}
-
-MatrixXd random_matrix(Eigen::Index n, Eigen::Index m) {
-  MatrixXd a(n, m);
-  for (Eigen::Index k = 0; k < m; ++k) a.col(k) = random_vector(n);
-  return a;
-}
-
-DenseEquations cube() {
-  return scalar([](double x) { return x * x * x - 8; }, [](double x) { return 3 * x * x; });
-}
-
 // e+ = F''/(2 F') e^2 (1 + O(e)) at the root 2 of x^3 - 8, where that constant is 1/2.
 TEST(Newton, ErrorIsSquaredByTheConstantOfTheory) {
   DenseEquations equations = cube();
@@ -193,18 +167,6 @@ TEST(LeastSquares, IsNewtonWhereTheMatrixIsRegular) {
   }
 }
 
-TEST(LeastSquares, DampedStepsLetTheNormFall) {
-  DenseEquations equations = rosenbrock();
-  VectorXd x = vector({-1.2, 1});
-  double before = HUGE_VAL;
-  const Report report = find_root(LeastSquares{.damped = true}, equations, x, [&](const Iterate& i) {
-    EXPECT_LT(i.norm, before);
-    before = i.norm;
-    return true;
-  });
-  ASSERT_TRUE(report.status.ok()) << report.status.text();
-}
-
 // More, Garbow and Hillstrom 1981, problem 2: 48.9842... at (11.41..., -0.8968...).
 TEST(ResidualDescent, EndsAtThePublishedMinimumThatIsNoRoot) {
   const auto expect = [](const auto& method) {
@@ -224,19 +186,20 @@ TEST(ResidualDescent, EndsAtThePublishedMinimumThatIsNoRoot) {
 }
 
 TEST(ResidualDescent, NormFallsAtEveryStep) {
-  const auto expect = [](const auto& method) {
+  const auto report_of = [](const auto& method) {
     DenseEquations equations = rosenbrock();
     VectorXd x = vector({-1.2, 1});
     double before = HUGE_VAL;
-    static_cast<void>(find_root(method, equations, x, [&](const Iterate& i) {
+    return find_root(method, equations, x, [&](const Iterate& i) {
       EXPECT_LT(i.norm, before);
       before = i.norm;
       return true;
-    }));
+    });
   };
-  expect(LevenbergMarquardt{});
-  expect(Dogleg{});
-  expect(SteepestDescent{.length = SteepestDescent::Length::cauchy, .iterations = 500});
+  EXPECT_TRUE(report_of(LeastSquares{.damped = true}).status.ok());
+  (void)report_of(LevenbergMarquardt{});
+  (void)report_of(Dogleg{});
+  (void)report_of(SteepestDescent{.length = SteepestDescent::Length::cauchy, .iterations = 500});
 }
 
 RC_GTEST_PROP(Dogleg, IsNewtonWithinItsRadius, ()) {
@@ -344,27 +307,22 @@ TEST(SteepestDescent, BarzilaiAndBorweinNeedFewerSteps) {
 }
 
 TEST(NewtonFamily, OptionsOutOfRangeAreRefused) {
-  const auto refused = [](const auto& method) {
-    DenseEquations equations = circle();
-    VectorXd x = vector({2, 1});
-    EXPECT_THROW(static_cast<void>(find_root(method, equations, x)), std::invalid_argument);
-  };
-  refused(ContinuousNewton{.step = 0});
-  refused(ContinuousNewton{.turn = nan});
-  refused(ContinuousNewton{.longest = -1});
-  refused(ContinuousNewton{.tolerance = nan});
-  refused(FictitiousTime{.nu = 0});
-  refused(FictitiousTime{.power = 1.5});
-  refused(FictitiousTime{.step = nan});
-  refused(Broyden{.memory = 0});
-  refused(Broyden{.growth = 0.5});
-  refused(Broyden{.iterations = -1});
-  refused(LeastSquares{.rank = 0});
-  refused(LevenbergMarquardt{.damping = 0});
-  refused(Dogleg{.radius = 0});
-  refused(Dogleg{.radius = nan});
-  refused(OptimalIterative{.gamma = 1});
-  refused(SteepestDescent{.tolerance = -1});
+  expect_refused(ContinuousNewton{.step = 0});
+  expect_refused(ContinuousNewton{.turn = nan});
+  expect_refused(ContinuousNewton{.longest = -1});
+  expect_refused(ContinuousNewton{.tolerance = nan});
+  expect_refused(FictitiousTime{.nu = 0});
+  expect_refused(FictitiousTime{.power = 1.5});
+  expect_refused(FictitiousTime{.step = nan});
+  expect_refused(Broyden{.memory = 0});
+  expect_refused(Broyden{.growth = 0.5});
+  expect_refused(Broyden{.iterations = -1});
+  expect_refused(LeastSquares{.rank = 0});
+  expect_refused(LevenbergMarquardt{.damping = 0});
+  expect_refused(Dogleg{.radius = 0});
+  expect_refused(Dogleg{.radius = nan});
+  expect_refused(OptimalIterative{.gamma = 1});
+  expect_refused(SteepestDescent{.tolerance = -1});
 }
 
 }  // namespace

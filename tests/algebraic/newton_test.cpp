@@ -1,3 +1,4 @@
+/// Newton's method, on workspaces and through equations.
 #include "nlmech/algebraic/newton/newton.hpp"
 
 #include <gtest/gtest.h>
@@ -5,6 +6,11 @@
 
 #include <cmath>
 #include <limits>
+#include <string>
+
+#include "nlmech/algebraic/equations.hpp"
+#include "tests/algebraic/classics.hpp"
+#include "tests/thrown.hpp"
 
 namespace nlmech::algebraic::newton_test {
 namespace {
@@ -19,7 +25,7 @@ constexpr double eps = std::numeric_limits<double>::epsilon();
 const auto circle = [](const Vector2d& x, Vector2d& f) { f << x.squaredNorm() - 4, x[0] * x[1] - 1; };
 const auto circle_derivative = [](const Vector2d& x, MatrixXd& j) { j << 2 * x[0], 2 * x[1], x[1], x[0]; };
 
-TEST(Newton, FindsARegularRootToRounding) {
+TEST(Newton, FindsARegularRootToRoundingQuadraticallyAndCountsItsWork) {
   Vector2d x(2, 1);
   Two w(2);
   Statistics cost;
@@ -27,13 +33,6 @@ TEST(Newton, FindsARegularRootToRounding) {
   const double exact = std::sqrt(2 + std::sqrt(3.0));
   EXPECT_NEAR(x[0], exact, 4 * eps * exact);  // condition of this root is below 2
   EXPECT_NEAR(x[1], 1 / exact, 4 * eps);
-}
-
-TEST(Newton, ConvergesQuadraticallyAndCountsItsWork) {
-  Vector2d x(2, 1);
-  Two w(2);
-  Statistics cost;
-  ASSERT_EQ(solve(Newton{}, circle, circle_derivative, x, w, cost), Outcome::success);
   // The start is 0.5 away: errors 0.5, 0.1, 1e-2, 1e-4, 1e-8, 1e-16, and one update that shows it.
   EXPECT_LE(cost.newton_iterations, 6);
   EXPECT_EQ(cost.jacobians, cost.newton_iterations);
@@ -105,6 +104,83 @@ TEST(Newton, NoiseEndsAnIterationThatCannotShrink) {
   EXPECT_EQ(solve(Newton{.tolerance = 1e-12, .noise = 1e-8}, noisy, slope, x, w, cost), Outcome::success);
   EXPECT_EQ(cost.fallbacks, 1);
   EXPECT_NEAR(x[0], 1, 2e-9);
+}
+
+using Eigen::VectorXd;
+
+/// Equations that offer products only.
+struct Products : Equations {
+  [[nodiscard]] Eigen::Index size() const override { return 1; }
+  void residual(const VectorXd& x, VectorXd& f) override { f = x; }
+  void linearise(const VectorXd&) override {}
+  void apply(const VectorXd& v, VectorXd& out) const override { out = v; }
+  void apply_transposed(const VectorXd& v, VectorXd& out) const override { out = v; }
+};
+
+TEST(DenseEquations, ProductsAreThoseOfTheMatrix) {
+  DenseEquations equations = classics::circle();
+  VectorXd x(2), v(2), out(2);
+  MatrixXd b(2, 2);
+  x << 3, 5;
+  v << 7, 11;
+  equations.linearise(x);
+  equations.matrix(b);
+  EXPECT_EQ(b(0, 0), 6);
+  equations.apply(v, out);  // (6 10; 5 3) (7, 11)
+  EXPECT_EQ(out[0], 152);
+  EXPECT_EQ(out[1], 68);
+  equations.apply_transposed(v, out);
+  EXPECT_EQ(out[0], 97);
+  EXPECT_EQ(out[1], 103);
+}
+
+TEST(DenseEquations, RefusesWhatItCannotUse) {
+  const auto f = [](const VectorXd&, VectorXd&) {};
+  const auto d = [](const VectorXd&, MatrixXd&) {};
+  EXPECT_THROW(DenseEquations(0, f, d), std::invalid_argument);
+  EXPECT_THROW(DenseEquations(1, {}, d), std::invalid_argument);
+  EXPECT_THROW(DenseEquations(1, f, {}), std::invalid_argument);
+}
+
+TEST(FindRoot, NewtonAndItsDampedFormFindTheRootAndReport) {
+  const double exact = std::sqrt(2 + std::sqrt(3.0));
+  const auto expect = [&](const auto& method) {
+    DenseEquations equations = classics::circle();
+    VectorXd x(2);
+    x << 2, 1;
+    std::int64_t seen = 0;
+    const Report report = find_root(method, equations, x, [&](const Iterate& i) {
+      EXPECT_EQ(i.index, seen++);
+      return true;
+    });
+    ASSERT_TRUE(report.status.ok()) << report.status.text();
+    EXPECT_NEAR(x[0], exact, 4 * eps * exact);  // condition of this root is below 2
+    EXPECT_EQ(report.first, std::hypot(1, 1));
+    EXPECT_EQ(report.statistics.steps, report.statistics.newton_iterations);
+    EXPECT_EQ(report.statistics.right_hand_sides, seen);
+    EXPECT_EQ(report.statistics.jacobians, report.statistics.factorisations);
+    EXPECT_LT(report.last, 1e-7);  // quadratic: the last update, 1e-12 or less, was the square of this
+  };
+  expect(Newton{});
+  expect(DampedNewton{});
+}
+
+TEST(FindRoot, FailuresOfNewtonHaveTheirSentences) {
+  DenseEquations equations = classics::circle();
+  VectorXd x = VectorXd::Zero(2);
+  const Report singular = find_root(Newton{}, equations, x);
+  EXPECT_EQ(singular.status.outcome(), Outcome::singular_matrix);
+  EXPECT_TRUE(tests::holds(singular.status.sentence(), "newton"));
+  x << 2, 1;
+  const Report few = find_root(Newton{.iterations = 2}, equations, x);
+  EXPECT_FALSE(few.status.ok());
+  EXPECT_TRUE(tests::holds(few.status.sentence(), "2 of 2"));
+}
+
+TEST(FindRoot, NewtonNeedsAMatrix) {
+  Products equations;
+  VectorXd x = VectorXd::Ones(1);
+  EXPECT_THROW((void)find_root(Newton{}, equations, x), std::logic_error);
 }
 
 }  // namespace

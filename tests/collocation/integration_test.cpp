@@ -10,13 +10,7 @@
 namespace nlmech::collocation::integration_test {
 namespace {
 
-using oracle::eps;
-using oracle::legendre;
-using oracle::legendre_integral;
-using oracle::Real;
-using oracle::refusal;
-using oracle::sample;
-using oracle::to_double;
+using namespace oracle;
 
 /// S in 50 digits: integrals of the Legendre polynomials times the inverse of their values at the nodes.
 Matrix<Real> exact_integration_matrix(const Eigen::VectorXd& tau) {

@@ -1,21 +1,23 @@
+/// Radial functions: the kernels, their matrices, and bases on the unit interval.
 #include "nlmech/collocation/radial/radial_basis.hpp"
 
 #include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
 
+#include <cmath>
+#include <stdexcept>
 #include <vector>
 
+#include "nlmech/collocation/basis.hpp"
 #include "nlmech/collocation/differentiation.hpp"
+#include "nlmech/collocation/radial/kernels.hpp"
 #include "tests/collocation/real.hpp"
+#include "tests/thrown.hpp"
 
 namespace nlmech::collocation::radial_basis_test {
 namespace {
 
-using oracle::eps;
-using oracle::kernels;
-using oracle::lgl_times;
-using oracle::Real;
-using oracle::refusal;
-using oracle::to_double;
+using namespace oracle;
 
 struct Setting {
   int n;
@@ -109,7 +111,7 @@ TEST(RadialBasis, IsSymmetric) {
 TEST(RadialBasis, SaysThatItHasNoInverse) {
   const RadialBasis<double> flat(lgl_times(7), Kernel::gaussian, 1e-9);
   EXPECT_EQ(flat.status().outcome(), Outcome::singular_matrix);
-  EXPECT_NE(flat.status().sentence().find("larger shape"), std::string::npos);
+  EXPECT_TRUE(tests::holds(flat.status().sentence(), "larger shape"));
   RowVector<double> row;
   EXPECT_THROW(flat.row(0.5, row), std::logic_error);
   EXPECT_THROW((void)flat.differentiation_matrix(), std::logic_error);
@@ -134,6 +136,114 @@ TEST(RadialBasis, RefusesWhatIsNoBasis) {
   const RadialBasis<double> basis(lgl_times(3), Kernel::gaussian, 1.);
   EXPECT_EQ(refusal([&] { basis.row(std::nan(""), row); }),
             "RadialBasis::row: the time must be finite, is nan");
+}
+
+/// Eq. 4.8.
+Real eq_4_8(Kernel kernel, const Real& c, const Real& r) {
+  const Real q = 1 + c * r * c * r;
+  switch (kernel) {
+    case Kernel::gaussian: return exp(1 - q);
+    case Kernel::inverse_quadratic: return 1 / q;
+    case Kernel::multiquadric: return sqrt(q);
+    default: return sqrt(1 / q);
+  }
+}
+
+// c from 1e-3 to 1e3, |c r| up to 10: the Gaussian is then far from underflow.
+RC_GTEST_PROP(Kernels, AreThoseOfEq48, ()) {
+  const double c = std::pow(10, *rc::gen::inRange(-3000, 3001) / 1000.);
+  const double r = *rc::gen::inRange(-10000, 10001) / 1000. / c, u2 = (c * r) * (c * r);
+  for (const Kernel kernel : kernels) {
+    const Real exact = eq_4_8(kernel, Real(c), Real(r));
+    // The promised units in the last place; the square of c r has an error of its own in the exponent.
+    const double growth = kernel == Kernel::gaussian ? 1 + u2 : 1;
+    RC_ASSERT(abs(Real(phi(kernel, c, r)) - exact) <= 4 * eps * growth * abs(exact));
+
+    // Central difference: an error of h^2 phi'''/6, some 1e-30 in units of c.
+    const Real h = Real(1e-15) / Real(c);
+    const Real slope = (eq_4_8(kernel, Real(c), r + h) - eq_4_8(kernel, Real(c), r - h)) / (2 * h);
+    RC_ASSERT(abs(Real(phi_dot(kernel, c, r)) - slope) <= 8 * eps * growth * abs(slope) + Real(1e-28) * c);
+  }
+}
+
+TEST(Kernels, AreEvenAndTheirDerivativesOdd) {
+  for (const Kernel kernel : kernels) {
+    EXPECT_EQ(phi(kernel, 3., 0.), 1);
+    EXPECT_EQ(phi_dot(kernel, 3., 0.), 0);
+    EXPECT_EQ(phi(kernel, 3., -0.7), phi(kernel, 3., 0.7));
+    EXPECT_EQ(phi_dot(kernel, 3., -0.7), -phi_dot(kernel, 3., 0.7));
+  }
+}
+
+TEST(Kernels, StayFiniteFarOut) {
+  for (const Kernel kernel : kernels) {
+    for (const double c : {1e-150, 1e-6, 1., 1e6, 1e150}) {
+      EXPECT_TRUE(std::isfinite(phi(kernel, c, 1.))) << to_string(kernel) << ' ' << c;
+      EXPECT_TRUE(std::isfinite(phi_dot(kernel, c, 1.))) << to_string(kernel) << ' ' << c;
+    }
+  }
+}
+
+TEST(Kernels, HaveNames) {
+  for (const Kernel kernel : kernels) EXPECT_EQ(kernel_from_string(to_string(kernel)), kernel);
+  EXPECT_EQ(to_string(Kernel::inverse_multiquadric), "inverse-multiquadric");
+  EXPECT_EQ(refusal([] { (void)kernel_from_string("wendland"); }),
+            "there is no kernel 'wendland'; there is gaussian, inverse-quadratic, multiquadric, "
+            "inverse-multiquadric");
+  const auto unknown = static_cast<Kernel>(9);
+  EXPECT_NE(refusal([=] { (void)to_string(unknown); }), "");
+  EXPECT_NE(refusal([=] { (void)phi(unknown, 1., 1.); }), "");
+  EXPECT_NE(refusal([=] { (void)phi_dot(unknown, 1., 1.); }), "");
+}
+
+TEST(Basis, StandsOnTheUnitInterval) {
+  for (const auto family : {NodeFamily::legendre_gauss_lobatto, NodeFamily::left_end_and_radau}) {
+    const Basis basis = Basis::polynomial(family, 9);
+    EXPECT_EQ(basis.nodes()[0], 0);
+    EXPECT_EQ(basis.nodes()[8], 1);
+    EXPECT_EQ(basis.condition(), 1);
+    EXPECT_TRUE(basis.status().ok());
+  }
+}
+
+// t^8 at nine nodes: derivative and values between come out to rounding, magnified by the norm of D (at most
+// 100).
+TEST(Basis, PolynomialsAreExactUpToTheirDegree) {
+  const Basis basis = Basis::polynomial(NodeFamily::left_end_and_radau, 9);
+  const Eigen::VectorXd x = basis.nodes().array().pow(8), slope = 8 * basis.nodes().array().pow(7);
+  EXPECT_LE((basis.derivative() * x - slope).cwiseAbs().maxCoeff(), 100 * eps);
+  for (const double tau : {0.0, 0.123, 0.5, 0.999, 1.0})
+    EXPECT_NEAR(basis.row(tau).dot(x), std::pow(tau, 8), 10 * eps) << tau;
+}
+
+// A sum of the functions themselves is in their span: exp(-(c t)^2) about the first node.
+TEST(Basis, RadialFunctionsAreExactOnTheirSpan) {
+  constexpr double c = 2.5;
+  const Basis basis = Basis::radial(NodeFamily::legendre_gauss_lobatto, 7, Kernel::gaussian, c);
+  const auto bell = [](double t) { return std::exp(-c * c * t * t); };
+  const Eigen::VectorXd x = basis.nodes().unaryExpr(bell);
+  const double error = basis.condition() * eps;  // of coefficients of order one
+  EXPECT_LT(basis.condition(), 1e7);
+  for (const double tau : {0.1, 0.77}) EXPECT_NEAR(basis.row(tau).dot(x), bell(tau), error);
+  for (Eigen::Index k = 0; k < 7; ++k) {
+    const double t = basis.nodes()[k];
+    EXPECT_NEAR(basis.derivative().row(k).dot(x), -2 * c * c * t * bell(t), 100 * error);  // norm of D
+  }
+}
+
+TEST(Basis, ReportsAShapeThatIsOfNoUse) {
+  const Basis wide = Basis::radial(NodeFamily::legendre_gauss_lobatto, 35, Kernel::gaussian, 1e-6);
+  EXPECT_FALSE(wide.status().ok());
+  const Basis narrow = Basis::radial(NodeFamily::legendre_gauss_lobatto, 35, Kernel::gaussian, 1e6);
+  EXPECT_FALSE(narrow.status().ok());
+  EXPECT_THROW((void)narrow.row(0.5), std::logic_error);
+}
+
+TEST(Basis, RefusesCountsAndShapes) {
+  EXPECT_THROW((void)Basis::polynomial(NodeFamily::legendre_gauss_lobatto, 1), std::invalid_argument);
+  EXPECT_THROW((void)Basis::polynomial(NodeFamily::legendre_gauss_lobatto, 201), std::invalid_argument);
+  EXPECT_THROW((void)Basis::radial(NodeFamily::legendre_gauss_lobatto, 7, Kernel::gaussian, 0),
+               std::invalid_argument);
 }
 
 }  // namespace

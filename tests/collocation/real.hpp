@@ -11,6 +11,7 @@
 #include "nlmech/collocation/nodes.hpp"
 #include "nlmech/collocation/radial/kernels.hpp"
 #include "nlmech/support/extended_real.hpp"
+#include "tests/thrown.hpp"
 
 namespace nlmech::collocation::oracle {
 
@@ -60,12 +61,7 @@ inline Eigen::VectorXd lgl_times(int n, double h = 1) {
 /// The text of the std::invalid_argument that @p call throws; empty if it throws none.
 template <class F>
 std::string refusal(F&& call) {
-  try {
-    call();
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "";
+  return tests::thrown<std::invalid_argument>(call);
 }
 
 inline constexpr std::array families = {NodeFamily::legendre_gauss_lobatto, NodeFamily::left_end_and_radau,

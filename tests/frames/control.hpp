@@ -49,18 +49,4 @@ inline PathPoint control(const Frame& frame, const Eigen::VectorXd& load, Eigen:
   return at;
 }
 
-/// The point between two values of the controlled displacement where the load is stationary.
-inline PathPoint limit_point(const Frame& frame, const Eigen::VectorXd& load, Eigen::Index i, PathPoint from,
-                             double end) {
-  double low = from.x[i], high = end;
-  PathPoint at = std::move(from);
-  const bool sign = at.slope > 0;
-  for (int k = 0; k < 40; ++k) {
-    const double middle = (low + high) / 2;
-    at = control(frame, load, i, middle, at);
-    ((at.slope > 0) == sign ? low : high) = middle;
-  }
-  return at;
-}
-
 }  // namespace nlmech::frames

@@ -75,7 +75,6 @@ TEST(Errata, MomentsAreMadeDimensionlessByTheLength) {  // 2.26
 TEST(Errata, FlexibilityInTension) {  // 2.29
   const double n = 5, root = std::sqrt(n), coth = 1 / std::tanh(root / 2);
   const double truth = static_cast<double>(Real(1 / exact(Real(n)).antisymmetric.value));
-  EXPECT_NEAR(-1 / n + coth / (2 * root), truth, 4 * eps);
   EXPECT_NEAR(-1 / n - coth / (2 * root), -0.47712, 5e-6);
   EXPECT_NEAR(truth, 0.0771238508, 5e-11);
   // Rounding of 1/n and of the quotient, each three times the difference.
@@ -142,9 +141,6 @@ TEST(Errata, CouplingOfForceAndDisplacements) {  // 2.35
   const double a = s.axial.g.antisymmetric.slope * s.antisymmetric,
                b = s.axial.g.symmetric.slope * s.symmetric;
   const double w = s.e[0], aw = s.e[1] / s.length;
-  EXPECT_NEAR(w + length * a * aw, e.second(6, 3), 1e-13);
-  EXPECT_NEAR(length / 2 * (a + b), e.second(6, 2), 1e-13);
-  EXPECT_NEAR(length / 2 * (a - b), e.second(6, 5), 1e-13);
   EXPECT_GT(std::abs(w + a * aw - e.second(6, 3)), 1e-3);
   EXPECT_GT(std::abs((a + b) / 2 - e.second(6, 2)), 1e-2);
   const auto row = [&](double printed, double corrected, int i) {
@@ -168,7 +164,6 @@ TEST(Errata, MomentOfTheSecondEnd) {  // 2.37, row 6
   const MemberState<double>& s = state();
   const Exact e = exact_at(bent(), s.axial_force);
   EXPECT_NEAR(e.first[6], 0, 1e-14);  // 2.38: balanced
-  EXPECT_NEAR((s.moment_a - s.moment_s) / 2, e.first[5], 1e-13);
   EXPECT_GT(std::abs((s.moment_s - s.moment_a) / 2 - e.first[5]), 0.1);
   expect_erratum("homotopy-2.37", {.printed = (s.moment_s - s.moment_a) / 2,
                                    .corrected = (s.moment_a - s.moment_s) / 2,

@@ -34,7 +34,7 @@ inline Real half_angle_tangent(const Real& P, const Real& Q, const Real& gap) {
 }
 
 /// Longitude with the sign of y and latitude with the sign of z are left to the caller where these are zero.
-inline BasicGeodetic<Real> reverse(const Cartesian& point, const Ellipsoid& ellipsoid) {
+inline BasicGeodetic<Real> reverse(const BasicCartesian<Real>& point, const BasicEllipsoid<Real>& ellipsoid) {
   const Real a = ellipsoid.a(), f = ellipsoid.f(), b = a * (1 - f);
   const Real x = point.x, y = point.y, z = fabs(Real(point.z)), r = sqrt(x * x + y * y);
   const bool oblate = f >= 0;
@@ -55,6 +55,12 @@ inline BasicGeodetic<Real> reverse(const Cartesian& point, const Ellipsoid& elli
   const Real height = ((r - a * cos_beta) * n_r + (z - b * sin_beta) * n_z) / sqrt(n_r * n_r + n_z * n_z);
   const Real latitude = atan2(n_z, n_r);
   return {point.z < 0 ? Real(-latitude) : latitude, atan2(y, x), height};
+}
+
+/// The same for a point and an ellipsoid given in doubles, whose values are taken as exact.
+inline BasicGeodetic<Real> reverse(const Cartesian& p, const Ellipsoid& e) {
+  return reverse(BasicCartesian<Real>{Real(p.x), Real(p.y), Real(p.z)},
+                 BasicEllipsoid<Real>(Real(e.a()), Real(e.f())));
 }
 
 }  // namespace nlmech::geodesy::reference

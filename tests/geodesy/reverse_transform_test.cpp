@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "tests/geodesy/exact_reverse.hpp"
+#include "tests/thrown.hpp"
 
 namespace {
 std::size_t allocations = 0;  // counted by the replaced operator new below
@@ -223,9 +224,8 @@ TEST_P(EverySet, BatchEqualsOnePointOnNastyPoints) {
   EXPECT_EQ(report.non_finite, 2u);
   EXPECT_EQ(report.first_non_finite, 5u);
   EXPECT_EQ(report.status().outcome(), Outcome::non_finite);
-  EXPECT_NE(report.status().sentence().find("2 of 27000 points"), std::string::npos)
-      << report.status().text();
-  EXPECT_NE(report.status().sentence().find("index 5"), std::string::npos);
+  EXPECT_TRUE(tests::holds(report.status().sentence(), "2 of 27000 points"));
+  EXPECT_TRUE(tests::holds(report.status().sentence(), "index 5"));
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Geodetic one = reverse(points[i]).position;
     EXPECT_TRUE(same(batch.out.first[i], one.latitude) && same(batch.out.second[i], one.longitude) &&
@@ -286,19 +286,6 @@ TEST_P(EverySet, IsAccurateForEveryFlattening) {
   for (bool form : seen) EXPECT_TRUE(form);
 }
 
-RC_GTEST_PROP(ReverseTransform, ForwardTakesBack, ()) {
-  const auto fraction = [] { return *rc::gen::inRange(-1'000'000'000, 1'000'000'001) * 1e-9; };
-  const Ellipsoid e = Ellipsoid::wgs84();
-  const Geodetic there{fraction() * pi / 2, fraction() * pi, -1e4 + 1e8 * std::abs(fraction())};
-  const Cartesian point = forward(there, e);
-  const Geodetic back = ReverseTransform(e)(point).position;
-  const double R = std::hypot(point.x, point.y, point.z);
-  // The forward transformation moves the point by a few roundings of R, seen from the centre under R eps/R.
-  RC_ASSERT(std::abs(back.latitude - there.latitude) <= 1e-15);
-  RC_ASSERT(std::abs(back.height - there.height) <= 2e-15 * R);
-  if (std::abs(there.latitude) < 1.5) RC_ASSERT(std::abs(back.longitude - there.longitude) <= 2e-14);
-}
-
 TEST(ReverseTransform, GivesTheSameBitsWithAvx2AndAvx512) {
   if (!available(InstructionSet::avx512)) GTEST_SKIP() << "no AVX-512 here";
   const ReverseTransform four(Ellipsoid::wgs84(), InstructionSet::avx2),
@@ -326,12 +313,9 @@ TEST(ReverseTransform, HasTheSymmetriesOfTheEllipsoidBitForBit) {
 TEST(ReverseTransform, RefusesUnequalSizes) {
   const ReverseTransform reverse(Ellipsoid::wgs84());
   std::vector<double> three(3), four(4);
-  try {
-    reverse(three, three, three, three, four, three);
-    FAIL() << "accepted";
-  } catch (const std::invalid_argument& e) {
-    EXPECT_NE(std::string(e.what()).find("are 3 3 3 3 4 3"), std::string::npos) << e.what();
-  }
+  EXPECT_TRUE(tests::holds(
+      tests::thrown<std::invalid_argument>([&] { return reverse(three, three, three, three, four, three); }),
+      "are 3 3 3 3 4 3"));
 }
 
 TEST(ReverseTransform, RefusesAnInstructionSetThatIsAbsent) {

@@ -69,8 +69,8 @@ TEST(TangentFit, IsTheSameEveryTime) {
 }
 
 TEST(TangentFit, RefusesGreatFlattening) {
-  EXPECT_THROW(static_cast<void>(fit_tangent(Ellipsoid(1, 0.26))), std::invalid_argument);
-  EXPECT_THROW(static_cast<void>(fit_tangent(Ellipsoid(1, -0.26))), std::invalid_argument);
+  EXPECT_THROW((void)fit_tangent(Ellipsoid(1, 0.26)), std::invalid_argument);
+  EXPECT_THROW((void)fit_tangent(Ellipsoid(1, -0.26)), std::invalid_argument);
 }
 
 TEST(Arctangent, PolynomialHasItsStatedError) {

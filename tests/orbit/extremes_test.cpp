@@ -9,6 +9,7 @@
 #include "nlmech/orbit/elements.hpp"
 #include "nlmech/orbit/kepler.hpp"
 #include "tests/orbit/oracle.hpp"
+#include "tests/thrown.hpp"
 
 namespace nlmech::orbit::extremes_test {
 namespace {
@@ -49,7 +50,7 @@ TEST(Extremes, FallIntoTheCentre) {
   EXPECT_NEAR(c.t, fall, 1e-13);
   EXPECT_TRUE(c.x.position.allFinite() && c.x.velocity.allFinite());
   EXPECT_LT(c.x.position.norm(), 1e-8);
-  EXPECT_NE(c.status.sentence().find("kepler"), std::string::npos);
+  EXPECT_TRUE(tests::holds(c.status.sentence(), "kepler"));
   EXPECT_TRUE(propagate_kepler(rest, 5, 1).status.ok());
   const Solution inwards = propagate(State{{0, 0, 2}, {0, 0, -3}}, 0, 5, unit);
   EXPECT_EQ(inwards.status.outcome(), Outcome::collision);
@@ -130,7 +131,7 @@ TEST(Extremes, APhaseThatRoundingLeavesUndeterminedIsRefused) {
   for (const double time : {1e17, -1e20, 1e100, 1e300}) {
     const KeplerSolution k = propagate_kepler(s, time, 1);
     EXPECT_EQ(k.status.outcome(), Outcome::outside_validity) << time;
-    EXPECT_NE(k.status.sentence().find("undetermined"), std::string::npos) << k.status.text();
+    EXPECT_TRUE(tests::holds(k.status.sentence(), "undetermined"));
     EXPECT_EQ(k.state.position, s.position);
     EXPECT_GE(kepler_condition(s, time, 1).position, 1.5 * std::abs(time)) << time;
   }
@@ -186,7 +187,7 @@ TEST(Extremes, WhatDoublesCannotHoldIsSaid) {
   EXPECT_THROW((void)from_axis(-1e308, 1e10), std::invalid_argument);
   const KeplerSolution k = propagate_kepler(s, 1, 1e-300);
   EXPECT_EQ(k.status.outcome(), Outcome::outside_validity) << k.status.text();
-  EXPECT_NE(k.status.sentence().find("mu"), std::string::npos);
+  EXPECT_TRUE(tests::holds(k.status.sentence(), "mu"));
   // On a line outwards for as long as a double can say.
   const KeplerSolution far = propagate_kepler({{1, 0, 0}, {1e10, 0, 0}}, 1e300, 1);
   EXPECT_EQ(far.status.outcome(), Outcome::outside_validity) << far.status.text();

@@ -2,10 +2,11 @@
 all chapters."""
 import csv
 import re
+from collections import Counter
 
 import pytest
 
-from nlmech_tree import chapters, program, run, scenes, text_of
+from nlmech_tree import SOURCE, chapters, program, run, scenes, text_of
 
 
 @pytest.fixture(scope="module")
@@ -50,3 +51,43 @@ def test_one_name_is_one_equation():
     assert not {name: found for name, found in equations.items() if len(found) > 1}
     with_problems = {"rbf_ivp", "algebraic_series", "hermitian", "transversal", "integrators"}
     assert ("duffing" in equations) == bool(with_problems & set(chapters())), "the help is read"
+
+
+@pytest.fixture(scope="module")
+def published():
+    """The rows of tables/published with their sources."""
+    files = sorted((SOURCE / "tables/published").glob("*.csv"))
+    return [row | {"source": file.stem} for file in files for row in csv.DictReader(text_of(file).splitlines())]
+
+
+def twice(names):
+    return [name for name, count in Counter(names).items() if count > 1]
+
+
+def test_printed_numbers_are_named_once(published):
+    assert len(published) > 200
+    names = ["/".join(row[column] for column in ("source", "place", "row", "quantity")) for row in published]
+    assert not twice(names)
+    assert not [name for name, row in zip(names, published) if not (row["place"] and row["row"] and row["quantity"]) or "\n" in name]
+
+
+def test_printed_numbers_stand_in_places_that_are_listed_once(published, places):
+    listed = [(row["source"], row["place"]) for row in places]
+    assert not twice(listed)
+    assert not {(row["source"], row["place"]) for row in published} - set(listed)
+
+
+def test_printed_numbers_use_their_words_rightly(published):
+    kinds = {"parameter", "value", "error", "count", "time", "claim", "rounding", "bound"}
+    assert not [row for row in published if row["kind"] not in kinds]
+    assert not [row for row in published if not row["unit"]], "a number without a unit has unit 1"
+    assert not [row for row in published if (row["kind"] == "parameter") != (row["expected"] == "input")]
+    assert not [row for row in published if row["kind"] == "time" and row["expected"] != "context"]
+    assert not [row for row in published if row["expected"] in ("differs", "not stated") and not row["reading"]], "needs a cause"
+
+
+def test_places_use_their_words_rightly(places):
+    assert not [row for row in places if row["kind"] not in {"figure", "table", "claim", "equation"}]
+    for kind, start in (("figure", "fig-"), ("table", "table-")):
+        assert not [row for row in places if (row["kind"] == kind) != row["place"].startswith(start)]
+    assert not [row for row in places if not (row["chapter"] and row["subject"])]

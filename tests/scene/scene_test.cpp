@@ -1,13 +1,21 @@
+/// Scenes: results, what is shown and checked, and where it came from.
 #include "nlmech/scene/scene.hpp"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "nlmech/scene/build_info.hpp"
+#include "nlmech/scene/provenance.hpp"
+#include "nlmech/scene/show.hpp"
 #include "nlmech/support/errors.hpp"
+#include "tests/places.hpp"
+#include "tests/thrown.hpp"
 
 namespace nlmech::scene::scene_test {
 namespace {
@@ -30,13 +38,8 @@ Scene that_shows(const Showing& showing) {
   return scene;
 }
 std::string complaint(const Scene& scene) {
-  try {
-    Results results(false);
-    static_cast<void>(perform(scene, results));
-    return "";
-  } catch (const std::logic_error& error) {
-    return error.what();
-  }
+  Results results(false);
+  return tests::thrown<std::logic_error>([&] { return perform(scene, results); });
 }
 
 const Result base("base", "", [] { return 1; });
@@ -80,13 +83,6 @@ TEST(Perform, RefusesASceneThatChecksNothing) {
   EXPECT_EQ(complaint(that_shows({std::nullopt, one_row(), {}})), "scene fig-1 checks no quantity");
 }
 
-TEST(Perform, PassesOnAFailure) {
-  Scene fails = named("fig-1");
-  fails.content.show = [](Results&) -> Showing { throw Failure("no convergence"); };
-  Results results(false);
-  EXPECT_THROW(static_cast<void>(perform(fails, results)), Failure);
-}
-
 TEST(Result, KnowsItsNameReadingAndNeeds) {
   EXPECT_EQ(derived.run()->name(), "derived");
   EXPECT_EQ(Result("x", "as printed", [] { return 1; }).run()->reading(), "as printed");
@@ -109,23 +105,16 @@ TEST(Results, OfOneNameHaveOneReadingAndOneType) {
   const Result real("count", "as printed", [] { return 1.0; });
   Results results(true);
   EXPECT_EQ(results.get(*printed.run()), 1);
-  EXPECT_THROW(static_cast<void>(results.get(*inferred.run())), std::logic_error);
-  EXPECT_THROW(static_cast<void>(results.get(*real.run())), std::logic_error);
+  EXPECT_THROW((void)results.get(*inferred.run()), std::logic_error);
+  EXPECT_THROW((void)results.get(*real.run()), std::logic_error);
 }
 
 TEST(Results, GoOnAfterARunThatFailed) {
   const Result fails("fails", "", []() -> int { throw Failure("no convergence"); });
   Results results(true);
-  EXPECT_THROW(static_cast<void>(results.get(*fails.run())), Failure);
+  EXPECT_THROW((void)results.get(*fails.run()), Failure);
   EXPECT_EQ(results.get(*derived.run()), 2);
-  EXPECT_THROW(static_cast<void>(results.get(*fails.run())), Failure) << "it has no result now either";
-}
-
-TEST(Results, TellWhetherLessIsAskedFor) {
-  const Result samples("samples", "", [](bool quick) { return quick ? 10 : 1000; });
-  Results quick(true), full(false);
-  EXPECT_EQ(quick.get(*samples.run()), 10);
-  EXPECT_EQ(full.get(*samples.run()), 1000);
+  EXPECT_THROW((void)results.get(*fails.run()), Failure) << "it has no result now either";
 }
 
 /// Does the value pass the check that a scene of nothing else makes by @p make?
@@ -160,26 +149,120 @@ TEST(Quantity, AtMostBeginsAtZero) {
   EXPECT_FALSE(at_most(nan, 1));
 }
 
-TEST(Chapter, KeepsScenesInTheirOrder) {
-  const Chapter chapter("optics", "Light", {{named("fig-2")}, {named("fig-1")}});
-  EXPECT_EQ(chapter.scenes().at(0).name, "fig-2");
-  EXPECT_EQ(&chapter.scene("fig-1"), &chapter.scenes().at(1));
-  EXPECT_EQ(chapter.name(), "optics");
-  EXPECT_EQ(chapter.title(), "Light");
-}
-
-TEST(Chapter, NamesTheScenesThereAre) {
-  const Chapter chapter("optics", "Light", {{named("fig-1"), named("fig-2")}});
-  try {
-    static_cast<void>(chapter.scene("fig-3"));
-    FAIL() << "found a scene that is not there";
-  } catch (const InputError& error) {
-    EXPECT_STREQ(error.what(), "optics has no scene 'fig-3'; it has fig-1, fig-2");
-  }
-}
-
 TEST(Chapter, RefusesTheSameNameTwice) {
   EXPECT_THROW(Chapter("optics", "Light", {{named("fig-1")}, {named("fig-1")}}), std::invalid_argument);
+}
+
+struct Row {
+  std::string name;
+  int count;
+  std::optional<double> error;
+  [[nodiscard]] double doubled() const { return 2.0 * count; }
+};
+const std::vector<Row> rows = {{"a", 1, 0.123456}, {"b", 2, std::nullopt}};
+
+TEST(Show, MakesTablesOfRowsByMembersAndFunctions) {
+  const Table table = table_of(rows, {{"name", &Row::name},
+                                      {"count", &Row::count},
+                                      {"error", &Row::error, 2},
+                                      {"doubled", &Row::doubled},
+                                      {"small", [](const Row& r) { return r.count < 2; }}});
+  EXPECT_EQ(table.csv(), "name,count,error,doubled,small\na,1,0.123456,2,1\nb,2,,4,0\n");
+  EXPECT_EQ(table.text(0, 2), "0.12");
+}
+
+TEST(Show, ChecksWithAndWithoutUnits) {
+  Show show(false);
+  show.near("angle", {2.0, "deg"}, 2, 0.01, "by hand");
+  show.at_most("error", 1e-3, 1e-2, "bound");
+  show.between("rate", -1, -2, 0, "signs");
+  show.equals("found", true, 1, "it is there");
+  show.equals("cases", 3U, 4, "four were given");
+  const Showing showing = show.take();
+  ASSERT_EQ(showing.quantities.size(), 5U);
+  EXPECT_EQ(showing.quantities[0].unit, "deg");
+  EXPECT_EQ(showing.quantities[0].low, 1.98);
+  EXPECT_EQ(showing.quantities[1].unit, "1");
+  for (std::size_t i = 0; i < 4; ++i)
+    EXPECT_TRUE(showing.quantities[i].passes()) << showing.quantities[i].name;
+  EXPECT_FALSE(showing.quantities[4].passes());
+}
+
+TEST(Show, HasOneFigureAndOneTable) {
+  Show show(true);
+  EXPECT_TRUE(show.quick());
+  EXPECT_THROW((void)show.figure(), std::logic_error);
+  show.plot("heading", "x", "y").curve("", {1}, {2});
+  show.table(rows, {{"name", &Row::name}});
+  EXPECT_THROW(show.plot("another", "x", "y"), std::logic_error);
+  EXPECT_THROW(show.draw(Table({{"x"}}), "line", {}), std::logic_error);
+  EXPECT_THROW(show.table(rows, {{"name", &Row::name}}), std::logic_error);
+  const Showing showing = show.take();
+  EXPECT_EQ(showing.figure->data.csv(), "curve,x,y\n1,1,2\n");
+  EXPECT_EQ(showing.figure->template_name, "");
+  EXPECT_EQ(showing.table->rows().size(), 2U);
+}
+
+TEST(Show, RefusesAFigureWithoutCurves) {
+  Show show(false);
+  show.plot("heading", "x", "y");
+  EXPECT_THROW((void)show.take(), std::logic_error);
+}
+
+TEST(Show, MeasuresAPrintedNumberOnce) {
+  Show show(false);
+  show.measured("roy/fig-2/a/b", 1.0, 2.0);
+  EXPECT_THROW(show.measured("roy/fig-2/a/b", 1.0), std::logic_error);
+  EXPECT_EQ(show.take().measured.at("roy/fig-2/a/b").inferred, 2.0);
+}
+
+const Run<int> run("series-4", "as \"printed\"", {}, [](Results&) { return 1; });
+
+nlohmann::json written(bool quick, double value) {
+  const Chapter chapter("optics", "Light", {});
+  const Scene scene{.name = "fig-1", .title = "Rays", .place = "Figure 1"};
+  Performance performance;
+  performance.runs = {&run};
+  performance.showing.quantities = {{"angle", "deg", value, 1, 3, "law of refraction"}};
+  return nlohmann::json::parse(provenance(chapter, scene, performance, quick));
+}
+
+TEST(Provenance, SaysHowToMakeTheSceneAgain) {
+  const auto json = written(false, 2);
+  EXPECT_EQ(json.at("chapter"), "optics");
+  EXPECT_EQ(json.at("scene"), "fig-1");
+  EXPECT_EQ(json.at("title"), "Rays");
+  EXPECT_EQ(json.at("place"), "Figure 1");
+  EXPECT_EQ(json.at("command"), "optics run fig-1");
+  EXPECT_EQ(json.at("effort"), "full");
+  EXPECT_EQ(written(true, 2).at("command"), "optics run fig-1 --quick");
+  EXPECT_EQ(written(true, 2).at("effort"), "quick");
+}
+
+TEST(Provenance, SaysWhatTheProgramWasMadeFrom) {
+  const auto json = written(false, 2);
+  EXPECT_EQ(json.at("version"), build_info().version);
+  EXPECT_EQ(json.at("commit"), build_info().commit);
+  EXPECT_TRUE(json.at("dirty").is_boolean());
+  EXPECT_FALSE(json.at("compiler").get<std::string>().empty());
+  EXPECT_TRUE(json.at("flags").is_string());
+  EXPECT_FALSE(json.at("processor").get<std::string>().empty());
+  for (const char* library : {"fmt", "CLI11", "nlohmann_json"})
+    EXPECT_TRUE(json.at("libraries").contains(library)) << library;
+}
+
+TEST(Provenance, ListsRunsWithTheirReadingsAndQuantitiesWithTheirRanges) {
+  const auto json = written(false, 0.1);
+  EXPECT_EQ(json.at("runs"), nlohmann::json::parse(R"([{"name": "series-4", "reading": "as \"printed\""}])"));
+  EXPECT_EQ(json.at("quantities"),
+            nlohmann::json::parse(R"([{"name": "angle", "unit": "deg", "value": 0.1, "low": 1,
+    "high": 3, "passes": false, "reason": "law of refraction"}])"));
+}
+
+TEST(Provenance, WritesWhatIsNoNumberAsNull) {
+  const auto json = written(false, std::numeric_limits<double>::quiet_NaN());
+  EXPECT_TRUE(json.at("quantities")[0].at("value").is_null());
+  EXPECT_EQ(json.at("quantities")[0].at("passes"), false);
 }
 
 }  // namespace

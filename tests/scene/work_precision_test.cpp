@@ -1,6 +1,7 @@
 /// Work-precision diagrams: what is drawn and named where, who is said to be fastest, and what the table says
 /// of runs that fail and of methods that a build lacks.
 #include "nlmech/scene/work_precision.hpp"
+#include "tests/thrown.hpp"
 
 #include <gtest/gtest.h>
 
@@ -31,8 +32,6 @@ Showing shown(WorkPrecision what, const std::vector<ProblemLines>& problems) {
   show_work_precision(what, problems, show);
   return show.take();
 }
-bool holds(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
 /// The same with nine bystanders, so that there is more than colours.
 std::vector<ProblemLines> crowd() {
   std::vector<ProblemLines> problems = one_problem();
@@ -66,39 +65,39 @@ TEST(WorkPrecision, DataHaveARowARunOfMethodsWithPointsThenWhoIsFastest) {
 
 TEST(WorkPrecision, CurvesAreNamedAtTheirEndsAndSayTheirNames) {
   const std::string script = shown({}, one_problem()).figure->script;
-  EXPECT_TRUE(holds(script, "set label 'one' at graph 1.03, first 7 ")) << script;
-  EXPECT_TRUE(holds(script, "title 'one' noenhanced")) << script;
-  EXPECT_FALSE(holds(script, "failing")) << "a method without a point is not drawn";
+  EXPECT_TRUE(tests::holds(script, "set label 'one' at graph 1.03, first 7 "));
+  EXPECT_TRUE(tests::holds(script, "title 'one' noenhanced"));
+  EXPECT_FALSE(tests::holds(script, "failing")) << "a method without a point is not drawn";
   const auto subject = script.find("every :::1::1"), peer = script.find("every :::0::0");
   EXPECT_LT(peer, subject) << "the subject of the page lies above the others";
-  EXPECT_TRUE(holds(script, "Solid: this suite.  Dashed: peers.")) << script;
-  EXPECT_FALSE(holds(script, "Grey:")) << "two curves are no crowd";
+  EXPECT_TRUE(tests::holds(script, "Solid: this suite.  Dashed: peers."));
+  EXPECT_FALSE(tests::holds(script, "Grey:")) << "two curves are no crowd";
   EXPECT_EQ(shown({}, one_problem()).figure->variables.at("answers"), "curves");
 }
 
 TEST(WorkPrecision, WhatIsNeitherFastNorOfInterestIsGreyAndUnnamed) {
   const std::string script = shown({}, crowd()).figure->script;
-  EXPECT_TRUE(holds(script, "Grey: 9 other methods.")) << script;
-  EXPECT_TRUE(holds(script, "title 'bystander 3' noenhanced"));
-  EXPECT_FALSE(holds(script, "set label 'bystander 3'"));
+  EXPECT_TRUE(tests::holds(script, "Grey: 9 other methods."));
+  EXPECT_TRUE(tests::holds(script, "title 'bystander 3' noenhanced"));
+  EXPECT_FALSE(tests::holds(script, "set label 'bystander 3'"));
   EXPECT_LT(script.find("title 'bystander 3'"), script.find("title 'one'")) << "behind those in colour";
 }
 
 TEST(WorkPrecision, AStripSaysWhoIsFastest) {
   const std::string script = shown({}, one_problem()).figure->script;
-  EXPECT_TRUE(holds(script, "set label '32 times before one'")) << script;
-  EXPECT_TRUE(holds(script, "set label 'level with two'")) << script;
-  EXPECT_TRUE(holds(script, "set label 'alone'")) << script;
+  EXPECT_TRUE(tests::holds(script, "set label '32 times before one'"));
+  EXPECT_TRUE(tests::holds(script, "set label 'level with two'"));
+  EXPECT_TRUE(tests::holds(script, "set label 'alone'"));
   std::vector<ProblemLines> coarse = one_problem();
   coarse[0].lines.pop_back();
-  EXPECT_TRUE(holds(shown({}, coarse).figure->script, "set label 'nobody'"));
+  EXPECT_TRUE(tests::holds(shown({}, coarse).figure->script, "set label 'nobody'"));
 }
 
 TEST(WorkPrecision, OneProblemHasAPanelOfWork) {
   const std::string script = shown({.work_label = "evaluations"}, one_problem()).figure->script;
-  EXPECT_TRUE(holds(script, "set xlabel 'evaluations'"));
-  EXPECT_TRUE(holds(script, "data using \"right-hand sides\":\"digits\" every :::0::0")) << script;
-  EXPECT_FALSE(holds(shown({}, one_problem()).figure->script, "using \"right-hand sides\""));
+  EXPECT_TRUE(tests::holds(script, "set xlabel 'evaluations'"));
+  EXPECT_TRUE(tests::holds(script, "data using \"right-hand sides\":\"digits\" every :::0::0"));
+  EXPECT_FALSE(tests::holds(shown({}, one_problem()).figure->script, "using \"right-hand sides\""));
 }
 
 TEST(WorkPrecision, SeveralProblemsHaveAPanelEach) {
@@ -107,18 +106,18 @@ TEST(WorkPrecision, SeveralProblemsHaveAPanelEach) {
   two[1].problem = "high load";
   const Showing showing = shown({.work_label = "evaluations"}, two);
   for (const char* part : {"'low load'", "'high load'", "every :::3::3"})
-    EXPECT_TRUE(holds(showing.figure->script, part)) << part;
-  EXPECT_FALSE(holds(showing.figure->script, "every :::4::4"));
+    EXPECT_TRUE(tests::holds(showing.figure->script, part));
+  EXPECT_FALSE(tests::holds(showing.figure->script, "every :::4::4"));
   EXPECT_EQ(showing.table->columns()[0].name, "problem");
   EXPECT_EQ(showing.table->rows().size(), 12U);
 }
 
 TEST(WorkPrecision, RoundingIsALevelThatSaysWhatItIs) {
   const std::string script = shown({.rounding = 1e-12}, one_problem()).figure->script;
-  EXPECT_TRUE(holds(script, "one rounding of the data"));
-  EXPECT_TRUE(holds(script, "rounding was kinder than at its worst")) << "two has no error at all";
-  EXPECT_TRUE(holds(script, "first 12 to graph 1, first 12")) << script;
-  EXPECT_FALSE(holds(shown({}, one_problem()).figure->script, "rounding"));
+  EXPECT_TRUE(tests::holds(script, "one rounding of the data"));
+  EXPECT_TRUE(tests::holds(script, "rounding was kinder than at its worst")) << "two has no error at all";
+  EXPECT_TRUE(tests::holds(script, "first 12 to graph 1, first 12"));
+  EXPECT_FALSE(tests::holds(shown({}, one_problem()).figure->script, "rounding"));
 }
 
 TEST(WorkPrecision, TheTableHasARowARunAndOneForWhatIsAbsent) {
@@ -126,10 +125,10 @@ TEST(WorkPrecision, TheTableHasARowARunAndOneForWhatIsAbsent) {
   for (const char* row : {"| one | step 10 | non_finite |  | 1 | 0.9 | 2 | 3 |",
                           "| one | step 0.1 | success | 7 | 100 | 100 | 100 | 100 |",
                           "| failing | step 10 | non_finite |", "| absent |  | not in this build |  |"})
-    EXPECT_TRUE(holds(digits, row)) << row << " is not in\n" << digits;
+    EXPECT_TRUE(tests::holds(digits, row));
   const std::string error = shown({.error = "error of x", .unit = "ns"}, one_problem()).table->markdown();
-  EXPECT_TRUE(holds(error, "| one | step 1 | success | 1e-3 | 1e6 |") ||
-              holds(error, "| one | step 1 | success | 0.001 | 1e6 |"))
+  EXPECT_TRUE(tests::holds(error, "| one | step 1 | success | 1e-3 | 1e6 |") ||
+              tests::holds(error, "| one | step 1 | success | 0.001 | 1e6 |"))
       << error;
 }
 

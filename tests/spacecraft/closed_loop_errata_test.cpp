@@ -14,19 +14,12 @@
 #include "nlmech/spacecraft/plant/poles.hpp"
 #include "nlmech/spacecraft/response.hpp"
 #include "tests/errata/erratum.hpp"
-#include "tests/spacecraft/oracle_poles.hpp"
+#include "tests/spacecraft/oracle.hpp"
 
 namespace nlmech::spacecraft::closed_loop_errata_test {
 namespace {
 
 using tests::expect_erratum;
-
-/// P(s) by the transfer function in 110 digits: s^2 (I_hub + kappa B) is a mean of s^2 I_hub and of the hub's
-/// load.
-Complex exact_characteristic(const Parameters& p, const Gains& g, Complex s) {
-  const Complex hub = s * s * p.hub_inertia, load = oracle::hub_load(p, s);
-  return hub + (2 + g.k2) / 2 * (load - hub) + g.k3 * s + g.k1;
-}
 
 // 3.49: I_hub theta'' = u + (M_0 - r S_0) counts one of two appendages. I_hub + B is half of 2 I_hub + 2B.
 TEST(ControlErrata, HubBalanceOfOneAppendage) {
@@ -53,7 +46,7 @@ TEST(ControlErrata, TipInertiaIsNoSmallPerturbation) {
     EXPECT_NEAR(std::abs(without.s[2 + i].imag()), expected[i], 1e-8 * expected[i]);
   EXPECT_NEAR(without.s[3].imag() / with.s[3].imag() - 1, 0.064, 1e-3);
   EXPECT_NEAR(without.s[5].imag() / with.s[5].imag() - 1, 0.256, 1e-3);
-  const auto exact = [](Complex s) { return exact_characteristic(table_3_1(), designed_gains, s); };
+  const auto exact = [](Complex s) { return oracle::characteristic(table_3_1(), designed_gains, s); };
   for (std::size_t i = 3; i < 6; ++i) {
     const Complex pole = oracle::root_near(exact, with.s[i] * 1.0001);
     // Poles have 12 digits of their modulus.
@@ -119,53 +112,22 @@ TEST(ControlErrata, BoundOfK2) {
   expect_erratum("gss_control-3.55", {.printed = -1, .corrected = -2, .oracle = stable, .tolerance = 1e-5});
 }
 
-/// An appendage turned by its root, theta = 1, at a frequency: fourth-order Runge-Kutta steps from the root
-/// to the tip, and the two unknowns at the root by the conditions (3.16) at the tip.
-struct Shot {
-  double root_load;  ///< r S_0 - M_0 = EI (r y''' - y'') at the root
-  double momentum;   ///< integral of rho (r + x) w, of -omega^2 times the load
-  double tip, turn;  ///< w and w' at the tip
-};
-Shot shoot(const Parameters& p, double omega) {
-  using Vector = Eigen::Matrix<double, 5, 1>;  // w, w', w'', w''', momentum
-  const double ei = p.bending_stiffness(), square = omega * omega, h = p.length / 4000;
-  const auto to_tip = [&](Vector z) {
-    double x = 0;
-    const auto slope = [&](const Vector& y, double at) {
-      return Vector{y[1], y[2], y[3], square * p.mass_per_length / ei * y[0],
-                    p.mass_per_length * (p.hub_radius + at) * y[0]};
-    };
-    for (int i = 0; i < 4000; ++i, x += h) {
-      const Vector k1 = slope(z, x), k2 = slope(z + h / 2 * k1, x + h / 2),
-                   k3 = slope(z + h / 2 * k2, x + h / 2), k4 = slope(z + h * k3, x + h);
-      z += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
-    }
-    return z;
-  };
-  const Vector rigid = to_tip({p.hub_radius, 1, 0, 0, 0}), moment = to_tip({0, 0, 1, 0, 0}),
-               shear = to_tip({0, 0, 0, 1, 0});
-  // EI w'' = omega^2 I_tip w', EI w''' = -omega^2 m w.
-  const auto misses = [&](const Vector& z) {
-    return Eigen::Vector2d(ei * z[2] - square * p.tip_inertia * z[1], ei * z[3] + square * p.tip_mass * z[0]);
-  };
-  Eigen::Matrix2d rows;
-  rows << misses(moment), misses(shear);
-  const Eigen::Vector2d root = rows.inverse() * -misses(rigid);
-  const Vector end = rigid + root[0] * moment + root[1] * shear;
-  return {ei * (p.hub_radius * root[1] - root[0]), end[4], end[0], end[1]};
-}
-
 // 3.56: the root load of (3.55) by the momentum of the appendage. Without I_tip (theta + y'(L)) it is not
-// what moment and shear at the root are.
+// what moment and shear at the root are: half of the hub's load less its own inertia.
 TEST(ControlErrata, RootLoadHoldsTheTipInertia) {
   const Parameters p = table_3_1();
+  const Appendage a(p);
+  const double l = p.length, r = p.hub_radius;
   for (const double omega : {5., 45., 150.}) {
-    const Shot w = shoot(p, omega);
-    const double printed = w.momentum + p.tip_mass * (p.hub_radius + p.length) * w.tip;
-    const double corrected = printed + p.tip_inertia * w.turn;
-    // Steps of 0.001 ft of waves of at most 1.7/ft.
-    expect_erratum("gss_control-3.56",
-                   {-omega * omega * printed, -omega * omega * corrected, w.root_load, 1e-9});
+    const Complex s(0, omega), square = s * s;
+    const auto w = [&](double x) { return r + x + a.deflection(s, x); };
+    const Complex momentum =
+        p.mass_per_length * oracle::integral(l, [&](double x) { return (r + x) * w(x); });
+    const Complex printed = momentum + p.tip_mass * (r + l) * w(l),
+                  corrected = printed + p.tip_inertia * (1. + a.slope(s, l));
+    const Complex load = (oracle::hub_load(p, s) - square * p.hub_inertia) / 2.;
+    // Gauss' rule, and the digits that the difference of loads loses.
+    expect_erratum("gss_control-3.56", oracle::distances(square * printed, square * corrected, load, 1e-9));
   }
 }
 
@@ -178,7 +140,7 @@ TEST(ControlErrata, TorqueByTheStates) {
   const double l = p.length, reach = p.hub_radius + l;
   for (const double omega : {2., 20., 60.}) {
     const Complex s(0.1, omega), square = s * s;
-    const Complex theta = g.k1 / s / exact_characteristic(p, g, s);
+    const Complex theta = g.k1 / s / oracle::characteristic(p, g, s);
     const auto z = GssSolution<Complex>(p, s).state(l);
     const double rigid = p.appendage_inertia();
     const Complex flexible = p.mass_per_length * (reach * z[1] - z[0]) + p.tip_mass * reach * z[2];
@@ -218,7 +180,7 @@ TEST(ControlErrata, ClosedLoopTransferFunction) {
     EXPECT_NEAR(std::abs(printed_theta(unit, s) * s), row.printed, 5e-3 * row.printed);
     EXPECT_NEAR(std::abs(unit.response(s).theta), row.exact, 0.05 * row.exact);
     for (const ClosedLoop& loop : {designed, unit}) {
-      const Complex exact = loop.gains().k1 / exact_characteristic(loop.parameters(), loop.gains(), s);
+      const Complex exact = loop.gains().k1 / oracle::characteristic(loop.parameters(), loop.gains(), s);
       expect_erratum("gss_control-3.58",
                      oracle::distances(printed_theta(loop, s) * s, loop.response(s).theta, exact, 1e-12));
     }

@@ -1,9 +1,10 @@
-/// Misprints of the source about the state space (Eqs. 3.22 to 3.41): the printed form is wrong, the
-/// corrected right.
+/// Misprints of the source about the state space (Eqs. 3.22 to 3.41) and about assumed modes (3.45 to 3.48):
+/// the printed form is wrong, the corrected right.
 #include <gtest/gtest.h>
-
 #include <Eigen/Core>
 #include <Eigen/LU>
+#include <unsupported/Eigen/MatrixFunctions>
+
 #include <array>
 #include <cmath>
 #include <complex>
@@ -13,43 +14,24 @@
 
 #include "nlmech/spacecraft/plant/appendage.hpp"
 #include "nlmech/spacecraft/plant/closed_form.hpp"
+#include "nlmech/spacecraft/plant/discrete_model.hpp"
 #include "nlmech/spacecraft/plant/plant.hpp"
+#include "nlmech/spacecraft/plant/poles.hpp"
 #include "tests/errata/erratum.hpp"
 #include "tests/spacecraft/oracle.hpp"
-#include "tests/spacecraft/oracle_poles.hpp"
 
 namespace nlmech::spacecraft::errata_test {
 namespace {
 
 using Solution = GssSolution<Complex>;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
+using oracle::integral;
 using tests::expect_erratum;
 
 double unit_of(const Parameters& p) { return p.mass_per_length / p.bending_stiffness(); }
 
 /// The root of Eq. 3.31 with a positive real or imaginary part.
 Complex sigma_of(Complex beta) { return std::sqrt(Complex(0, 1) * std::sqrt(beta)); }
-
-/// Simpson's rule with 2000 intervals from 0.
-template <class F>
-auto integral(const F& f, double end) {
-  const int n = 2000;
-  auto sum = f(0.) + f(end);
-  for (int i = 1; i < n; ++i) sum += (i % 2 == 1 ? 4. : 2.) * f(end * i / n);
-  return sum * (end / n / 3);
-}
-
-/// exp(A x) by Taylor's series of A x/64, squared 6 times: 1e-14 of its largest entry.
-Matrix6 exponential(const Matrix6& a, double x) {
-  const Matrix6 small = a * (x / 64);
-  Matrix6 term = Matrix6::Identity(), sum = term;
-  for (int k = 1; k < 25; ++k) {
-    term = term * small / k;
-    sum += term;
-  }
-  for (int k = 0; k < 6; ++k) sum = sum * sum;
-  return sum;
-}
 
 /// The matrix of Eq. 3.25; as printed its fifth row is [0 0 0 0 1 0].
 Matrix6 state_matrix(double beta, bool printed) {
@@ -104,9 +86,9 @@ TEST(Errata, TheIntegralsOfTheStateAreThoseOfTheDeflection) {
   const Solution z(p, s);
   const Appendage appendage(p);
   const Complex sum =
-      integral([&](double x) { return (p.hub_radius + x) * appendage.deflection(s, x); }, p.length);
+      integral(p.length, [&](double x) { return (p.hub_radius + x) * appendage.deflection(s, x); });
   const auto at = [&](double x) { return (p.hub_radius + x) * z.state(x)[1] - z.state(x)[0]; };
-  // Simpson's rule at steps of 0.002 ft.
+  // Gauss' rule, and the closed form's own digits.
   expect_erratum("gss_control-3.22-place", oracle::distances(at(2), at(p.length), sum, 1e-9));
 }
 
@@ -117,7 +99,8 @@ TEST(Errata, TheLoadIsInTheSixthRow) {
   const double beta = 9 * unit_of(p), x = 2, r = p.hub_radius;
   const Matrix6 a = state_matrix(beta, false);
   const auto deflection = [&](Eigen::Index row) {
-    return integral([&](double tau) { return -beta * (r + tau) * exponential(a, x - tau)(2, row); }, x);
+    return integral(x,
+                    [&](double tau) { return -beta * (r + tau) * Matrix6((a * (x - tau)).exp())(2, row); });
   };
   double series = 0, power = 1;
   for (int k = 4; k < 40; k += 4) {
@@ -133,7 +116,7 @@ TEST(Errata, TheLoadIsInTheSixthRow) {
 TEST(Errata, TheHomogeneousSolutionIsTheMatrixExponential) {
   const double beta = 9 * unit_of(table_3_1()), x = 4;
   const auto f = f_of(beta, x);
-  const Matrix6 e = exponential(state_matrix(beta, false), x);
+  const Matrix6 e = (state_matrix(beta, false) * x).exp();
   Eigen::Matrix<double, 6, 2> corrected;
   corrected << (1 - f[0]) / beta, (beta * x + f[3]) / (beta * beta), -f[1] / beta, (1 - f[0]) / beta,
       -f[2] / beta, -f[1] / beta, -f[3] / beta, -f[2] / beta, f[0], -f[3] / beta, f[1], f[0];
@@ -144,7 +127,7 @@ TEST(Errata, TheHomogeneousSolutionIsTheMatrixExponential) {
       "gss_control-3.28-sign",
       {.printed = -corrected(0, 1), .corrected = corrected(0, 1), .oracle = e(0, 5), .tolerance = 1e-9});
   // As printed the moment would grow by itself.
-  const Matrix6 printed = exponential(state_matrix(beta, true), x);
+  const Matrix6 printed = (state_matrix(beta, true) * x).exp();
   EXPECT_GT((printed.rightCols<2>() - corrected).cwiseAbs().maxCoeff(), 1);
   const Solution right(table_3_1(), {3, 0}), wrong(table_3_1(), {3, 0}, {.minus_in_z1 = true});
   EXPECT_GT(std::abs(right.state(4)[0] - wrong.state(4)[0]), 0.01 * std::abs(right.state(4)[0]));
@@ -202,7 +185,7 @@ TEST(Errata, TheCosineAloneIsNoSolution) {
 TEST(Errata, TheThirdForcedIntegral) {
   const Parameters p = table_3_1();
   const double beta = 9 * unit_of(p), x = 3, r = p.hub_radius;
-  const double sum = integral([&](double tau) { return (r + tau) * f_of(beta, x - tau)[1]; }, x);
+  const double sum = integral(x, [&](double tau) { return (r + tau) * f_of(beta, x - tau)[1]; });
   const Complex sigma = sigma_of(beta), c = std::cos(sigma * x), s = std::sin(sigma * x);
   const Complex correct = (sigma * r * c + s - sigma * r - sigma * x) / sigma;
   const Complex printed = (-sigma * r * c + s - sigma * r - sigma * x) / (2. * sigma * sigma);
@@ -231,7 +214,7 @@ TEST(Errata, TheConstantsOfTheForcedIntegrals) {
       Row{r * f[2] + f[1], square * (r + x), [&](double t) { return -f_of(beta, t)[3] / beta; }},
       Row{r * f[3] + f[2], -beta / square, [&](double t) { return f_of(beta, t)[0]; }}};
   const auto exact = [&](const Row& row) {
-    return -beta * integral([&](double tau) { return (r + tau) * row.column(x - tau); }, x);
+    return -beta * integral(x, [&](double tau) { return (r + tau) * row.column(x - tau); });
   };
   for (const Row& row : rows)
     expect_erratum("gss_control-3.33-constants",
@@ -312,6 +295,67 @@ TEST(Errata, TheSignOfTheTipsPrefactor) {
   const double z5 = (f[0] * h5 + f[3] / beta * h6) / determinant;
   expect_erratum("gss_control-3.41-sign", {-z5, z5, exact_root(p, {0, omega}).curvature, 1e-7});
   EXPECT_NEAR((f[0] * h6 - f[1] * h5) / determinant / root[5].real(), 1, 1e-9);
+}
+
+// ---- Misprints of the source about assumed modes and the hub (Eqs. 3.45 to 3.49), and what its closed form
+// is worth in doubles.
+
+// Eq. 3.45: cos(i pi x)/L is no admissible function, cos(i pi x/L) is: phi(0) must be 0.
+TEST(Errata, TheAssumedFunctionsAreHeldAtTheRoot) {
+  const double l = 4, pi = std::numbers::pi;
+  const auto printed = [&](double x) { return 1 - std::cos(pi * x) / l + std::pow(pi * x / l, 2) / 2; };
+  const DiscreteModel model = assumed_modes(table_3_1(), 5);
+  expect_erratum(
+      "gss_control-3.45",
+      {.printed = printed(0), .corrected = model.shape(0)[0], .oracle = 0, .tolerance = 1e-15, .scale = 1});
+  EXPECT_EQ(model.shape(0).cwiseAbs().maxCoeff(), 0);
+  EXPECT_LE(model.shape(1e-8).cwiseAbs().maxCoeff(), 1e-13);
+  EXPECT_NEAR(model.shape(4)[0], 2 + pi * pi / 2, 1e-14 * 7);
+  EXPECT_NEAR(model.shape(4)[1], -2 * pi * pi, 1e-14 * 20);
+}
+
+// Eq. 3.48: without EI in the stiffness the first mode is off by 1/sqrt(EI) = 0.116.
+TEST(Errata, TheStiffnessHoldsTheBendingStiffness) {
+  const Parameters p = without_tip(table_3_1());
+  DiscreteModel model = assumed_modes(p, 10);
+  const double corrected = diagonalise(model).omega[0];
+  model.stiffness /= p.bending_stiffness();
+  const double printed = diagonalise(model).omega[0];
+  EXPECT_NEAR(printed, 12.857 / std::sqrt(p.bending_stiffness()), 1e-3);
+  // Ten modes have the first frequency to 2e-5.
+  expect_erratum("gss_control-3.48", {printed, corrected, oracle::pole(p, 11.52, 14), 3e-5});
+  // M_qq, missing, for phi = 1 - cos k + k^2/2 with k = pi x/L: integrals over x/L of (1 - cos k)^2, of (1 -
+  // cos k) k^2, of k^4/4.
+  const double pi = std::numbers::pi, square = 1.5 + (pi * pi / 3 + 2) + std::pow(pi, 4) / 20;
+  EXPECT_NEAR(assumed_modes(p, 1).mass(0, 0) / (2 * p.mass_per_length * p.length * square), 1, 1e-14);
+}
+
+// Figures 3.5 and 3.6: "a slight truncation error". With tips the tenth frequency of ten modes is 17 % high.
+TEST(Errata, TenModesDoNotMeetTheTip) {
+  const Parameters p = table_3_1();
+  const double exact = oracle::pole(p, 2348.2, 2400);  // after the hub-locked frequency 2348.19
+  expect_erratum("gss_control-figure-3.5", {.printed = diagonalise(assumed_modes(p, 10)).omega[9],
+                                            .corrected = poles(Plant(p), 10).omega[9],
+                                            .oracle = exact,
+                                            .tolerance = 1e-12});
+}
+
+// The closed form is right on paper and loses digits: e^(2 q L) at high frequency, 1/omega^2 at low.
+TEST(Errata, TheClosedFormLosesDigitsAtBothEnds) {
+  const Plant plant(table_3_1());
+  const auto error = [&](double omega) {
+    const GssSolution<Complex> z(plant.parameters(), {0, omega});
+    const AxisResponse r = plant.at_frequency(omega, 2);
+    return std::array<double, 2>{std::abs(z.theta(2) / r.theta - 1.),
+                                 std::abs(z.deflection(2) / r.deflection - 1.)};
+  };
+  EXPECT_LT(error(1)[0], 1e-14);
+  EXPECT_LT(error(10)[1], 1e-13);
+  EXPECT_GT(error(300)[0], 1e-11);
+  EXPECT_GT(error(1000)[0], 1e-3);
+  EXPECT_GT(error(1e-3)[1], 1e-10);
+  EXPECT_GT(error(1e-6)[1], 1e-4);
+  EXPECT_FALSE(std::isfinite(std::abs(GssSolution<Complex>(plant.parameters(), {0, 4e5}).theta(2))));
 }
 
 }  // namespace

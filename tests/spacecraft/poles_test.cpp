@@ -16,6 +16,7 @@
 
 #include "nlmech/spacecraft/plant/roots.hpp"
 #include "tests/spacecraft/random_spacecraft.hpp"
+#include "tests/thrown.hpp"
 
 namespace nlmech::spacecraft::poles_test {
 namespace {
@@ -79,15 +80,15 @@ TEST(Roots, AreThoseOfTheFunctionWhateverItsScale) {
 TEST(Roots, SayWhereTheyCannotCount) {
   const RootCount count = count_roots(polynomial({{1, 0}}), {-1, 1, -1, 1});
   EXPECT_EQ(count.status.outcome(), Outcome::not_converged);
-  EXPECT_NE(count.status.sentence().find("boundary"), std::string::npos);
+  EXPECT_TRUE(tests::holds(count.status.sentence(), "boundary"));
   const double nan = std::nan("");
   const auto broken = [=](Complex) { return Jet(Complex(nan, 0), Complex(nan, 0)); };
   EXPECT_EQ(count_roots(broken, {-1, 1, -1, 1}).status.outcome(), Outcome::not_converged);
   EXPECT_EQ(refine_root(broken, 1.).status.outcome(), Outcome::non_finite);
   const auto flat = [](Complex s) { return exp(Jet::variable(s)); };
   EXPECT_EQ(refine_root(flat, 1.).status.outcome(), Outcome::not_converged);
-  EXPECT_THROW(static_cast<void>(count_roots(flat, {1, -1, 0, 1})), std::invalid_argument);
-  EXPECT_THROW(static_cast<void>(find_roots(flat, {0, nan, 0, 1})), std::invalid_argument);
+  EXPECT_THROW((void)count_roots(flat, {1, -1, 0, 1}), std::invalid_argument);
+  EXPECT_THROW((void)find_roots(flat, {0, nan, 0, 1}), std::invalid_argument);
 }
 
 // Textbook wave numbers of a cantilever, cos q cosh q = -1, and of one with a pinned end (a tip without
@@ -141,7 +142,7 @@ TEST(Poles, OfExtremeSpacecraft) {
     }
   }
   EXPECT_EQ(poles(Plant(table_3_1()), 300).counted, 300);
-  EXPECT_THROW(static_cast<void>(poles(Plant(table_3_1()), 0)), std::invalid_argument);
+  EXPECT_THROW((void)poles(Plant(table_3_1()), 0), std::invalid_argument);
 }
 
 // The same poles by the general finder in the plane of s, which knows nothing of the axis.
@@ -195,9 +196,9 @@ RC_GTEST_PROP(Zeros, OfTheDeflectionAreZeros, ()) {
 
 TEST(Zeros, RefuseWhatHasNone) {
   const Plant plant(table_3_1());
-  EXPECT_THROW(static_cast<void>(deflection_zeros(plant, 0, 100)), std::invalid_argument);
-  EXPECT_THROW(static_cast<void>(deflection_zeros(plant, 5, 100)), std::invalid_argument);
-  EXPECT_THROW(static_cast<void>(deflection_zeros(plant, 2, -1)), std::invalid_argument);
+  EXPECT_THROW((void)deflection_zeros(plant, 0, 100), std::invalid_argument);
+  EXPECT_THROW((void)deflection_zeros(plant, 5, 100), std::invalid_argument);
+  EXPECT_THROW((void)deflection_zeros(plant, 2, -1), std::invalid_argument);
 }
 
 }  // namespace

@@ -1,6 +1,5 @@
-/// Motion in time: the numerical inverse of the exact transfer functions, initial and late times, nearly
-/// double poles, torque steps. The chapter's scenes hold peaks and settling times with the gains of the
-/// source.
+/// Motion in time: the numerical inverse of the exact transfer functions, initial and late times, torque
+/// steps. The chapter's scenes hold peaks and settling times with the gains of the source.
 #include "nlmech/spacecraft/response.hpp"
 
 #include <gtest/gtest.h>
@@ -8,11 +7,15 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
+#include <span>
 #include <stdexcept>
 
+#include "nlmech/spacecraft/control/inverse_laplace.hpp"
 #include "nlmech/spacecraft/plant/poles.hpp"
 #include "tests/spacecraft/oracle.hpp"
 #include "tests/spacecraft/time_oracle.hpp"
+#include "tests/thrown.hpp"
 
 namespace nlmech::spacecraft::response_test {
 namespace {
@@ -30,10 +33,7 @@ TEST(StepResponse, IsTheSumOfExactPolesAtALateTime) {
   p.hub_inertia = 18.4, p.mass_per_length = 0.0425, p.length = 25.05, p.hub_radius = 7.91;
   p.second_moment = 3.88e-7, p.tip_mass = 0.919, p.tip_inertia = 0.00272;
   const Gains g{1.01e6, 1.785, 0.3225};
-  const auto characteristic = [&](Complex s) {
-    const Complex load = 1. / oracle::by_exponentials(p, s, p.length).theta, hub = s * s * p.hub_inertia;
-    return hub + (1 + g.k2 / 2) * (load - hub) + g.k3 * s + g.k1;
-  };
+  const auto characteristic = [&](Complex s) { return oracle::characteristic(p, g, s); };
   const auto slope = [&](Complex s) {
     const double h = 1e-7 * std::abs(s);
     return (characteristic(s + h) - characteristic(s - h)) / (2 * h);
@@ -144,6 +144,14 @@ TEST(StepResponse, TorqueIsTheControlLaws) {
   }
 }
 
+/// The angle is the numerical inverse of its transform.
+void expect_inverse(const ClosedLoop& loop, const TimeResponse& r, std::span<const double> times,
+                    const oracle::BromwichLine& line, double tolerance) {
+  const auto theta = oracle::bromwich([&](Complex s) { return loop.response(s).theta / s; }, times, line);
+  for (std::size_t i = 0; i < times.size(); ++i)
+    EXPECT_NEAR(r.theta.value(times[i]), theta[i], tolerance) << times[i];
+}
+
 /// k3 at which the slow pair of k1 = 12, k2 = 0 becomes real.
 double critical_k3() {
   double a = 16, b = 60;
@@ -165,10 +173,8 @@ TEST(StepResponse, StandsNearlyDoublePoles) {
     const TimeResponse r = step_response(loop, 1, places, {.pairs = 64});
     ASSERT_TRUE(r.status.ok()) << factor << r.status.text();
     EXPECT_NEAR(r.theta.value(0), 0, 1e-10) << factor;
-    const auto theta =
-        oracle::bromwich([&](Complex s) { return loop.response(s).theta / s; }, times, {.frequency = 2000});
-    for (std::size_t i = 0; i < times.size(); ++i)
-      EXPECT_NEAR(r.theta.value(times[i]), theta[i], 2e-9) << factor << " at " << times[i];
+    SCOPED_TRACE(factor);
+    expect_inverse(loop, r, times, {.frequency = 2000}, 2e-9);
   }
 }
 
@@ -220,6 +226,281 @@ TEST(TimeResponses, RefuseBadInput) {
   EXPECT_THROW((void)step_response(loop, 1, places, {.pairs = -1}), std::invalid_argument);
   EXPECT_THROW((void)step_response(loop, 1, places, {.tolerance = 0}), std::invalid_argument);
   EXPECT_THROW((void)torque_response(loop.plant(), 1, outside), std::invalid_argument);
+}
+
+// ---- The step response where poles coincide, nearly coincide, lie beside s = 0 or far to the left: against
+// finite elements in time, the numerical inverse of the transform, and what it begins with.
+
+/// Held to finite elements at some times: within ten times what half as many elements change, and 1e-9 of the
+/// largest value.
+void expect_as_elements(const Parameters& p, const Gains& g, double x, std::initializer_list<double> times) {
+  const std::array<double, 1> place = {x};
+  const TimeResponse r = step_response(ClosedLoop(p, g), 1, place);
+  ASSERT_TRUE(r.status.ok()) << g.k1 << ' ' << g.k2 << ' ' << g.k3 << ": " << r.status.text();
+  const oracle::StepByElements coarse(p, g, x, 4), fine(p, g, x, 8);
+  for (const double t : times) {
+    const oracle::Moved a = coarse.at(t), b = fine.at(t);
+    const double theta = r.theta.value(t), rate = r.theta_dot.value(t), y = r.deflection[0].value(t);
+    EXPECT_NEAR(theta, b.theta, 10 * std::abs(a.theta - b.theta) + 1e-9)
+        << g.k1 << ' ' << g.k3 << " at " << t;
+    EXPECT_NEAR(rate, b.theta_dot, 10 * std::abs(a.theta_dot - b.theta_dot) + 1e-4 * r.theta_dot.envelope(0))
+        << g.k1 << ' ' << g.k3 << " at " << t;
+    EXPECT_NEAR(y, b.deflection,
+                10 * std::abs(a.deflection - b.deflection) + 1e-4 * r.deflection[0].envelope(0))
+        << g.k1 << ' ' << g.k3 << " at " << t;
+  }
+}
+
+// A slow real pole beside s = 0 is no pair with it: theta began with 1 here.
+TEST(NearPoles, ASlowRealPoleBesideZero) {
+  for (const Gains& g : {Gains{5, 0, 90}, Gains{1, 0, 100}, Gains{12, 0, 150}, Gains{0.01, 0, 16}}) {
+    const std::array<double, 1> place = {2};
+    const TimeResponse r = step_response(ClosedLoop(table_3_1(), g), 1, place);
+    // The sum of a hundred terms of order one.
+    EXPECT_NEAR(r.theta.value(0), 0, 1e-13) << g.k1 << ' ' << g.k3;
+    expect_as_elements(table_3_1(), g, 2, {0.3, 10});
+  }
+}
+
+// However slow: with k1 tiny the angle is k1/k3 (t - J/k3 ...) and no digit of it comes from 1 - 1.
+TEST(NearPoles, PolesFarSlowerThanTheModes) {
+  for (const double k1 : {1e-6, 1e-12, 1e-40}) {
+    const LoopPoles poles = ClosedLoop(table_3_1(), {k1, 0, 16}).poles(3);
+    ASSERT_TRUE(poles.status.ok()) << poles.status.text();
+    // -k1/k3 (1 + J k1/k3^2 + ...).
+    EXPECT_NEAR(poles.s[0].real() / (-k1 / 16), 1, 1e-12 + 0.1 * k1) << k1;
+    EXPECT_EQ(poles.s[0].imag(), 0);
+  }
+  // Two of them, of one size: s^2 J + k3 s + k1 = 0, (s + 1e-9)(s + 2e-9) J.
+  const double j = table_3_1().total_inertia();
+  const LoopPoles poles = ClosedLoop(table_3_1(), {2e-18 * j, 0, 3e-9 * j}).poles(3);
+  ASSERT_TRUE(poles.status.ok()) << poles.status.text();
+  EXPECT_NEAR(poles.s[0].real(), -1e-9, 1e-20);
+  EXPECT_NEAR(poles.s[1].real(), -2e-9, 1e-20);
+}
+
+// A real pole near -k3/I_hub = -3125, faster than 800 modes of an appendage of 400 ft: without it the hub
+// starts with a rate of 4e-5.
+TEST(NearPoles, AFastRealPoleIsNotLeftOut) {
+  Parameters p = table_3_1();
+  p.length = 400;
+  const ClosedLoop loop(p, {1, 0, 25000});
+  const std::array<double, 1> place = {400};
+  const TimeResponse r = step_response(loop, 1, place);
+  ASSERT_TRUE(r.status.ok()) << r.status.text();
+  // Of a largest rate of 4e-5 rad/s and 0.016 ft/s, what 800 pairs leave out.
+  EXPECT_NEAR(r.theta_dot.value(0), 0, 4e-8);
+  EXPECT_NEAR(r.deflection_dot[0].value(0), 0, 2e-5);
+  const std::array<double, 2> times = {1e-4, 1e-3};
+  const oracle::BromwichLine options{.half_period = 0.01, .shift = 1000, .frequency = 1e7};
+  expect_inverse(loop, r, times, options, 1e-11);
+}
+
+// Without a hub and with strong rate feedback theta' rises from 0 to theta_f k1/k3 within 2e-16 s, 1/|p| of a
+// real pole p = -5e15 1/s. The sum over the lowest modes lacks the modes of that boundary layer: its theta
+// and y converge, and its theta' starts with -theta_f k1/k3.
+TEST(NearPoles, ABoundaryLayerIsRefused) {
+  Parameters p = table_3_1();
+  p.hub_inertia = 0;
+  p.mass_per_length = 0.0027187500000000002;
+  p.youngs_modulus = 1584000000;
+  p.length = 40;
+  p.hub_radius = 0.10500192038491871;
+  p.second_moment = 2.3393754031498719e-07;
+  p.tip_mass = 0.69102922019098867;
+  p.tip_inertia = 0.0053309941673492329;
+  const ClosedLoop loop(p, {2.1928089690592794, -0.438268658879716, 92978.324489340695});
+  const std::array<double, 1> place = {32};
+  for (const int most : {100, 800, 1600}) {
+    const TimeResponse r = step_response(loop, 1, place, {.most = most});
+    EXPECT_EQ(r.status.outcome(), Outcome::not_converged) << most << r.status.text();
+  }
+}
+
+// The same for gains that push it ever farther out, where the search went on for minutes or gave up, and
+// without a hub, where it lies near -(k3/c)^2.
+TEST(NearPoles, FastPolesHaveNoLimit) {
+  for (const double k3 : {1e4, 1e7, 1e12, 1e20}) {
+    const LoopPoles poles = ClosedLoop(table_3_1(), {12, 0, k3}).poles(4, PoleOrder::frequency);
+    ASSERT_TRUE(poles.status.ok()) << k3 << poles.status.text();
+    double fastest = 0;
+    for (const Complex s : poles.s) fastest = std::min(fastest, s.real());
+    // I_hub s + 2 B s + k3 = 0 with 2 B = c/sqrt(s) of the order 1e0.
+    EXPECT_NEAR(fastest / (-k3 / 8), 1, 10 / std::sqrt(k3)) << k3;
+  }
+  Parameters light = table_3_1();
+  light.hub_inertia = 0;
+  const LoopPoles poles = ClosedLoop(light, {1, 0, 1e5}).poles(4, PoleOrder::frequency);
+  ASSERT_TRUE(poles.status.ok()) << poles.status.text();
+  double fastest = 0;
+  for (const Complex s : poles.s) fastest = std::min(fastest, s.real());
+  EXPECT_LT(fastest, -1e8);
+}
+
+/// s^2 B on the real axis.
+double load(const Parameters& p, double s) { return s * s * Appendage(p).inertia(Complex(s)).real(); }
+
+// A triple real pole: with P'' = 0 for kappa, P' = 0 for k3 and P = 0 for k1, and near it.
+TEST(NearPoles, ThreeRealPolesCoincide) {
+  const Parameters p = table_3_1();
+  const std::array<double, 1> place = {2};
+  for (const double at : {-3., -5.}) {
+    const double h = 1e-3;
+    const double curvature = (load(p, at + h) - 2 * load(p, at) + load(p, at - h)) / (h * h);
+    const double kappa = -2 * p.hub_inertia / curvature;
+    const auto inertia = [&](double s) { return s * s * p.hub_inertia + kappa * load(p, s); };
+    const double k3 = -(inertia(at + h) - inertia(at - h)) / (2 * h), k1 = -inertia(at) - k3 * at;
+    for (const double factor : {1., 1 + 1e-8, 1 + 1e-3}) {
+      const ClosedLoop loop(p, {k1 * factor, kappa - 2, k3});
+      const TimeResponse r = step_response(loop, 1, place);
+      ASSERT_TRUE(r.status.ok()) << at << ' ' << factor << r.status.text();
+      EXPECT_NEAR(r.theta.value(0), 0, 1e-9) << factor;
+      EXPECT_NEAR(r.theta_dot.value(0), 0, 1e-8) << factor;
+      const std::array<double, 3> times = {0.5, 3, 10};
+      SCOPED_TRACE(factor);
+      expect_inverse(loop, r, times, {.frequency = 2000}, 2e-8);
+    }
+  }
+}
+
+// A real pole beside two that coincide, in a fifteenth of their size: as a pole of its own it has a residue
+// of 433, and 7e-9 of rounding. Truncation is within its bound, and rounding eps times the terms' sum.
+TEST(NearPoles, ARealPoleBesideADoublePole) {
+  Parameters p = table_3_1();
+  p.hub_inertia = 1.3710700596399703, p.mass_per_length = 0.081182670798906023, p.length = 8.9743403732411409;
+  p.hub_radius = 2.4914600457797231, p.second_moment = 1.7152810914248605e-08, p.tip_mass = p.tip_inertia = 0;
+  const ClosedLoop loop(p, {320.03070077993152, 80.54873714825888, 1884.3912052735893});
+  const std::array<double, 1> place = {6.64};
+  for (const int pairs : {0, 256, 1024}) {
+    const TimeResponse r = step_response(loop, 1, place, {.pairs = pairs});
+    ASSERT_TRUE(r.status.ok()) << r.status.text();
+    EXPECT_NEAR(r.theta.value(0), 0, r.bounds.theta + 2e-12 * r.theta.envelope(0)) << pairs;
+    EXPECT_LT(r.theta.envelope(0), 200) << pairs;
+  }
+}
+
+// Two pairs of complex poles that coincide, k2 = 0: the gains solve P = P' = 0 to all their
+// digits; recorded.
+TEST(NearPoles, TwoComplexPairsCoincide) {
+  const std::array<double, 1> place = {2};
+  for (const double factor : {1., 1 - 1e-8, 1 + 1e-4}) {
+    const ClosedLoop loop(table_3_1(), {158.83060235789 * factor, 0, 78.86861803122});
+    const TimeResponse r = step_response(loop, 1, place);
+    ASSERT_TRUE(r.status.ok()) << factor << r.status.text();
+    EXPECT_NEAR(r.theta.value(0), 0, 1e-11) << factor;
+    EXPECT_NEAR(r.deflection_dot[0].value(0), 0, 1e-8) << factor;
+    const std::array<double, 3> times = {0.5, 3, 10};
+    SCOPED_TRACE(factor);
+    expect_inverse(loop, r, times, {.frequency = 4000}, 1e-9);
+  }
+}
+
+// ---- Numerical inverse Laplace transforms against pairs of the tables.
+
+using Complex = std::complex<double>;
+
+struct Pair {
+  const char* name;
+  Transform transform;
+  std::function<double(double)> function;
+};
+
+const std::array<Pair, 4>& smooth_pairs() {
+  static const std::array<Pair, 4> pairs = {
+      Pair{"exponential", [](Complex s) { return 1. / (s + 1.); }, [](double t) { return std::exp(-t); }},
+      Pair{"ramp", [](Complex s) { return 1. / (s * s); }, [](double t) { return t; }},
+      Pair{"root", [](Complex s) { return 1. / std::sqrt(s); },
+           [](double t) { return 1 / std::sqrt(std::numbers::pi * t); }},
+      Pair{"sine", [](Complex s) { return 1. / (s * s + 1.); }, [](double t) { return std::sin(t); }}};
+  return pairs;
+}
+
+// Abate and Valko: about 0.6 M digits, M being the nodes, less what e^(2M/5) eps of rounding takes: with 24
+// nodes the former is below the latter, 1.5e4 eps = 3e-12, times a few for the sum.
+TEST(Talbot, InvertsSmoothFunctions) {
+  for (const Pair& pair : smooth_pairs()) {
+    for (const double t : {0.01, 1., 3.}) {
+      const double exact = pair.function(t);
+      const Inverted f = talbot(pair.transform, t);
+      EXPECT_TRUE(f.status.ok()) << pair.name << " at " << t << ": " << f.status.text();
+      EXPECT_NEAR(f.value, exact, 1e-9 * std::max(1., std::abs(exact))) << pair.name << " at " << t;
+      EXPECT_EQ(talbot_sum(pair.transform, t), f.value);
+    }
+  }
+}
+
+// The contour with M nodes holds |Im s| below about M/t: faster oscillations are lost, whole, which is said.
+TEST(Talbot, MissesFastOscillations) {
+  const Transform fast = [](Complex s) { return 100. / (s * s + 1e4); };
+  EXPECT_GT(std::abs(talbot_sum(fast, 1.) - std::sin(100.)), 0.1);
+  const Inverted f = talbot(fast, 1.);
+  EXPECT_EQ(f.status.outcome(), Outcome::not_converged);
+  EXPECT_TRUE(tests::holds(f.status.sentence(), "residues"));
+}
+
+/// 1 - a cos(wt), of which an inversion that does not see w gives 1.
+Transform about_one(double w, double a = 1) {
+  return [w, a](Complex s) { return 1. / s - a * s / (s * s + w * w); };
+}
+
+// Frequencies from far below those of the contour to 1e9 times them: right, or refused.
+TEST(Talbot, NeverTakesAMeanForAnOscillation) {
+  int right = 0;
+  for (double w = 0.01; w < 1e10; w *= 1.9) {
+    for (const double a : {1., 1e-4}) {
+      const Inverted f = talbot(about_one(w, a), 1);
+      const double exact = 1 - a * std::cos(w);
+      if (!f.status.ok()) {
+        EXPECT_EQ(f.status.outcome(), Outcome::not_converged) << f.status.text();
+        EXPECT_GT(w, 5) << "well within the contour";
+        continue;
+      }
+      ++right;
+      EXPECT_NEAR(f.value, exact, 2e-6 * std::abs(exact)) << w << " and " << a;
+    }
+  }
+  EXPECT_GE(right, 15);
+}
+
+// 1 + 0.15 t sin(100 t): the double pole has no residue at all.
+TEST(Talbot, SeesADoublePoleBeyondTheContour) {
+  const Transform f = [](Complex s) { return 1. / s + 30. * s / ((s * s + 1e4) * (s * s + 1e4)); };
+  EXPECT_NEAR(talbot_sum(f, 1), 1, 1e-3) << "what is refused";
+  EXPECT_EQ(talbot(f, 1).status.outcome(), Outcome::not_converged);
+}
+
+// The function begins when the contour's factor e^(st) overcomes e^(-s): before it the sum is a number
+// without meaning, and what is left of the contour has no bound.
+TEST(Talbot, RefusesADelay) {
+  const Transform late = [](Complex s) { return std::exp(-s) / s; };
+  for (const double t : {0.5, 1., 3.}) EXPECT_FALSE(talbot(late, t).status.ok()) << t;
+}
+
+// Where f is zero no two sums agree relative to it, unless the difference is said to be negligible.
+TEST(Talbot, TakesWhatIsNegligibleForZero) {
+  const Transform sine = [](Complex s) { return 1. / (s * s + 1.); };
+  EXPECT_EQ(talbot(sine, std::numbers::pi).status.outcome(), Outcome::not_converged);
+  const Inverted zero = talbot(sine, std::numbers::pi, {.negligible = 1e-8});
+  EXPECT_TRUE(zero.status.ok()) << zero.status.text();
+  EXPECT_NEAR(zero.value, 0, 1e-8);
+}
+
+TEST(Talbot, RefusesBadInput) {
+  const Transform f = [](Complex s) { return 1. / s; };
+  for (const double t : {0., -1., std::numeric_limits<double>::infinity(), std::nan("")})
+    EXPECT_THROW((void)talbot(f, t), std::invalid_argument) << t;
+  EXPECT_THROW((void)talbot(f, 1, {.nodes = 1}), std::invalid_argument);
+  EXPECT_THROW((void)talbot(f, 1, {.agreement = 0}), std::invalid_argument);
+  EXPECT_THROW((void)talbot(f, 1, {.negligible = -1}), std::invalid_argument);
+  EXPECT_THROW((void)talbot_sum(f, 1, 201), std::invalid_argument);
+}
+
+TEST(Talbot, SaysWhereATransformIsNotFinite) {
+  const Inverted f =
+      talbot([](Complex s) { return std::abs(s.imag()) > 3 ? Complex(std::nan("")) : 1. / s; }, 1);
+  EXPECT_EQ(f.status.outcome(), Outcome::non_finite);
+  EXPECT_TRUE(tests::holds(f.status.sentence(), "s ="));
+  EXPECT_EQ(f.value, 0);
 }
 
 }  // namespace

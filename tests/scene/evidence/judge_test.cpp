@@ -1,9 +1,14 @@
+/// Verdicts, and the tolerances of printed numbers.
 #include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
 
+#include <bit>
+#include <cmath>
 #include <limits>
 #include <ostream>
 
 #include "nlmech/scene/evidence/published.hpp"
+#include "nlmech/support/errors.hpp"
 
 namespace nlmech::scene::judge_test {
 namespace {
@@ -194,45 +199,188 @@ TEST(Judge, SaysWhatTheNumbersSupportInstead) {
   EXPECT_EQ(instead(printed(1, Verdict::input), 1.01), Verdict::reproduced);
 }
 
-// The number or range that a text of the columns nominal and inferred begins with, seen through `differs`.
-struct Beginning {
-  std::string words;
-  Number inside, outside;
-};
+/// A text of the columns `nominal` and `inferred`, seen through `differs`.
+PublishedValue beginning_with(const std::string& words) {
+  return printed(1e9, Verdict::differs, words, "", "1e-9");
+}
 
-std::ostream& operator<<(std::ostream& out, const Beginning& b) { return out << b.words; }
-
-class LeadingNumber : public ::testing::TestWithParam<Beginning> {};
-
-TEST_P(LeadingNumber, IsReadOffTheWords) {
-  const PublishedValue value = printed(1e9, Verdict::differs, GetParam().words, "", "1e-9");
-  EXPECT_TRUE(passes(value, GetParam().inside));
-  if (GetParam().outside) {
-    EXPECT_FALSE(passes(value, GetParam().outside));
+TEST(LeadingNumber, OrRangeIsReadOffTheWords) {
+  const std::vector<std::tuple<std::string, double, double>> words_inside_outside = {
+      {"2.4e-11", 2.4e-11, 2.6e-11},
+      {"236 lat; 287 h", 236, 287},
+      {"8; more", 8, 9},
+      {"-0.3193", -0.3193, 0.3193},
+      {"1.1e-6..1.3e-6", 1.2e-6, 1.4e-6},
+      {"1.1e-6..1.3e-6 with c = 2.5, then 0.66", 1.3e-6, 0.66},
+      {"1..3", 2, 4},
+      {"1..3 of 7", 3, 7},
+      {"-3..-1", -2, 2},
+      {"-1..1", 0, 2},
+      {"0", 0, 1},
+      {"0.", 0, 1},
+      {"5. text", 5, 6},
+      {"1.0..1.6 at equal accuracy", 1.5, 1.7}};
+  for (const auto& [words, inside, outside] : words_inside_outside) {
+    EXPECT_TRUE(passes(beginning_with(words), inside)) << words;
+    EXPECT_FALSE(passes(beginning_with(words), outside)) << words;
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Found, LeadingNumber,
-    ::testing::Values(Beginning{"2.4e-11", 2.4e-11, 2.6e-11}, Beginning{"236 lat; 287 h", 236, 287},
-                      Beginning{"8; more", 8, 9}, Beginning{"-0.3193", -0.3193, 0.3193},
-                      Beginning{"1.1e-6..1.3e-6", 1.2e-6, 1.4e-6},
-                      Beginning{"1.1e-6..1.3e-6 with c = 2.5, then 0.66", 1.3e-6, 0.66},
-                      Beginning{"1..3", 2, 4}, Beginning{"1..3 of 7", 3, 7}, Beginning{"-3..-1", -2, 2},
-                      Beginning{"-1..1", 0, 2}, Beginning{"0", 0, 1}, Beginning{"0.", 0, 1},
-                      Beginning{"5. text", 5, 6}, Beginning{"1.0..1.6 at equal accuracy", 1.5, 1.7}));
+// The words then ask for nothing, and any other number than the printed one will do.
+TEST(LeadingNumber, IsNoneWhereNoNumberStandsFirst) {
+  for (const char* words :
+       {"2-cycle, 4.389 lb", "6-7 its", "x3", "3x", "", "distribution: median 100", "1.2.3", "345/2", "1e-6m",
+        "..3", "5..", "1..2-cycle", "nan", "inf", "nan for h = 1", "1..nan", "infeasible"})
+    EXPECT_TRUE(passes(beginning_with(words), 7)) << words;
+}
 
-// No number at the beginning: the words then ask for nothing, and any other number than the printed one will
-// do.
-INSTANTIATE_TEST_SUITE_P(
-    NotFound, LeadingNumber,
-    ::testing::Values(Beginning{"2-cycle, 4.389 lb", 7, none}, Beginning{"6-7 its", 7, none},
-                      Beginning{"x3", 7, none}, Beginning{"3x", 7, none}, Beginning{"", 7, none},
-                      Beginning{"distribution: median 100", 7, none}, Beginning{"1.2.3", 7, none},
-                      Beginning{"345/2", 7, none}, Beginning{"1e-6m", 7, none}, Beginning{"..3", 7, none},
-                      Beginning{"5..", 7, none}, Beginning{"1..2-cycle", 7, none}, Beginning{"nan", 7, none},
-                      Beginning{"inf", 7, none}, Beginning{"nan for h = 1", 7, none},
-                      Beginning{"1..nan", 7, none}, Beginning{"infeasible", 7, none}));
+TEST(Tolerance, OfANumberIsRelative) {
+  const Tolerance tolerance("0.01");
+  EXPECT_TRUE(tolerance.allows(100.9, 100));
+  EXPECT_FALSE(tolerance.allows(101.1, 100));
+  EXPECT_TRUE(tolerance.allows(-99.1, -100));
+  EXPECT_FALSE(tolerance.allows(100, -100));
+  EXPECT_TRUE(Tolerance("1e-3").allows(1.0009, 1));
+  EXPECT_FALSE(Tolerance("1e-3").allows(1.0011, 1));
+}
+
+// Rounded up, rounded down or cut off.
+TEST(Tolerance, OfDigitsIsAUnitOfTheLastPrintedOne) {
+  const Tolerance digits("digits", "1.18e-4");
+  EXPECT_TRUE(digits.allows(1.1899e-4, 1.18e-4));
+  EXPECT_TRUE(digits.allows(1.1701e-4, 1.18e-4));
+  EXPECT_FALSE(digits.allows(1.1901e-4, 1.18e-4));
+  EXPECT_TRUE(Tolerance("digits", "9").allows(10, 9)) << "the edge is within";
+  EXPECT_TRUE(Tolerance("digits", "-0.3193").allows(-0.3194, -0.3193));
+  EXPECT_FALSE(Tolerance("digits", "-0.3193").allows(-0.3195, -0.3193));
+  EXPECT_TRUE(Tolerance("digits", "0.1584e10").allows(0.15845e10, 0.1584e10));
+  EXPECT_TRUE(Tolerance("digits", "27.11").allows(27.1199, 27.11));
+  EXPECT_FALSE(Tolerance("digits", "0").allows(1.5, 0));
+  EXPECT_TRUE(Tolerance("3 units", "-0.3130").allows(-0.31273, -0.3130));
+  EXPECT_FALSE(Tolerance("2 units", "-0.3130").allows(-0.31273, -0.3130));
+}
+
+TEST(Tolerance, OfAFactorHoldsBothWays) {
+  const Tolerance tolerance("factor 5");
+  EXPECT_TRUE(tolerance.allows(4.9, 1));
+  EXPECT_TRUE(tolerance.allows(0.21, 1));
+  EXPECT_FALSE(tolerance.allows(5.1, 1));
+  EXPECT_FALSE(tolerance.allows(0.19, 1));
+  EXPECT_TRUE(tolerance.allows(-2, -1));
+  EXPECT_FALSE(tolerance.allows(-1, 1)) << "another sign is no factor";
+}
+
+TEST(Tolerance, OfAnOrderOfMagnitudeIsAFactorOfTheRootOfTen) {
+  const Tolerance tolerance("order of magnitude");
+  EXPECT_TRUE(tolerance.allows(3.16e-11, 1e-11));
+  EXPECT_FALSE(tolerance.allows(3.17e-11, 1e-11));
+  EXPECT_TRUE(tolerance.allows(0.317e-11, 1e-11));
+  EXPECT_FALSE(tolerance.allows(0.316e-11, 1e-11));
+}
+
+TEST(Tolerance, AtLeastAsksForOursAlone) {
+  const Tolerance tolerance("at least 100");
+  EXPECT_TRUE(tolerance.allows(100, 1));
+  EXPECT_TRUE(tolerance.allows(1e9, 1));
+  EXPECT_FALSE(tolerance.allows(99.9, 99.9));
+  EXPECT_FALSE(tolerance.allows(-200, 100));
+}
+
+TEST(Tolerance, BelowAsksForTheMagnitudeOfOursAlone) {
+  const Tolerance tolerance("below 1e-15");
+  EXPECT_TRUE(tolerance.allows(0, 1e-22));
+  EXPECT_TRUE(tolerance.allows(-9e-16, 1e-22));
+  EXPECT_FALSE(tolerance.allows(1.1e-15, 1.1e-15));
+  EXPECT_FALSE(tolerance.allows(-1.1e-15, 0));
+}
+
+TEST(Tolerance, RefusesWordsThatItDoesNotKnow) {
+  for (const std::string words : {"",
+                                  "a little",
+                                  "units",
+                                  "x units",
+                                  "-1 units",
+                                  "0 units",
+                                  "digit",
+                                  "0",
+                                  "-0.1",
+                                  "5 %",
+                                  "0.1 or so",
+                                  "factor",
+                                  "factor ",
+                                  "factor x",
+                                  "factor -2",
+                                  "factor 0",
+                                  "factor 0.5",
+                                  "Factor 5",
+                                  "at least",
+                                  "at least ten",
+                                  "below",
+                                  "below -1",
+                                  "about 5",
+                                  "nan",
+                                  "inf",
+                                  "factor nan",
+                                  "1e999",
+                                  "order of magnitudes",
+                                  "rounding floor",
+                                  "at most 3",
+                                  "0,15"}) {
+    EXPECT_THROW(Tolerance{words}, InputError) << "'" << words << "'";
+  }
+}
+
+const std::vector<std::string> all_forms = {
+    "digits", "7 units", "0.5", "1e9", "factor 5", "order of magnitude", "at least 1e-300", "below 1e300"};
+
+TEST(Tolerance, NeverAllowsNaN) {
+  for (const std::string& words : all_forms) {
+    const Tolerance tolerance(words);
+    for (const double theirs : {0.0, 1.0, -1.0, inf, nan})
+      EXPECT_FALSE(tolerance.allows(nan, theirs)) << words;
+    EXPECT_FALSE(tolerance.allows(nan, 0, 1)) << words;
+    EXPECT_FALSE(tolerance.allows(nan, nan, nan)) << words;
+  }
+}
+
+TEST(Tolerance, AllowsNoInfinityBesideAFiniteNumber) {
+  for (const std::string& words : all_forms) {
+    if (words.starts_with("at least")) continue;
+    EXPECT_FALSE(Tolerance(words).allows(inf, 1)) << words;
+    EXPECT_FALSE(Tolerance(words).allows(-inf, 1)) << words;
+    EXPECT_FALSE(Tolerance(words).allows(inf, 1, 2)) << words;
+  }
+}
+
+TEST(Tolerance, OfAPrintedZeroAsksForZero) {
+  for (const char* words : {"0.5", "factor 5", "order of magnitude"}) {
+    EXPECT_TRUE(Tolerance(words).allows(0, 0)) << words;
+    EXPECT_TRUE(Tolerance(words).allows(-0.0, 0)) << words;
+    EXPECT_FALSE(Tolerance(words).allows(1e-300, 0)) << words;
+    EXPECT_FALSE(Tolerance(words).allows(0, 1e-300)) << words;
+  }
+}
+
+TEST(Tolerance, OfARangeAllowsAllInsideAndAMarginAround) {
+  const Tolerance tolerance("0.1");
+  EXPECT_TRUE(tolerance.allows(1.5, 1, 2));
+  EXPECT_TRUE(tolerance.allows(1, 1, 2));
+  EXPECT_TRUE(tolerance.allows(2.19, 1, 2)) << "within the margin of the upper end";
+  EXPECT_FALSE(tolerance.allows(2.21, 1, 2));
+  EXPECT_TRUE(tolerance.allows(0.91, 1, 2));
+  EXPECT_FALSE(tolerance.allows(0.89, 1, 2));
+  EXPECT_TRUE(tolerance.allows(1.5, 2, 1)) << "either end may come first";
+  EXPECT_TRUE(tolerance.allows(0, -1, 1));
+}
+
+RC_GTEST_PROP(Tolerance, AllowsEveryFiniteNumberBesideItself, ()) {
+  const double x = std::bit_cast<double>(*rc::gen::arbitrary<std::uint64_t>());
+  RC_PRE(std::isfinite(x));
+  for (const char* words : {"digits", "1e-17", "factor 1", "factor 5", "order of magnitude"}) {
+    RC_ASSERT(Tolerance(words).allows(x, x));
+    RC_ASSERT(Tolerance(words).allows(x, x, x));
+  }
+}
 
 }  // namespace
 }  // namespace nlmech::scene::judge_test

@@ -1,11 +1,24 @@
+/// Processes: programs that are run, the end of this one, and turns on the processors of the machine.
 #include "nlmech/scene/program/process.hpp"
 
 #include <gtest/gtest.h>
+#include <pty.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include <array>
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
+#include <functional>
+#include <optional>
 #include <string>
+#include <thread>
 
+#include "nlmech/scene/program/machine.hpp"
+#include "nlmech/scene/program/this_process.hpp"
+#include "nlmech/scene/program/time_limit.hpp"
+#include "nlmech/scene/run.hpp"
 #include "nlmech/support/errors.hpp"
 #include "tests/scene/temporary_folder.hpp"
 
@@ -48,24 +61,10 @@ TEST(RunProgram, SetsVariablesForTheProgramAlone) {
 
 TEST(RunProgram, GivesItAnEmptyStandardInput) { EXPECT_EQ(run_program({"wc", "-c"}, {}).output, "0\n"); }
 
-TEST(RunProgram, NamesTheProgramThatIsMissing) {
-  const TemporaryFolder folder;  // a closed folder in the reader's own PATH would change the reason
-  const char* before = std::getenv("PATH");
-  const std::string path = before == nullptr ? "" : before;
-  ::setenv("PATH", folder.string().c_str(), 1);
-  try {
-    static_cast<void>(run_program({"no-such-program-at-all"}, {}));
-    FAIL() << "a missing program was run";
-  } catch (const Failure& failure) {
-    EXPECT_STREQ(failure.what(), "no-such-program-at-all: cannot be started: No such file or directory");
-  }
-  ::setenv("PATH", path.c_str(), 1);
-}
-
 TEST(RunProgram, NamesTheProgramThatMayNotRun) {
   const TemporaryFolder folder;
   tests::put(folder / "text", "not a program");
-  EXPECT_THROW(static_cast<void>(run_program({(folder / "text").string()}, {})), Failure);
+  EXPECT_THROW((void)run_program({(folder / "text").string()}, {}), Failure);
 }
 
 // Each pipe holds 64 KiB: a reader that empties them one after the other would wait for ever.
@@ -91,7 +90,7 @@ TEST(RunProgram, TellsASignalFromAnExit) {
 // read as 0.
 TEST(RunProgram, DoesNotTakeALostExitCodeForSuccess) {
   ASSERT_NE(::signal(SIGCHLD, SIG_IGN), SIG_ERR);
-  EXPECT_THROW(static_cast<void>(shell("exit 3")), Failure);
+  EXPECT_THROW((void)shell("exit 3"), Failure);
   ASSERT_NE(::signal(SIGCHLD, SIG_DFL), SIG_ERR);
 }
 
@@ -105,9 +104,224 @@ TEST(RunProgram, LeavesNoDescriptorsOpen) {
   const std::size_t before = open();
   for (int i = 0; i < 5; ++i) {
     EXPECT_EQ(shell("true").exit_code, 0);
-    EXPECT_THROW(static_cast<void>(run_program({"no-such-program-at-all"}, {})), Failure);
+    EXPECT_THROW((void)run_program({"no-such-program-at-all"}, {}), Failure);
   }
   EXPECT_EQ(open(), before);
+}
+
+namespace fs = std::filesystem;
+using tests::put;
+
+TEST(ThisProcess, ClearsItsTracesAwayAtItsEnd) {
+  const TemporaryFolder folder;
+  const fs::path left = folder / "left", gone = folder / "gone";
+  put(left, "half of a");
+  put(gone, "whole");
+  const auto end = [&] {
+    {
+      const WholeAct act;
+      static Trace half(act, [&] { fs::remove(left); });
+      static Trace whole(act, [&] { fs::remove(gone); });
+      whole.gone(act);
+    }
+    end_process(3, "no more\x1b[31m time");
+  };
+  EXPECT_EXIT(end(), ::testing::ExitedWithCode(3), "no more.x1b.31m time");
+  EXPECT_FALSE(fs::exists(left));
+  EXPECT_TRUE(fs::exists(gone)) << "its trace was given up";
+}
+
+// The act ends the test with 5 if it was cut short.
+TEST(ThisProcess, FinishesTheActUnderWay) {
+  const auto end = [] {
+    auto act = std::make_unique<WholeAct>();
+    const std::jthread ender([] { end_process(3, "over"); });
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    std::fputs("whole ", stderr);
+    act.reset();
+    std::this_thread::sleep_for(std::chrono::seconds(100));
+  };
+  EXPECT_EXIT(end(), ::testing::ExitedWithCode(3), "whole over");
+}
+
+TEST(ThisProcess, IsNotEndedBehindItsLastResult) {
+  const auto end = [] {
+    print_last_result("");
+    end_process(3, "over");
+    std::_Exit(0);
+  };
+  EXPECT_EXIT(end(), ::testing::ExitedWithCode(0), "^$");
+}
+
+TEST(ThisProcess, SaysWhatItIsDoing) {
+  EXPECT_EQ(doing_now(), "computing");
+  {
+    const Doing outer("drawing");
+    {
+      const Doing inner("reading");
+      EXPECT_EQ(doing_now(), "reading");
+    }
+    EXPECT_EQ(doing_now(), "drawing");
+  }
+  EXPECT_EQ(doing_now(), "computing");
+}
+
+/// Standard error is a terminal as long as this lives.
+class ErrorsOnATerminal {
+ public:
+  ErrorsOnATerminal() : before_(::dup(STDERR_FILENO)) {
+    int slave = -1;
+    EXPECT_EQ(::openpty(&master_, &slave, nullptr, nullptr, nullptr), 0);
+    ::dup2(slave, STDERR_FILENO);
+    ::close(slave);
+  }
+  ErrorsOnATerminal(const ErrorsOnATerminal&) = delete;
+  ErrorsOnATerminal& operator=(const ErrorsOnATerminal&) = delete;
+  ~ErrorsOnATerminal() { static_cast<void>(shown()); }
+  /// All that was written; from here on standard error is what it was before.
+  std::string shown() {
+    if (before_ < 0) return "";
+    ::dup2(before_, STDERR_FILENO);
+    ::close(std::exchange(before_, -1));
+    std::string text;
+    std::array<char, 4096> buffer{};
+    for (ssize_t n = 0; (n = ::read(master_, buffer.data(), buffer.size())) > 0;)
+      text.append(buffer.data(), static_cast<std::size_t>(n));
+    ::close(master_);
+    return text;
+  }
+
+ private:
+  int before_ = -1, master_ = -1;
+};
+
+TEST(TimeLimit, ShowsProgressOnATerminalAndWipesItAway) {
+  ErrorsOnATerminal terminal;
+  {
+    const TimeLimit limit({"gss_control", "poles", 50., 0, 0.01});
+    const Doing doing("looking for poles");
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  }
+  EXPECT_EQ(terminal.shown(), "\r\x1b[Kgss_control poles: looking for poles, 0 s (--limit 50)\r\x1b[K");
+}
+
+TEST(TimeLimit, IsSilentBeforeAndInAPipeAndWhileTheUserTypes) {
+  ErrorsOnATerminal terminal;
+  {
+    const Doing typing("reading standard input", true);
+    const TimeLimit limit({"gss_control", "poles", 50., 0, 0.01});
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  }
+  { const TimeLimit limit({"gss_control", "poles", 50.}); }
+  EXPECT_EQ(terminal.shown(), "");
+  ::testing::internal::CaptureStderr();
+  {
+    const TimeLimit limit({"gss_control", "poles", 50., 0, 0.01});
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  }
+  EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
+}
+
+/// A lock of the test's own, and another program that leaves a file where it ends.
+class TheMachine : public ::testing::Test {
+ protected:
+  /// Returns once @p hold has given the other program what it holds; that goes on for @p time.
+  pid_t other(const std::function<void(const std::function<void()>&)>& hold,
+              std::chrono::milliseconds time = std::chrono::milliseconds(200)) const {
+    std::array<int, 2> pipe{};
+    if (::pipe(pipe.data()) != 0) throw std::runtime_error("no pipe");
+    const pid_t child = ::fork();
+    if (child == 0) {
+      hold([&] {
+        static_cast<void>(::write(pipe[1], "x", 1) + 1);
+        std::this_thread::sleep_for(time);
+        tests::put(folder_ / "ended", "");
+      });
+      ::_exit(0);
+    }
+    char holds = 0;
+    EXPECT_EQ(::read(pipe[0], &holds, 1), 1);
+    for (const int end : pipe) ::close(end);
+    return child;
+  }
+  [[nodiscard]] bool other_ended() const { return std::filesystem::exists(folder_ / "ended"); }
+
+  TemporaryFolder folder_;
+  tests::TemporaryFilesIn there_{folder_.path()};
+};
+
+TEST_F(TheMachine, LetsAProgramComputeForEachProcessor) {
+  const pid_t child = other(
+      [](const auto& compute) {
+        Machine machine(2);
+        const Machine::Processor processor(machine);
+        compute();
+      },
+      std::chrono::seconds(30));  // longer than any pause of this program on a busy machine
+  Machine machine(2);
+  const Machine::Processor processor(machine);
+  EXPECT_FALSE(other_ended()) << "the second processor is free";
+  ::kill(child, SIGKILL);
+  ::waitpid(child, nullptr, 0);
+}
+
+TEST_F(TheMachine, LetsNoMoreProgramsComputeThanItHasProcessorsUntilOneEndsOrDies) {
+  for (const bool dies : {false, true}) {
+    std::filesystem::remove(folder_ / "ended");
+    const pid_t child = other([dies](const auto& compute) {
+      Machine machine(1);
+      const Machine::Processor processor(machine);
+      compute();
+      if (dies) ::_exit(1);  // no destructor runs
+    });
+    Machine machine(1);
+    const Machine::Processor processor(machine);
+    EXPECT_TRUE(other_ended()) << dies;
+    ::waitpid(child, nullptr, 0);
+  }
+}
+
+// The child, once it waits, comes before the next scene of the parent.
+TEST_F(TheMachine, IsTakenInTurn) {
+  Machine machine(1);
+  std::optional<Machine::Processor> processor(machine);
+  const pid_t child = ::fork();
+  if (child == 0) {
+    Machine its(1);
+    const Machine::Processor waits(its);
+    tests::put(folder_ / "ended", "");
+    ::_exit(0);
+  }
+  std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  EXPECT_FALSE(other_ended());
+  processor.reset();
+  processor.emplace(machine);
+  EXPECT_TRUE(other_ended());
+  ::waitpid(child, nullptr, 0);
+}
+
+// Who waits has the first processor as soon as the program that holds it has few scenes left.
+TEST_F(TheMachine, IsKeptWithManyScenesLeft) {
+  Results results(false);
+  results.take_turn(100);
+  const pid_t child = ::fork();
+  if (child == 0) {
+    Machine its(1);
+    const Machine::Processor waits(its);
+    ::_exit(0);
+  }
+  std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  results.take_turn(100);
+  EXPECT_EQ(::waitpid(child, nullptr, WNOHANG), 0) << "still waits";
+  results.take_turn(1);
+  EXPECT_EQ(::waitpid(child, nullptr, 0), child);
+}
+
+TEST_F(TheMachine, IsNotWaitedForWhereThereIsNoFolder) {
+  const tests::TemporaryFilesIn absent(folder_ / "absent");
+  Machine machine(1), beside(1);
+  const Machine::Processor processor(machine), second(beside);
+  SUCCEED();
 }
 
 }  // namespace

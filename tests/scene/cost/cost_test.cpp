@@ -1,14 +1,21 @@
-/// Who is fastest and what is in colour: by the data, with ties, failures and methods alone.
+/// Digits against cost: fronts of runs, who is fastest and what is in colour, labels that are moved apart.
 #include "nlmech/scene/cost/leads.hpp"
 
 #include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
+#include <stdexcept>
 #include <string>
+#include <vector>
 
-namespace nlmech::scene::leads_test {
+#include "nlmech/scene/cost/lines.hpp"
+#include "nlmech/scene/cost/spread.hpp"
+
+namespace nlmech::scene::cost_test {
 namespace {
 
 /// Runs of 2 to @p most digits, that cost @p first seconds and @p growth times more for each further digit.
@@ -162,5 +169,110 @@ TEST(Foreground, CountsDigitsOnTheOrdinateAlone) {
   EXPECT_EQ(best(8), "slow explicit") << "nine digits against ten, eleven and twelve";
 }
 
+// ---- How much a method gives for how little time: digits of runs, and the front through them.
+
+Attempt run(std::optional<double> error, double seconds) {
+  return {"", "", error, {seconds, seconds, seconds, 1}};
+}
+
+TEST(Attempts, HaveDigitsIfTheirErrorIsANumber) {
+  EXPECT_DOUBLE_EQ(*run(1e-7, 1).digits(), 7);
+  EXPECT_DOUBLE_EQ(*run(100, 1).digits(), -2);
+  EXPECT_DOUBLE_EQ(*run(0, 1).digits(), 53 * std::log10(2)) << "half an epsilon is all that a double has";
+  EXPECT_FALSE(run({}, 1).digits());
+  EXPECT_FALSE(run(NAN, 1).digits());
+  EXPECT_FALSE(run(HUGE_VAL, 1).digits());
+}
+
+TEST(MethodLines, HaveABestAttempt) {
+  const MethodLine line{"a, N = 3", 0, {run({}, 1), run(1e-3, 1), run(1e-5, 2), run(1e-4, 3), run(NAN, 4)}};
+  EXPECT_EQ(line.best(), &line.attempts[2]);
+  EXPECT_EQ(line.least_error(), 1e-5);
+  EXPECT_EQ(line.family(), "a");
+  const MethodLine failing{"b", 0, {run({}, 1)}}, absent{"c", 0, {}};
+  EXPECT_EQ(failing.best(), nullptr);
+  EXPECT_EQ(failing.least_error(), HUGE_VAL);
+  EXPECT_EQ(absent.best(), nullptr);
+  EXPECT_EQ(absent.family(), "c");
+}
+
+TEST(MethodLines, AreFoundByName) {
+  const ProblemLines problem{"", {{"one", 0, {}}, {"two", 0, {run(1e-7, 1)}}}};
+  EXPECT_EQ(problem.of("two").least_error(), 1e-7);
+  EXPECT_THROW((void)problem.of("three"), std::out_of_range);
+}
+
+// Between 1e-2 s at 4 digits and 1 s at 8, six digits take the geometric mean.
+TEST(AFront, IsStraightInTheLogarithmOfTime) {
+  const Front front({"", 0, {run(1e-4, 1e-2), run(1e-8, 1)}});
+  EXPECT_NEAR(*front.time(6), 0.1, 1e-15);
+  EXPECT_NEAR(*front.time(5), std::pow(10, -1.5), 1e-15);
+  EXPECT_DOUBLE_EQ(*front.time(1), 1e-2) << "the cheapest run gives fewer digits as well";
+  EXPECT_DOUBLE_EQ(*front.time(8), 1) << "whatever the logarithm of 1e-8 is rounded to";
+  EXPECT_FALSE(front.time(8.1)) << "no run has so many";
+}
+
+// A run that another one beats in both is no part of it; the front rises, in whatever order runs come.
+TEST(AFront, IsMonotone) {
+  const Front front(
+      {"", 0, {run(1e-9, 4), run(1e-3, 0.5), run(1e-6, 5), run(1e-5, 1), run({}, 0.1), run(1e-2, 0.7)}});
+  EXPECT_DOUBLE_EQ(*front.time(2), 0.5) << "1e-2 in 0.7 s loses to 1e-3 in 0.5 s";
+  EXPECT_LT(*front.time(6), 4) << "1e-6 in 5 s loses to 1e-9 in 4 s";
+  double before = 0;
+  for (double digits = 0; digits <= 9; digits += 0.125) {
+    const auto time = front.time(digits);
+    ASSERT_TRUE(time) << digits;
+    EXPECT_GE(*time, before) << digits;
+    before = *time;
+  }
+}
+
+TEST(AFront, HasNothingOfRunsWithoutDigitsOrTime) {
+  EXPECT_FALSE(Front({"", 0, {}}).time(0));
+  EXPECT_FALSE(Front({"", 0, {run({}, 1), run(NAN, 1), run(1e-9, 0), run(1e-9, NAN)}}).time(0));
+  const Front one({"", 0, {run(1e-3, 2)}});
+  EXPECT_DOUBLE_EQ(*one.time(0), 2);
+  EXPECT_DOUBLE_EQ(*one.time(3), 2);
+  EXPECT_FALSE(one.time(4));
+}
+
+// ---- Labels that are moved apart: gaps, order, range, and the least way.
+
+using Places = std::vector<double>;
+
+TEST(Spread, LeavesAloneWhatHasRoom) {
+  EXPECT_EQ(spread({3, 1, 7}, 2, 0, 10), (Places{3, 1, 7}));
+  EXPECT_EQ(spread({4}, 2, 0, 10), Places{4});
+  EXPECT_TRUE(spread({}, 2, 0, 10).empty());
+}
+
+TEST(Spread, MovesNeighboursApartByTheSame) {
+  EXPECT_EQ(spread({5, 5}, 2, 0, 10), (Places{4, 6}));
+  EXPECT_EQ(spread({5, 4, 9}, 2, 0, 10), (Places{5.5, 3.5, 9}));
+  EXPECT_EQ(spread({5, 5, 5}, 2, 0, 10), (Places{3, 5, 7})) << "of equals the first is the lowest";
+}
+
+TEST(Spread, StaysInItsRange) {
+  EXPECT_EQ(spread({10, 10, 10}, 2, 0, 10), (Places{6, 8, 10}));
+  EXPECT_EQ(spread({-3, 0}, 2, 0, 10), (Places{0, 2}));
+  EXPECT_EQ(spread({5, 5, 5, 5, 5}, 4, 0, 10), (Places{0, 2.5, 5, 7.5, 10})) << "too many for the gap";
+}
+
+RC_GTEST_PROP(Spread, KeepsOrderGapAndRange, (const std::vector<int>& drawn)) {
+  constexpr double gap = 3, low = -50, high = 250, rounding = 1e-9;
+  Places wanted;
+  for (const int x : drawn) wanted.push_back(x % 300);
+  const Places places = spread(wanted, gap, low, high);
+  RC_ASSERT(places.size() == wanted.size());
+  const double least =
+      std::min(gap, wanted.size() > 1 ? (high - low) / static_cast<double>(wanted.size() - 1) : gap);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    RC_ASSERT(places[i] >= low - rounding && places[i] <= high + rounding);
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      if (wanted[i] < wanted[k]) RC_ASSERT(places[k] - places[i] >= least - rounding);
+    }
+  }
+}
+
 }  // namespace
-}  // namespace nlmech::scene::leads_test
+}  // namespace nlmech::scene::cost_test
