@@ -8,8 +8,8 @@
 
 #include "nlmech/comparison/any_method.hpp"
 #include "nlmech/problems/texts.hpp"
-#include "nlmech/program/problem.hpp"
 #include "nlmech/support/errors.hpp"
+#include "tests/ivp/typed.hpp"
 
 namespace nlmech::comparison::choice_test {
 namespace {
@@ -20,8 +20,7 @@ ChoiceRequest request(const Problem& problem, double end) {
 }
 
 ChoiceRequest typed(const std::string& text, const ivp::State& x0, double end) {
-  const program::Equations equations(program::SourceText("equation", text));
-  return {ivp::System(program::Problem(equations)), x0, 0, end};
+  return {ivp::testing::typed(text), x0, 0, end};
 }
 
 Features features(const ChoiceRequest& q) { return probe_problem(q).features; }

@@ -9,32 +9,14 @@
 #include <variant>
 #include <vector>
 
+#include "tests/ivp/typed.hpp"
+
 namespace nlmech::comparison::cost_curves_test {
 namespace {
 
-/// x' = x, y' = -y.
-struct Saddle {
-  static constexpr int dimension = 2;
-  template <class T>
-  void operator()(const T& /*t*/, const Vector<T, 2>& x, Vector<T, 2>& dxdt) const {
-    dxdt[0] = x[0];
-    dxdt[1] = -x[1];
-  }
-};
-
-/// x' = x^2 from 1 has a pole at t = 1.
-struct Pole {
-  static constexpr int dimension = 2;
-  template <class T>
-  void operator()(const T& /*t*/, const Vector<T, 2>& x, Vector<T, 2>& dxdt) const {
-    dxdt[0] = x[0] * x[0];
-    dxdt[1] = 0.0 * x[1];
-  }
-};
-
 Example saddle(double end) {
   return {.name = "saddle",
-          .system = ivp::System(Saddle{}),
+          .system = ivp::testing::typed("x' = x; y' = -y"),
           .x0 = {1, 1},
           .t0 = 0,
           .t1 = end,
@@ -44,9 +26,10 @@ Example saddle(double end) {
           }};
 }
 
+// It has a pole at t = 1.
 Example pole() {
   return {.name = "pole",
-          .system = ivp::System(Pole{}),
+          .system = ivp::testing::typed("x' = x^2; y' = 0"),
           .x0 = {1, 0},
           .t0 = 0,
           .t1 = 2,

@@ -9,24 +9,15 @@
 #include "nlmech/comparison/reference/reference_of.hpp"
 #include "nlmech/problems/texts.hpp"
 #include "tests/ivp/oracle.hpp"
+#include "tests/ivp/typed.hpp"
 
 namespace nlmech::comparison::verification_test {
 namespace {
 
 using Verdict = Verification::Verdict;
 
-/// x'' = x: from (1, -1) it decays as exp(-t), and every error grows as exp(t).
-struct Saddle {
-  static constexpr int dimension = 2;
-  template <class T>
-  void acceleration(const T& /*t*/, const Vector<T, 1>& q, const Vector<T, 1>& /*v*/, Vector<T, 1>& a) const {
-    a[0] = q[0];
-  }
-  template <class T>
-  void operator()(const T& t, const Vector<T, 2>& x, Vector<T, 2>& dxdt) const {
-    problems::first_order_form(*this, t, x, dxdt);
-  }
-};
+/// From (1, -1) it decays as exp(-t), and every error grows as exp(t).
+program::Problem saddle() { return ivp::testing::typed_problem("x'' = x"); }
 
 /// A run of a problem that is off by @p error in its first component at the end.
 template <class Problem>
@@ -58,7 +49,7 @@ TEST(Verify, CountsTolerances) {
 TEST(Amplification, OfTheSaddleIsTheExponential) {
   const double a = 1e-9;
   const std::vector<double> times = look_at(0, 5, 16);
-  const Reference truth = reference_of(Saddle{}, {1, -1}, 0, times, {}, {});
+  const Reference truth = reference_of(saddle(), {1, -1}, 0, times, {}, {});
   ASSERT_TRUE(truth.status.ok());
   const Eigen::MatrixXd weight = Eigen::MatrixXd::Constant(2, 16, a);
   Eigen::MatrixXd moved;
@@ -90,11 +81,11 @@ TEST(Amplification, OfAnOscillatorGrowsWithTimeAlone) {
 TEST(Verify, AllowsWhatTheProblemMakesOfErrors) {
   // At t = 8 one tolerance of the begin has become 3000.
   const Tolerance tolerance{1e-12, 1e-12};
-  const Verification v = verdict(Saddle{}, {1, -1}, 8, 2000 * 1e-12, tolerance);
+  const Verification v = verdict(saddle(), {1, -1}, 8, 2000 * 1e-12, tolerance);
   EXPECT_EQ(v.verdict, Verdict::right);
   EXPECT_GT(v.tolerances, 1000);
   EXPECT_NEAR(v.growth / std::exp(8.0), 1, 2);  // weights fall by some half on the way
-  EXPECT_EQ(verdict(Saddle{}, {1, -1}, 8, 1e6 * 1e-12, tolerance).verdict, Verdict::wrong);
+  EXPECT_EQ(verdict(saddle(), {1, -1}, 8, 1e6 * 1e-12, tolerance).verdict, Verdict::wrong);
 }
 
 TEST(Verify, SaysThatNothingIsDetermined) {

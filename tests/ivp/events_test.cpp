@@ -9,6 +9,7 @@
 #include "nlmech/ivp/runge_kutta/explicit_runge_kutta.hpp"
 #include "nlmech/ivp/series/series.hpp"
 #include "tests/ivp/methods.hpp"
+#include "tests/ivp/typed.hpp"
 
 namespace nlmech::ivp::events_test {
 namespace {
@@ -23,30 +24,7 @@ Event passes(double level, Crossing crossing = Crossing::either, bool ends = fal
   return {[level](double, const State& x) { return x[0] - level; }, crossing, ends};
 }
 
-// q'' = -1.
-struct Fall {
-  static constexpr int dimension = 2;
-  template <class T>
-  void operator()(const T& /*t*/, const Vector<T, 2>& x, Vector<T, 2>& dxdt) const {
-    dxdt[0] = x[1];
-    dxdt[1] = T(-1);
-  }
-};
-
-// q = cos t passes zero at (k + 1/2) pi. Rounding of some ten steps, and half a spacing of the answer.
-TEST(Events, AreFoundToRounding) {
-  const auto [end, hits] =
-      integrate_with_events(System(testing::Oscillator{}), State{1, 0}, 0, 30, accurate, {passes(0)});
-  EXPECT_TRUE(end.status.ok());
-  EXPECT_EQ(end.t, 30);
-  ASSERT_EQ(hits.size(), 10U);  // 9.5 pi < 30 < 10.5 pi
-  for (std::size_t k = 0; k < hits.size(); ++k) {
-    const double truth = (static_cast<double>(k) + 0.5) * std::numbers::pi;
-    EXPECT_NEAR(hits[k].t, truth, 16 * eps * truth) << k;
-    EXPECT_EQ(hits[k].rising, k % 2 == 1);
-    EXPECT_NEAR(hits[k].x[0], 0, 2 * eps * truth);
-  }
-}
+System falling() { return testing::typed("x'' = -1"); }
 
 // Any level, frequency and direction of time: as many passages as the cosine has, each where it has it.
 RC_GTEST_PROP(Events, AreThoseOfTheCosine, ()) {
@@ -81,7 +59,7 @@ TEST(Events, DirectionCountsAlongTheWay) {
 }
 
 TEST(Events, OfOneStepComeInTheirOrder) {
-  const System system(Fall{});  // one step of any length is exact
+  const System system = falling();  // one step of any length is exact
   const auto down = integrate_with_events(system, State{1, 0}, 0, 4, Series{.order = 4, .step = 4},
                                           {passes(0.25), passes(0.75), passes(0.5)});
   ASSERT_EQ(down.hits.size(), 3U);
@@ -95,7 +73,7 @@ TEST(Events, OfOneStepComeInTheirOrder) {
 // The ball comes back with half its speed: flights of 2 v after the first of 1. Each begins on the
 // ground, and one step is as long as all that is left: places are 1.25 apart.
 TEST(Events, ThatEndTheIntegrationAllowToGoOn) {
-  const System system(Fall{});
+  const System system = falling();
   double t = 0, expected = 0, speed = 1;
   State x{0.5, 0};
   for (int bounce = 0; bounce < 20; ++bounce) {
@@ -145,7 +123,7 @@ TEST(Events, NoValueOnTheWayToTheZero) {
   const auto value = [](double t, const State&) { return t <= 1 ? 1. : t < 1.5 ? nan : -1.; };
   for (const bool ends : {false, true}) {
     const auto [end, hits] = integrate_with_events(
-        System(Fall{}), State{1, 0}, 0, 4, Series{.order = 4, .step = 4}, {{value, Crossing::either, ends}});
+        falling(), State{1, 0}, 0, 4, Series{.order = 4, .step = 4}, {{value, Crossing::either, ends}});
     EXPECT_EQ(end.status.outcome(), Outcome::non_finite) << ends;
     EXPECT_TRUE(hits.empty()) << ends;
   }

@@ -3,8 +3,6 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include <limits>
-
 #include "nlmech/ivp/runge_kutta/explicit_runge_kutta.hpp"
 #include "nlmech/problems/texts.hpp"
 
@@ -50,47 +48,6 @@ TEST(Walk, LandsOnDiscontinuitiesAndOnTheEnd) {
   EXPECT_TRUE(s.status.ok());
   EXPECT_EQ(ends, (std::vector<double>{0.3, 0.5, 0.8, 1.0, 1.3, 1.6, 1.9, 2.0}));
   EXPECT_EQ(s.statistics.steps, 8);
-}
-
-TEST(Walk, BlowUpEndsWithASentence) {
-  const System system(problems::TextProblem("blow-up"));  // y' = y^3 from 1: infinite at t = 1/2
-  const auto s = integrate(system, State{1}, 0, 2, Rk4{.step = 0.01});
-  EXPECT_EQ(s.status.outcome(), Outcome::non_finite);
-  EXPECT_NE(s.status.sentence().find("rk4: the step of 0.01 from t = 0.5"), std::string::npos)
-      << s.status.text();
-  EXPECT_TRUE(s.x.allFinite());
-  EXPECT_NEAR(s.t, 0.52, 0.02);  // the method steps over the pole, and is caught in the steps after it
-}
-
-struct NotANumberAfterOne {
-  static constexpr int dimension = 2;
-  template <class T>
-  void operator()(const T& t, const Vector<T, 2>& x, Vector<T, 2>& dxdt) const {
-    dxdt = x;
-    if (value_of(t) > 1) dxdt[0] = T(std::numeric_limits<double>::quiet_NaN());
-  }
-};
-
-TEST(Walk, NotANumberEndsAtTheLastGoodStep) {
-  const auto s = integrate(System(NotANumberAfterOne{}), {1, 1}, 0, 2, Rk4{.step = 0.25});
-  EXPECT_EQ(s.status.outcome(), Outcome::non_finite);
-  EXPECT_EQ(s.t, 1);
-  EXPECT_TRUE(s.x.allFinite());
-}
-
-TEST(Walk, StepUnderflow) {
-  const System system(problems::TextProblem("duffing"));
-  const auto s =
-      integrate(system, {1, 0}, 1e6, 1e6 + 1, Rk4{.step = 1e-11});  // half an ulp of 1e6 is 5.8e-11
-  EXPECT_EQ(s.status.outcome(), Outcome::step_underflow);
-  EXPECT_EQ(s.t, 1e6);
-}
-
-TEST(Integrate, RefusesWhatCannotBeMeant) {
-  const System system(problems::TextProblem("duffing"));
-  EXPECT_THROW((void)integrate(system, {1, 0}, 0, HUGE_VAL, Rk4{}), std::invalid_argument);
-  EXPECT_THROW((void)integrate(system, {1, 0}, std::nan(""), 1, Rk4{}), std::invalid_argument);
-  EXPECT_THROW((void)integrate(system, Eigen::VectorXd::Zero(3), 0, 1, Rk4{}), std::invalid_argument);
 }
 
 }  // namespace

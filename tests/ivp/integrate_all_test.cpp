@@ -1,5 +1,6 @@
 /// Many trajectories at once: the bits of integrate(), by threads, and for series whatever stands in the
 /// other lanes.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -17,55 +18,16 @@
 #include "nlmech/ivp/runge_kutta/dormand_prince.hpp"
 #include "nlmech/ivp/runge_kutta/explicit_runge_kutta.hpp"
 #include "nlmech/problems/texts.hpp"
+#include "tests/ivp/typed.hpp"
 
 namespace nlmech::ivp::integrate_all_test {
 namespace {
 
-/// x'' = c cos(w t) - sin x - 0.1 x', with a jump of the rate at t = jump if it is to.
-struct Pendulum {
-  static constexpr int dimension = 2;
-  double c = 1, w = 2, jump = 0;
-  template <class T>
-  void operator()(const T& t, const Vector<T, 2>& x, Vector<T, 2>& f) const {
-    using std::cos;
-    using std::sin;
-    f[0] = x[1];
-    f[1] = c * cos(w * t) - sin(x[0]) - 0.1 * x[1];
-    if (value_of(t) < jump) f[1] += 1.0;
-  }
-  [[nodiscard]] std::vector<double> discontinuities(double t0, double t1) const {
-    if ((t0 < jump) == (t1 < jump)) return {};
-    return {jump};
-  }
-};
-
-/// x' = x^2, infinite at 1/x(0).
-struct Pole {
-  static constexpr int dimension = 1;
-  template <class T>
-  void operator()(const T&, const Vector<T, 1>& x, Vector<T, 1>& f) const {
-    f[0] = x[0] * x[0];
-  }
-};
-
-/// Its series has gaps: the first step is tested, rejected and halved.
-struct Gap {
-  static constexpr int dimension = 1;
-  template <class T>
-  void operator()(const T& t, const Vector<T, 1>&, Vector<T, 1>& f) const {
-    using std::pow;
-    f[0] = pow(t, 20);
-  }
-};
-
-/// x' = 1/x, at 0 with a slope that is not finite; from 1e-300 with coefficients that are not.
-struct Singular {
-  static constexpr int dimension = 1;
-  template <class T>
-  void operator()(const T&, const Vector<T, 1>& x, Vector<T, 1>& f) const {
-    f[0] = 1 / x[0];
-  }
-};
+/// A pendulum whose rate jumps at a time, if it is to.
+System pendulum(double jump = 0) {
+  const std::string more = jump > 0 ? fmt::format(" + max(sign({} - t), 0)", jump) : "";
+  return testing::typed("x'' = cos(2 t) - sin(x) - 0.1 x'" + more);
+}
 
 void expect_same(const Solution& a, const Solution& b) {
   EXPECT_EQ(a.t, b.t);
@@ -133,23 +95,12 @@ RC_GTEST_PROP(SeriesEnsemble, HasTheBitsOfOne, ()) {
   expect_bits_of_one(starts, with(std::pow(10, -number(2, 13)), *rc::gen::element(0, 2, 3, 11, 30)));
 }
 
-/// x' = -x^p, an operation more for every factor.
-struct Decay {
-  static constexpr int dimension = 1;
-  int power = 1;
-  template <class T>
-  void operator()(const T&, const Vector<T, 1>& x, Vector<T, 1>& f) const {
-    T product = x[0];
-    for (int k = 1; k < power; ++k) product = product * x[0];
-    f[0] = -product;
-  }
-};
-
 // A dozen kinds of equations in turn, more than may wait for each other: the bits of one, and of narrow
 // registers in any company.
 TEST(SeriesEnsemble, ManyKinds) {
   std::vector<System> systems;
-  for (int power = 1; power <= 12; ++power) systems.emplace_back(Decay{power});
+  for (int power = 1; power <= 12; ++power)
+    systems.push_back(testing::typed(fmt::format("x' = -x^{}", power)));
   std::vector<Start> starts;
   for (int i = 0; i < 100; ++i)
     starts.push_back({&systems[static_cast<std::size_t>(i) % 12], State{0.3 + 0.01 * i}, 0, 1.0 + i, {}, {}});
@@ -161,7 +112,7 @@ TEST(SeriesEnsemble, ManyKinds) {
 }
 
 TEST(SeriesEnsemble, EquationsWithTheTime) {
-  const System smooth(Pendulum{}), jumping(Pendulum{.jump = 1.5});
+  const System smooth = pendulum(), jumping = pendulum(1.5);
   std::vector<Start> starts;
   for (int i = 0; i < 40; ++i) {
     const System* system = i % 3 == 0 ? &jumping : &smooth;
@@ -178,7 +129,10 @@ TEST(SeriesEnsemble, EquationsWithTheTime) {
 
 // What ends in a failure ends as it does alone, with its sentence, and disturbs nobody.
 TEST(SeriesEnsemble, FailuresAreTheirOwn) {
-  const System pole(Pole{}), gap(Gap{}), singular(Singular{});
+  // Infinite at 1/x(0); with gaps in its series, so that the first step is tested, rejected and halved;
+  // without a finite slope at 0, and from 1e-300 on without finite coefficients.
+  const System pole = testing::typed("x' = x^2"), gap = testing::typed("x' = t^20"),
+               singular = testing::typed("x' = 1/x");
   const double nan = std::numeric_limits<double>::quiet_NaN();
   std::vector<Start> poles, gaps, singulars;
   for (int i = 0; i < 37; ++i) {
@@ -231,13 +185,13 @@ TEST(SeriesEnsemble, ObserversSeeTheirOwn) {
 
 // Components in any number; solutions with bounds and invariants are held to them.
 TEST(SeriesEnsemble, OtherSizes) {
-  const System lorenz(problems::TextProblem("lorenz")), pendulum(Pendulum{});
+  const System lorenz(problems::TextProblem("lorenz")), swinging = pendulum();
   std::vector<Start> starts;
   for (int i = 0; i < 25; ++i) {
     if (i % 2 == 0) {
       starts.push_back({&lorenz, State{1, 1. * i, 20}, 0, 1, {}, {}});
     } else {
-      starts.push_back({&pendulum, State{1, 0.1 * i}, 0, 5, {}, {}});
+      starts.push_back({&swinging, State{1, 0.1 * i}, 0, 5, {}, {}});
     }
   }
   expect_bits_of_one(starts, with(1e-8));
@@ -257,7 +211,7 @@ TEST(SeriesEnsemble, OneSystemAndManyStates) {
 }
 
 TEST(SeriesEnsemble, RefusesWhatOneRefuses) {
-  const System system(Pole{});
+  const System system = testing::typed("x' = x^2");
   const auto all = [](const Start& start, const Series& method) {
     return integrate_all(std::span<const Start>(&start, 1), method);
   };
@@ -268,7 +222,7 @@ TEST(SeriesEnsemble, RefusesWhatOneRefuses) {
 
 // Other methods: given and chosen steps, backwards, and over a jump.
 TEST(IntegrateAll, HasTheBitsOfOne) {
-  const System lorenz(problems::TextProblem("lorenz")), jumping(Pendulum{.jump = 1});
+  const System lorenz(problems::TextProblem("lorenz")), jumping = pendulum(1);
   std::vector<Start> chaos, jumps;
   for (int i = 0; i < 29; ++i) {
     chaos.push_back({&lorenz, State{std::sin(1.7 * i), 1, 0.1 * i}, 0.5, i % 2 == 0 ? 1.237 : 0.1, {}, {}});
@@ -284,7 +238,7 @@ TEST(IntegrateAll, HasTheBitsOfOne) {
 
 // What blows up, or never was a number, ends as it does alone; its neighbours go on.
 TEST(IntegrateAll, FailuresAreTheirOwn) {
-  const System system(Pole{});
+  const System system = testing::typed("x' = x^2");
   std::vector<State> from;
   for (int i = 0; i < 9; ++i) from.push_back({0.1 * i});
   from[1][0] = 50;

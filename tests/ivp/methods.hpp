@@ -117,20 +117,6 @@ struct Unannounced {
   }
 };
 
-// Root of the mean square.
-class Rms {
- public:
-  void add(double error) {
-    sum_ += error * error;
-    ++count_;
-  }
-  [[nodiscard]] double value() const { return std::sqrt(sum_ / static_cast<double>(count_)); }
-
- private:
-  double sum_ = 0;
-  std::int64_t count_ = 0;
-};
-
 // The same method with another step; for ode45 at tolerances that never reject, so that all steps are equal.
 template <class Method>
 [[nodiscard]] Method with_step(Method method, double step) {
@@ -162,20 +148,6 @@ template <class Problem, class Method>
   EXPECT_TRUE(solution.status.ok()) << solution.status.text();
   EXPECT_EQ(solution.t, t1);
   return largest;
-}
-
-// Methods of every kind, with equal steps and with chosen ones, but for collocation, of which the accuracy is
-// that of its matrices.
-template <class Do>
-void for_each_method(Do&& action) {
-  action(Rk4{});
-  action(BackwardEuler{});
-  action(CentralDifference{});
-  action(Newmark{});
-  action(Hht{});
-  action(GeneralizedAlpha{});
-  action(Ode45{});
-  action(Dop853{});
 }
 
 // The text of the std::invalid_argument that an integration of the oscillator with these options throws.

@@ -100,20 +100,6 @@ TEST(NamedMethods, StepIsPassedOn) {
        PolynomialCollocation{.step = 0.5, .points = collocation::NodeFamily::left_end_and_radau});
 }
 
-// Error at t = 5 against the elliptic functions: a tolerance holds the error of a step; some hundred steps,
-// and ten times what their errors sum to.
-TEST(NamedMethods, ToleranceHoldsTheErrorOfAStep) {
-  const State truth = oracle::duffing(5);
-  for (const MethodInfo& m : named_methods()) {
-    if (m.fixed_step()) continue;
-    const double tolerance = m.steps == Steps::either && !m.has(order_setting) ? 1e-6 : 1e-9;
-    const Solution s = duffing(m.name, {.tolerance = tolerance}, 5);
-    ASSERT_TRUE(s.status.ok()) << s.status.text();
-    EXPECT_EQ(s.t, 5);
-    EXPECT_LE(oracle::distance(s.x, truth), 1e3 * tolerance) << m.name;
-  }
-}
-
 TEST(NamedMethods, DefaultToleranceIsOneInAMilliard) {
   for (const char* name : {"ode45", "dop853", "rkn1210"})
     EXPECT_EQ(duffing(name, {}, 5).x, duffing(name, {.tolerance = 1e-9}, 5).x) << name;

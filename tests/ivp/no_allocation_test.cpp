@@ -11,18 +11,9 @@
 #include <string>
 
 #include "chapters/plain_equations.hpp"
-#include "nlmech/ivp/collocation/adaptive_collocation.hpp"
-#include "nlmech/ivp/collocation/collocation.hpp"
-#include "nlmech/ivp/collocation/picard.hpp"
-#include "nlmech/ivp/hermitian/hermitian.hpp"
-#include "nlmech/ivp/implicit/backward_euler.hpp"
-#include "nlmech/ivp/runge_kutta/dop853.hpp"
-#include "nlmech/ivp/runge_kutta/dormand_prince.hpp"
+#include "nlmech/ivp/named/named_integrators.hpp"
 #include "nlmech/ivp/runge_kutta/explicit_runge_kutta.hpp"
 #include "nlmech/ivp/runge_kutta/rkn1210.hpp"
-#include "nlmech/ivp/series/series.hpp"
-#include "nlmech/ivp/structural/alpha_family.hpp"
-#include "nlmech/ivp/structural/central_difference.hpp"
 #include "nlmech/ivp/transversal/mtl.hpp"
 
 namespace {
@@ -68,16 +59,16 @@ namespace nlmech::ivp::no_allocation_test {
 namespace {
 
 // From the end of the first of ten steps to the end of the last but one.
-template <class Method>
-void expect_no_allocation(const Method& method, const chapters::PlainChain& chain = {}) {
+void expect_no_allocation(const NamedIntegrator& integrate, std::string_view name,
+                          const chapters::PlainChain& chain = {}) {
   std::int64_t before = 0, after = 0;
   const Observer count = [&](const Step& step) {
     (step.index <= 1 ? before : after) = requests;
     return step.index < 10;
   };
-  const auto s = integrate(System(chain), State::Zero(6), 0, 100, method, count);
+  const auto s = integrate(System(chain), State::Zero(6), 0, 100, count, {});
   EXPECT_EQ(s.status.outcome(), Outcome::interrupted) << s.status.text();
-  EXPECT_EQ(after - before, 0) << Method::name;
+  EXPECT_EQ(after - before, 0) << name;
 }
 
 TEST(NoAllocation, IsCounted) {
@@ -100,34 +91,17 @@ TEST(NoAllocation, IsCountedInTheLibrary) {
   EXPECT_GT(requests, before);
 }
 
-TEST(NoAllocation, InStepsOfExplicitMethods) {
-  expect_no_allocation(Euler{.step = 0.5});
-  expect_no_allocation(Rk4{.step = 0.5});
-  expect_no_allocation(Rk6{.step = 0.5});
-  expect_no_allocation(CentralDifference{.step = 0.5});
-  expect_no_allocation(Ode45{});
-  expect_no_allocation(Dop853{});
-  expect_no_allocation(Rkn1210{}, chapters::PlainChain{.c2 = 0});
-  expect_no_allocation(Series{.order = 12, .step = 0.5});
-  expect_no_allocation(Series{});
-}
-
-TEST(NoAllocation, InStepsOfImplicitMethods) {
-  expect_no_allocation(BackwardEuler{.step = 0.5});
-  expect_no_allocation(Newmark{.step = 0.5});
-  expect_no_allocation(Hht{.step = 0.5});
-  expect_no_allocation(GeneralizedAlpha{.step = 0.5});
-  expect_no_allocation(Hermitian{.step = 0.5});
-  expect_no_allocation(Hermitian{});
-}
-
-TEST(NoAllocation, InStepsOfCollocation) {
-  expect_no_allocation(Mcpi{.step = 0.5, .order = 8});
-  expect_no_allocation(RbfCollocation{.step = 0.5, .nodes = 7, .shape = 0.4});
-  expect_no_allocation(PolynomialCollocation{.step = 0.5, .nodes = 7});
-  expect_no_allocation(AdaptiveCollocation{});
-  expect_no_allocation(Mtl{.step = 0.125, .points = 4});
-  expect_no_allocation(Mtl{.step = 0.125, .points = 4, .linear = MtlLinear::jacobian, .error_tolerance = 10});
+TEST(NoAllocation, InStepsOfEveryMethod) {
+  for (const MethodInfo& row : named_methods()) {
+    const chapters::PlainChain chain = {.c2 = row.name == Rkn1210::name ? 0 : chapters::PlainChain{}.c2};
+    const double step = row.has(points_setting) ? 0.125 : 0.5;
+    Settings equal{.step = step};
+    if (row.has(shape_setting)) equal.shape = 0.4;
+    if (row.steps != Steps::chosen) expect_no_allocation(row.with(equal), row.name, chain);
+    if (row.steps != Steps::given) expect_no_allocation(row.with({}), row.name, chain);
+  }
+  const Mtl mtl{.step = 0.125, .points = 4, .linear = MtlLinear::jacobian, .error_tolerance = 10};
+  expect_no_allocation(named::with_options(mtl), "mtl, by the Jacobian");
 }
 
 }  // namespace

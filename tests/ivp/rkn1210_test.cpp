@@ -1,6 +1,6 @@
 /// RKN12(10): its coefficients fulfil the order conditions in extended precision, converge with the orders 12
 /// and 10, and the method refuses velocities. The rest: embedded_runge_kutta_test.cpp and
-/// adaptive_methods_test.cpp.
+/// every_integrator_test.cpp.
 #include "nlmech/ivp/runge_kutta/rkn1210.hpp"
 
 #include <gtest/gtest.h>
@@ -137,16 +137,6 @@ TEST(Rkn1210Coefficients, HeaderIsTheTableRounded) {
       same(rkn1210::a[i][j], "a," + n + "," + std::to_string(j + 1));
   }
   table.expect_all_compared();
-}
-
-TEST(Rkn1210, CountsItsWorkAndGoesBackwards) {
-  const auto there = integrate(System(Oscillator{}), State{1, 0}, 0, -20, Rkn1210{});
-  ASSERT_TRUE(there.status.ok());
-  EXPECT_NEAR(there.x[0], std::cos(20), 1e-7);
-  EXPECT_NEAR(there.x[1], std::sin(20), 1e-7);
-  const Statistics& s = there.statistics;
-  // The first stage once a state, sixteen more a trial, four for the look at velocities.
-  EXPECT_EQ(s.right_hand_sides, 1 + s.steps + 16 * (s.steps + s.rejected) + 4);
 }
 
 // A force that feels velocities is no problem of this method's, and says so. Van der Pol's from x = 1 shows

@@ -1,6 +1,7 @@
 // Runs are held to the bounds and conserved quantities that their problem names.
 #include "nlmech/ivp/stated_limits.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "nlmech/ivp/collocation/adaptive_collocation.hpp"
@@ -8,6 +9,7 @@
 #include "nlmech/ivp/runge_kutta/explicit_runge_kutta.hpp"
 #include "nlmech/ivp/series/series.hpp"
 #include "nlmech/problems/texts.hpp"
+#include "tests/ivp/typed.hpp"
 
 namespace nlmech::ivp::stated_limits_test {
 namespace {
@@ -56,34 +58,23 @@ TEST(StatedLimits, BoundsHoldForwardsAndFromWithin) {
   EXPECT_TRUE(outside.status.ok()) << outside.status.text();
 }
 
-/// x'' + c x' + x = 0, which calls x^2 + v^2 constant.
-struct Boast {
-  static constexpr int dimension = 2;
-  double damping = 0;
-  template <class T>
-  void operator()(const T& /*t*/, const Vector<T, 2>& x, Vector<T, 2>& f) const {
-    f[0] = x[1];
-    f[1] = -x[0] - damping * x[1];
-  }
-  template <class T>
-  [[nodiscard]] Vector<T, 1> invariants(const T& /*t*/, const Vector<T, 2>& x) const {
-    return Vector<T, 1>(T(x[0] * x[0] + x[1] * x[1]));
-  }
-};
+/// A damped oscillator that calls its energy constant.
+System boast(double damping = 0) {
+  return testing::typed(fmt::format("x'' = -x - {} x'; conserved x^2 + x'^2", damping));
+}
 
 // Over ten units of time c = 1e-4 takes a thousandth of the energy, a million tolerances.
 TEST(StatedLimits, EnergyThatMovesIsNoSuccess) {
-  for (const auto& s : {integrate(System(Boast{1e-4}), State{1, 0}, 0, 10, to(1e-9)),
-                        integrate(System(Boast{1e-4}), State{1, 0}, 0, 10, Ode45{}),
-                        integrate(System(Boast{1e-4}), State{1, 0}, 0, -10, Ode45{}),
-                        integrate(System(Boast{1e-4}), State{1, 0}, 0, 10, Series{})}) {
+  for (const auto& s : {integrate(boast(1e-4), State{1, 0}, 0, 10, to(1e-9)),
+                        integrate(boast(1e-4), State{1, 0}, 0, 10, Ode45{}),
+                        integrate(boast(1e-4), State{1, 0}, 0, -10, Ode45{}),
+                        integrate(boast(1e-4), State{1, 0}, 0, 10, Series{})}) {
     EXPECT_EQ(s.status.outcome(), Outcome::spurious_root) << s.status.text();
     EXPECT_NE(s.status.sentence().find("conserves"), std::string::npos) << s.status.text();
   }
   // Steps that are given have no tolerance to be held to.
-  EXPECT_TRUE(integrate(System(Boast{1e-4}), State{1, 0}, 0, 10, Rk4{.step = 0.1}).status.ok());
-  EXPECT_TRUE(
-      integrate(System(Boast{1e-4}), State{1, 0}, 0, 10, Series{.order = 4, .step = 0.1}).status.ok());
+  EXPECT_TRUE(integrate(boast(1e-4), State{1, 0}, 0, 10, Rk4{.step = 0.1}).status.ok());
+  EXPECT_TRUE(integrate(boast(1e-4), State{1, 0}, 0, 10, Series{.order = 4, .step = 0.1}).status.ok());
 }
 
 TEST(StatedLimits, HonestRunsPass) {
@@ -91,8 +82,8 @@ TEST(StatedLimits, HonestRunsPass) {
     const Ode45 ode45{.relative_tolerance = tolerance, .absolute_tolerance = tolerance};
     for (const double end : {0.1, 10., 1000.}) {
       for (const auto& s :
-           {integrate(System(Boast{}), State{1, 0}, 0, end, to(tolerance)),
-            integrate(System(Boast{}), State{1, 0}, 0, end, ode45),
+           {integrate(boast(), State{1, 0}, 0, end, to(tolerance)),
+            integrate(boast(), State{1, 0}, 0, end, ode45),
             integrate(System(problems::TextProblem("duffing")), State{3, 1}, 0, end, to(tolerance)),
             integrate(System(problems::TextProblem("duffing")), State{0, 1e-3}, 0, end, ode45)})
         EXPECT_TRUE(s.status.ok()) << end << ' ' << tolerance << ' ' << s.status.text();

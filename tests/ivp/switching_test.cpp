@@ -1,6 +1,7 @@
 /// Systems that switch: dry friction, parabolas with corners, switches without end.
 #include "nlmech/ivp/switching.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,40 +10,20 @@
 
 #include "nlmech/ivp/integrate.hpp"
 #include "nlmech/ivp/named/named_methods.hpp"
+#include "tests/ivp/typed.hpp"
 
 namespace nlmech::tests::switching_test {
 namespace {
 
-using ivp::Mode;
 using ivp::State;
 constexpr double pi = std::numbers::pi;
 
 /// q'' = -stiffness q - force sign(q) - friction sign(v).
 struct Corners {
-  static constexpr int dimension = 2;
   double stiffness = 0, force = 0, friction = 0;
-  Mode mode = {};  // of smooth equations
-
-  void operator()(const auto& /*t*/, const auto& x, auto& dxdt) const {
-    dxdt[0] = x[1];
-    dxdt[1] = slope(x);
-  }
-  int switches() const { return mode.empty() ? 2 : 0; }
-  Corners in_mode(const Mode& m) const { return {stiffness, force, friction, m}; }
-  void surfaces(double /*t*/, const State& x, std::span<double> values, std::span<double> rates) const {
-    values[0] = x[0];
-    // At rest, the share of -friction that holds the mass.
-    values[1] = mode[1] == 0 ? 0.5 - (stiffness * x[0] + force * mode[0]) / (2 * friction) : x[1];
-    rates[0] = x[1];
-    rates[1] = slope(x);
-  }
-
- private:
-  template <class X>
-  typename X::Scalar slope(const X& x) const {
-    // On v = 0, the mixture of both slopes along which v stays 0.
-    if (mode.empty() || mode[1] == 0) return 0 * x[0];  // without a mode no method asks
-    return -stiffness * x[0] - force * mode[0] - friction * mode[1];
+  [[nodiscard]] ivp::System system() const {
+    return ivp::testing::typed(
+        fmt::format("q'' = -{} q - {} sign(q) - {} sign(q')", stiffness, force, friction));
   }
 };
 
@@ -51,8 +32,7 @@ const std::vector<std::string> methods = {"ode45", "dop853", "series", "adaptive
 
 ivp::Solution run(const Corners& problem, const std::string& method, const State& x0, double t1,
                   double tolerance, const ivp::Observer& observer = {}) {
-  return ivp::named_integrator(method, {.tolerance = tolerance})(ivp::System(problem), x0, 0, t1, observer,
-                                                                 {});
+  return ivp::named_integrator(method, {.tolerance = tolerance})(problem.system(), x0, 0, t1, observer, {});
 }
 
 // Each half swing ends 2 mu short of the last; a turn within mu of the middle is the last: 1, -0.7, 0.4,
@@ -100,14 +80,14 @@ TEST(Switching, StepsEndAtCorners) {
 TEST(Switching, RunsBackwardsWhereItHasAPast) {
   const auto there = run({.force = 1}, "series", {1, 0.3}, 5, 1e-13);
   ASSERT_TRUE(there.status.ok());
-  const auto back = ivp::named_integrator("series", {.tolerance = 1e-13})(ivp::System(Corners{.force = 1}),
+  const auto back = ivp::named_integrator("series", {.tolerance = 1e-13})(Corners{.force = 1}.system(),
                                                                           there.x, 5, 0, {}, {});
   ASSERT_TRUE(back.status.ok());
   EXPECT_NEAR(back.x[0], 1, 1e-11);
   EXPECT_NEAR(back.x[1], 0.3, 1e-11);
   // At rest under friction: nothing says for how long it has been.
   const auto rest = ivp::named_integrator("series", {.tolerance = 1e-9})(
-      ivp::System(Corners{.stiffness = 1, .friction = 0.5}), {0.1, 0}, 5, 0, {}, {});
+      Corners{.stiffness = 1, .friction = 0.5}.system(), {0.1, 0}, 5, 0, {}, {});
   EXPECT_EQ(rest.status.outcome(), Outcome::outside_validity);
   EXPECT_NE(rest.status.text().find("has no past"), std::string::npos) << rest.status.text();
 }
@@ -129,20 +109,7 @@ TEST(Switching, SwitchesWithoutEndEnd) {
 }
 
 /// x'' = 1, and 1001 where x < 0.
-struct Grazing {
-  static constexpr int dimension = 2;
-  Mode mode = {};
-  void operator()(const auto& /*t*/, const auto& x, auto& dxdt) const {
-    dxdt[0] = x[1];
-    dxdt[1] = 0 * x[0] + (mode.empty() || mode[0] > 0 ? 1.0 : 1001.0);
-  }
-  int switches() const { return mode.empty() ? 1 : 0; }
-  Grazing in_mode(const Mode& m) const { return {m}; }
-  void surfaces(double /*t*/, const State& x, std::span<double> values, std::span<double> rates) const {
-    values[0] = x[0];
-    rates[0] = x[1];
-  }
-};
+ivp::System grazing() { return ivp::testing::typed("x'' = 501 - 500 sign(x)"); }
 
 // A stop of a thousand times the force, met with the speed v: there for 2 v/1001, and away as fast as it
 // came.
@@ -151,11 +118,10 @@ TEST(Switching, MeetsWhatLastsLessThanAStep) {
     SCOPED_TRACE(method);
     for (const double speed : {1e-2, 1e-3, 1e-5}) {
       // x = ((t - 1)^2 - speed^2)/2 down to the stop at 0.
-      const Grazing problem;
       const State x0{0.5 - speed * speed / 2, -1};
       const double meets = 1 - speed, leaves = meets + 2 * speed / 1001, end = 2;
       std::vector<double> ends;
-      const auto run = ivp::named_integrator(method, {.tolerance = 1e-11})(ivp::System(problem), x0, 0, end,
+      const auto run = ivp::named_integrator(method, {.tolerance = 1e-11})(grazing(), x0, 0, end,
                                                                            [&](const ivp::Step& step) {
                                                                              ends.push_back(step.t1);
                                                                              return true;
@@ -174,30 +140,17 @@ TEST(Switching, MeetsWhatLastsLessThanAStep) {
       EXPECT_LE(nearest(leaves), 1e-10 / speed) << speed;
     }
     // Half a unit above the stop there is no switch: the smooth motion.
-    const auto above =
-        ivp::named_integrator(method, {.tolerance = 1e-11})(ivp::System(Grazing{}), {1, -1}, 0, 2, {}, {});
+    const auto above = ivp::named_integrator(method, {.tolerance = 1e-11})(grazing(), {1, -1}, 0, 2, {}, {});
     ASSERT_TRUE(above.status.ok());
     EXPECT_NEAR(above.x[0], 1, 1e-9);
   }
 }
 
-/// What decides is not a number where x > 3.
-struct Broken {
-  static constexpr int dimension = 1;
-  Mode mode = {};
-  void operator()(const auto& /*t*/, const auto& x, auto& dxdt) const { dxdt[0] = 0 * x[0] + 1.0; }
-  int switches() const { return mode.empty() ? 1 : 0; }
-  Broken in_mode(const Mode& m) const { return {m}; }
-  void surfaces(double /*t*/, const State& x, std::span<double> values, std::span<double> rates) const {
-    values[0] = std::sqrt(3 - x[0]) + 1;
-    rates[0] = -1;
-  }
-};
-
+// What decides is not a number where x > 3.
 TEST(Switching, SaysWhereAFunctionIsNone) {
   for (const std::string method : {"ode45", "series"}) {
-    const auto run =
-        ivp::named_integrator(method, {.tolerance = 1e-9})(ivp::System(Broken{}), State{1.0}, 0, 5, {}, {});
+    const auto run = ivp::named_integrator(method, {.tolerance = 1e-9})(
+        ivp::testing::typed("x' = sign(sqrt(3 - x) + 1)"), State{1.0}, 0, 5, {}, {});
     EXPECT_EQ(run.status.outcome(), Outcome::non_finite) << method;
     EXPECT_NE(run.status.text().find("switching function 1 is not a number"), std::string::npos)
         << run.status.text();
@@ -205,8 +158,8 @@ TEST(Switching, SaysWhereAFunctionIsNone) {
 }
 
 TEST(Switching, KeepsToItsLimits) {
-  const auto end = ivp::named_integrator("ode45", {.tolerance = 1e-12})(ivp::System(Corners{.force = 1}),
-                                                                        {1, 0}, 0, 1000, {}, {.steps = 50});
+  const auto end = ivp::named_integrator("ode45", {.tolerance = 1e-12})(Corners{.force = 1}.system(), {1, 0},
+                                                                        0, 1000, {}, {.steps = 50});
   EXPECT_EQ(end.status.outcome(), Outcome::step_limit) << end.status.text();
   EXPECT_LE(end.statistics.steps + end.statistics.rejected, 60);
 }

@@ -1,6 +1,7 @@
 // GSL ends the program at an error, unless it is told otherwise; the peers tell it, and take it back.
 #include <gsl/gsl_errno.h>
 
+#include "tests/ivp/typed.hpp"
 #include "tests/peers_ivp/peers.hpp"
 
 namespace nlmech::peers::gsl_errors_test {
@@ -12,21 +13,12 @@ void handler(const char* /*reason*/, const char* /*file*/, int /*line*/, int /*c
 
 // x' = k x has a Newton matrix 1 - c h k, which is 0 for one k. bsimp's first is 1 - h k/2, and from 0 the
 // first step is 1e-6. GSL's error handler would end the program; without it bsimp makes 1e301 out of nothing.
-struct Unlucky {
-  static constexpr int dimension = 1;
-  double k = 2e6;
-  template <class T>
-  void operator()(const T& /*t*/, const Vector<T, 1>& x, Vector<T, 1>& dxdt) const {
-    dxdt[0] = k * x[0];
-  }
-};
-
 TEST(SingularMatrix, IsNotTakenForASolvedStep) {
   for (const std::string& name : peer_names()) {
     // rosenbrock4 has 4/h - k.
-    const Unlucky problem{name == "odeint-rosenbrock4" ? 4e6 : 2e6};
-    const auto solution =
-        peer_integrator(name, 1e-9)(ivp::System(problem), ivp::State{0.0}, 0, 1, {}, {.steps = 10000});
+    const ivp::System system =
+        ivp::testing::typed(name == "odeint-rosenbrock4" ? "x' = 4e6 x" : "x' = 2e6 x");
+    const auto solution = peer_integrator(name, 1e-9)(system, ivp::State{0.0}, 0, 1, {}, {.steps = 10000});
     EXPECT_TRUE(solution.status.ok()) << solution.status.text();
     EXPECT_EQ(solution.x[0], 0) << name;
   }

@@ -7,7 +7,7 @@
 #include <random>
 
 #include "chapters/plain_equations.hpp"
-#include "nlmech/ivp/direct.hpp"
+#include "nlmech/peers/ivp/odeint/odeint_direct.hpp"
 #include "nlmech/peers/ivp/odeint/odeint_native.hpp"
 #include "nlmech/problems/duffing.hpp"
 #include "nlmech/problems/texts.hpp"
@@ -70,27 +70,29 @@ double period() { return problems::Duffing{}.period(1.0); }
 chapters::PlainDuffing plain;
 const NativeEquations equations = {2, duffing, duffing_jacobian, &plain};
 
+template <class Method, class Run>
+void expect_back(const Method& method, const Run& run) {
+  std::array<double, 2> x = {1, 0};
+  ASSERT_TRUE(run(method, x)) << method.name();
+  EXPECT_NEAR(x[0], 1, expected) << method.name();
+  EXPECT_NEAR(x[1], 0, expected) << method.name();
+}
+
 TEST(Native, GslBringsTheOscillatorBack) {
   if (!gsl_available()) GTEST_SKIP() << "this build has no GSL";
-  for (const auto formula : {Gsl::Formula::rkf45, Gsl::Formula::rk8pd, Gsl::Formula::bsimp,
-                             Gsl::Formula::msadams, Gsl::Formula::msbdf}) {
-    const Gsl method{formula, tolerance, tolerance};
-    std::array<double, 2> x = {1, 0};
-    ASSERT_TRUE(gsl_natively(method, equations, 0, period(), x.data())) << method.name();
-    EXPECT_NEAR(x[0], 1, expected) << method.name();
-    EXPECT_NEAR(x[1], 0, expected) << method.name();
-  }
+  using enum Gsl::Formula;
+  for (const Gsl::Formula formula : {rkf45, rk8pd, bsimp, msadams, msbdf})
+    expect_back(Gsl{formula, tolerance, tolerance}, [](const Gsl& method, auto& x) {
+      return gsl_natively(method, equations, 0, period(), x.data());
+    });
 }
 
 TEST(Native, CvodeBringsTheOscillatorBack) {
   if (!cvode_available()) GTEST_SKIP() << "this build has no CVODE";
-  for (const auto formula : {Cvode::Formula::adams, Cvode::Formula::bdf}) {
-    const Cvode method{formula, tolerance, tolerance};
-    std::array<double, 2> x = {1, 0};
-    ASSERT_TRUE(cvode_natively(method, equations, 0, period(), x.data())) << method.name();
-    EXPECT_NEAR(x[0], 1, expected) << method.name();
-    EXPECT_NEAR(x[1], 0, expected) << method.name();
-  }
+  for (const auto formula : {Cvode::Formula::adams, Cvode::Formula::bdf})
+    expect_back(Cvode{formula, tolerance, tolerance}, [](const Cvode& method, auto& x) {
+      return cvode_natively(method, equations, 0, period(), x.data());
+    });
 }
 
 /// A matrix that is not symmetric, so that rows taken for columns would show: Newton's iteration would not
@@ -114,17 +116,46 @@ TEST(Native, CvodeGetsItsMatrixByColumns) {
   EXPECT_NEAR(x[1], std::exp(-1), 1e-5) << "it follows the first within 1e-6 of it";
 }
 
+constexpr Odeint::Formula explicit_formulas[] = {Odeint::Formula::dopri5, Odeint::Formula::fehlberg78,
+                                                 Odeint::Formula::bulirsch_stoer};
+
 TEST(Native, OdeintBringsTheOscillatorBack) {
-  for (const auto formula :
-       {Odeint::Formula::dopri5, Odeint::Formula::fehlberg78, Odeint::Formula::bulirsch_stoer}) {
-    const Odeint method{formula, tolerance, tolerance};
-    std::array<double, 2> x = {1, 0};
-    ASSERT_TRUE(odeint_natively(method, plain, 0, period(), x)) << method.name();
-    EXPECT_NEAR(x[0], 1, expected) << method.name();
-    EXPECT_NEAR(x[1], 0, expected) << method.name();
-  }
+  for (const auto formula : explicit_formulas)
+    expect_back(Odeint{formula, tolerance, tolerance},
+                [](const Odeint& method, auto& x) { return odeint_natively(method, plain, 0, period(), x); });
   std::array<double, 2> x = {1, 0};
   EXPECT_FALSE(odeint_natively({Odeint::Formula::rosenbrock4}, plain, 0, 1, x));
+}
+
+// ------------------------------------------------------------ the inlined Odeint is the same Odeint
+
+OdeintDirect inlined(Odeint::Formula formula) {
+  OdeintDirect method;
+  method.formula = formula;
+  return method;
+}
+
+TEST(OdeintDirect, TakesTheSameSteps) {
+  const ivp::Direct direct(plain);
+  const ivp::System system(plain);
+  for (const auto formula : explicit_formulas) {
+    const Odeint method{.formula = formula};
+    for (const double end : {20.0, -20.0}) {
+      const auto a = ivp::integrate(direct, {1, 0}, 0, end, inlined(formula));
+      const auto b = ivp::integrate(system, {1, 0}, 0, end, method);
+      ASSERT_TRUE(a.status.ok() && b.status.ok()) << method.name();
+      EXPECT_EQ(a.statistics.steps, b.statistics.steps) << method.name();
+      EXPECT_EQ(a.statistics.right_hand_sides, b.statistics.right_hand_sides) << method.name();
+      // Compiled separately: rounding may differ, a thousandth of the tolerance at most.
+      EXPECT_LT((a.x - b.x).lpNorm<Eigen::Infinity>(), 1e-12) << method.name();
+    }
+  }
+}
+
+TEST(OdeintDirect, HasNoRosenbrockMethod) {
+  const ivp::Direct direct(chapters::PlainDuffing{});
+  EXPECT_THROW((void)ivp::integrate(direct, {1, 0}, 0, 1, inlined(Odeint::Formula::rosenbrock4)),
+               std::invalid_argument);
 }
 
 }  // namespace

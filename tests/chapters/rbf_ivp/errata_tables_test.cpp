@@ -112,7 +112,7 @@ struct Oscillation {
 };
 
 // Explicit of both tables. As printed Table 4.4 comes out with a half-step velocity that goes on unchanged
-// from one phase to the next (tests/ivp/published_errors_test.cpp).
+// from one phase to the next, which the chapter's check shows.
 TEST(ErrataOfTables, ExplicitRowsOfTables4_2And4_4) {
   Oscillation free{free_duffing_case(), no_load, 0, 1};
   free.central_differences(duffing_period() / 10, 1000);

@@ -1,4 +1,5 @@
 // adaptive-collocation where equations are stiff.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "nlmech/ivp/collocation/adaptive_collocation.hpp"
@@ -7,6 +8,7 @@
 #include "tests/ivp/oracle.hpp"
 #include "tests/ivp/reference.hpp"
 #include "tests/ivp/test_set.hpp"
+#include "tests/ivp/typed.hpp"
 
 namespace nlmech::ivp::adaptive_collocation_stiff_test {
 namespace {
@@ -32,22 +34,18 @@ double digits(const X& x, const std::vector<double>& exact) {
 constexpr double lost = 1.5;
 
 /// A fast and a slow rate along the axes (0.8, 0.6) and (-0.6, 0.8).
-struct TurnedRates {
-  static constexpr int dimension = 2;
-  double fast, slow;
-  template <class T>
-  void operator()(const T& /*t*/, const Vector<T, 2>& x, Vector<T, 2>& f) const {
-    const T along = -fast * (0.8 * x[0] + 0.6 * x[1]), across = -slow * (-0.6 * x[0] + 0.8 * x[1]);
-    f[0] = 0.8 * along - 0.6 * across;
-    f[1] = 0.6 * along + 0.8 * across;
-  }
-};
+System turned_rates(double fast, double slow) {
+  return testing::typed(fmt::format(
+      "along = -fast (0.8 x + 0.6 y); across = -slow (0.8 y - 0.6 x); fast = {:.17g}; slow = {:.17g}\n"
+      "x' = 0.8 along - 0.6 across; y' = 0.6 along + 0.8 across",
+      fast, slow));
+}
 
 // The sweeps of the first steps part so quickly that states overflow before a slope does.
 TEST(StiffAdaptiveCollocation, SweepsThatOverflowAreNoSolution) {
   for (const double fast : {1e6, 1e9, 1e12}) {
     const double end = 0.1, slow = 0.3;
-    const auto s = integrate(System(TurnedRates{fast, slow}), {-0.6, 0.8}, 0, end, to(1e-11, 1e-11));
+    const auto s = integrate(turned_rates(fast, slow), {-0.6, 0.8}, 0, end, to(1e-11, 1e-11));
     ASSERT_TRUE(s.status.ok()) << s.status.text();
     const State exact = std::exp(-slow * end) * State{-0.6, 0.8};
     // 30 tolerances, and the rounding of the axes.
@@ -144,19 +142,8 @@ TEST(StiffAdaptiveCollocation, StructuresThatVibrateFast) {
 }
 
 // Sweeps before the leap, Newton on the branch, and back again: a stiff problem that becomes gentle.
-struct StiffThenGentle {
-  static constexpr int dimension = 1;
-  template <class T>
-  void operator()(const T& t, const Vector<T, 1>& x, Vector<T, 1>& f) const {
-    using std::cos;
-    using std::exp;
-    using std::sin;
-    const T rate = 1e5 * exp(-t);
-    f[0] = cos(t) - rate * (x[0] - sin(t));
-  }
-};
 TEST(StiffAdaptiveCollocation, ComesBackToSweeps) {
-  const System system(StiffThenGentle{});
+  const System system = testing::typed("x' = cos(t) - 1e5 exp(-t) (x - sin(t))");
   const auto stiff = integrate(system, State{0.0}, 0, 10, to(1e-8, 1e-8));
   ASSERT_TRUE(stiff.status.ok()) << stiff.status.text();
   EXPECT_GT(stiff.statistics.jacobians, 0);

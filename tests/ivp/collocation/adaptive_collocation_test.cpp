@@ -1,15 +1,16 @@
-// adaptive-collocation: errors against exact solutions and published ones, what each step promises, dense
-// output, both engines and the change between them.
+// adaptive-collocation: what each step promises, at which order, and by which engine. What it owes as others
+// do: every_integrator_test.cpp, integrator_accuracy_test.cpp.
 #include "nlmech/ivp/collocation/adaptive_collocation.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "nlmech/ivp/events.hpp"
 #include "nlmech/ivp/series/series.hpp"
 #include "nlmech/problems/reference_trajectory.hpp"
 #include "nlmech/problems/texts.hpp"
 #include "tests/ivp/methods.hpp"
 #include "tests/ivp/oracle.hpp"
+#include "tests/ivp/typed.hpp"
 
 namespace nlmech::ivp::adaptive_collocation_test {
 namespace {
@@ -18,25 +19,6 @@ using testing::eps;
 
 AdaptiveCollocation to(double tolerance, int nodes = 0) {
   return {.relative_tolerance = tolerance, .absolute_tolerance = tolerance, .nodes = nodes};
-}
-
-// Ten periods against Jacobi's elliptic function. An error of a step moves the phase and the amplitude; an
-// error of the amplitude is a frequency off by about as much and grows with time.
-TEST(AdaptiveCollocation, FreeDuffingAtEveryTolerance) {
-  const problems::TextProblem problem("duffing");
-  const double end = 10 * oracle::duffing_period;
-  for (const int nodes : {0, 9, 13, 17}) {
-    for (int digits = 3; digits <= 14; ++digits) {
-      const double tolerance = std::pow(10., -digits);
-      const auto s = integrate(System(problem), {1, 0}, 0, end, to(tolerance, nodes));
-      ASSERT_TRUE(s.status.ok()) << s.status.text();
-      const double bound = static_cast<double>(s.statistics.steps) * (tolerance + eps) * (1 + end);
-      EXPECT_LT(oracle::distance(s.x, oracle::duffing(end)), bound) << nodes << " nodes, " << tolerance;
-      if (nodes == 0) {
-        EXPECT_EQ(s.statistics.jacobians, 0) << "sweeps suffice";
-      }
-    }
-  }
 }
 
 /// The largest error that a step adds, in tolerances: against the Taylor series from the step's own begin.
@@ -93,50 +75,21 @@ TEST(AdaptiveCollocation, NewtonsStepsThroughLeaps) {
 }
 
 // A slope of degree 2s - 2 in time alone is integrated exactly by s nodes, and no more: the order is 2s - 1.
-template <int degree>
-struct Power {
-  static constexpr int dimension = 1;
-  template <class T>
-  void operator()(const T& t, const Vector<T, 1>& /*x*/, Vector<T, 1>& f) const {
-    f[0] = 1;
-    for (int k = 0; k < degree; ++k) f[0] *= t;
-    f[0] *= degree + 1;
-  }
-};
 TEST(AdaptiveCollocation, QuadratureOfRadau) {
-  const auto error = [](const auto& problem, int nodes) {
+  const auto error = [](int degree, int nodes) {
+    const std::string n = std::to_string(degree);
+    const System power = testing::typed("x' = (" + n + " + 1) t^" + n);
     const AdaptiveCollocation whole{
         .relative_tolerance = 0.1, .absolute_tolerance = 1e10, .nodes = nodes};  // one step
-    const auto s = integrate(System(problem), State{0.0}, 0, 1, whole);
+    const auto s = integrate(power, State{0.0}, 0, 1, whole);
     EXPECT_EQ(s.statistics.steps, 1);
     return std::abs(s.x[0] - 1);
   };
-  EXPECT_LT(error(Power<14>{}, 9), 16 * eps);
-  EXPECT_GT(error(Power<15>{}, 9), 1e-9);
-  EXPECT_LT(error(Power<22>{}, 13), 16 * eps);
-  EXPECT_GT(error(Power<23>{}, 13), 1e-14);
-  EXPECT_LT(error(Power<30>{}, 17), 16 * eps);
-}
-
-// Between its ends a step solves the same equations: as accurate as there.
-TEST(AdaptiveCollocation, DenseOutput) {
-  for (const double tolerance : {1e-5, 1e-9, 1e-12}) {
-    double largest = 0;
-    std::int64_t steps = 0;
-    const auto look = [&](const Step& step) {
-      State x(2);
-      ++steps;
-      for (const double part : {0.0, 0.1, 0.5, 0.77, 1.0}) {
-        const double t = step.t0 + part * (step.t1 - step.t0);
-        step.dense.at(t, x);
-        largest = std::max(largest, oracle::distance(x, oracle::duffing(t)));
-      }
-      return true;
-    };
-    ASSERT_TRUE(
-        integrate(System(problems::TextProblem("duffing")), {1, 0}, 0, 20, to(tolerance), look).status.ok());
-    EXPECT_LT(largest, static_cast<double>(steps) * tolerance * 21) << tolerance;
-  }
+  EXPECT_LT(error(14, 9), 16 * eps);
+  EXPECT_GT(error(15, 9), 1e-9);
+  EXPECT_LT(error(22, 13), 16 * eps);
+  EXPECT_GT(error(23, 13), 1e-14);
+  EXPECT_LT(error(30, 17), 16 * eps);
 }
 
 // Newton's steps between their ends: the trial function, of order s + 1 where the end is of 2s - 1, on the
@@ -160,21 +113,6 @@ TEST(AdaptiveCollocation, DenseOutputOfStiffSteps) {
   EXPECT_LT(largest, 1e-5);  // 0.1 tol^((s+1)/2s) for s = 5 is 4e-7 a step
 }
 
-// x is zero at odd quarters of the period. The dense output of sweeps is as accurate as their steps, and the
-// time of a zero by 1/v more than that.
-TEST(AdaptiveCollocation, Events) {
-  const Event zero{.value = [](double, const State& x) { return x[0]; }};
-  const double quarter = oracle::duffing_period / 4;
-  const auto [s, hits] = integrate_with_events(System(problems::TextProblem("duffing")), State{1, 0}, 0,
-                                               8 * quarter, to(1e-11), {zero});
-  ASSERT_TRUE(s.status.ok());
-  ASSERT_EQ(hits.size(), 4U);
-  for (std::size_t k = 0; k < hits.size(); ++k) {
-    const auto odd = static_cast<double>(2 * k + 1);
-    EXPECT_NEAR(hits[k].t, odd * quarter, static_cast<double>(s.statistics.steps) * 1e-11 * 9) << k;
-  }
-}
-
 // Gaussians at the same nodes: they keep their promise with more steps, and where they are wide against the
 // step they are the polynomials.
 TEST(AdaptiveCollocation, Gaussians) {
@@ -193,6 +131,48 @@ TEST(AdaptiveCollocation, Gaussians) {
                     .statistics.steps);
     }
   }
+}
+
+// ------------------------------------------------------------ edges
+
+/// x = sin(w t) from 0.
+System driven(double frequency) {
+  return testing::typed(fmt::format("x' = w cos(w t) - (x - sin(w t)); w = {:.17g}", frequency));
+}
+
+// A step starts from the polynomial of the one before, which twice as far on may be a thousand times as large
+// as any state. A tolerance relative to that guess would let errors grow from step to step.
+TEST(AdaptiveCollocation, NoToleranceFollowsAGuess) {
+  for (const double tolerance : {1e-2, 1e-3, 1e-5, 1e-7}) {
+    for (int k = 0; k < 60; ++k) {
+      const double frequency = 5 + 0.41 * k, end = 14.2;
+      const auto s = integrate(driven(frequency), State{0.0}, 0, end, to(tolerance));
+      ASSERT_TRUE(s.status.ok()) << s.status.text();
+      // Errors fade in a unit of time, in which there is a step of two tolerances (|x| <= 1) or a few.
+      EXPECT_LT(std::abs(s.x[0] - std::sin(frequency * end)), 10 * tolerance)
+          << frequency << ' ' << tolerance;
+    }
+  }
+}
+
+// An unannounced jump makes the estimate shorten steps around it, and costs no more than the tolerance.
+TEST(AdaptiveCollocation, FindsUnannouncedJumps) {
+  const testing::Unannounced<testing::JumpingForce> problem;
+  const auto s = integrate(System(problem), State{0, 0}, 0, 1, to(1e-8));
+  ASSERT_TRUE(s.status.ok()) << s.status.text();
+  EXPECT_GT(s.statistics.rejected, 0);
+  EXPECT_LT(oracle::distance(s.x, testing::JumpingForce{}.exact(1)), 1e-7);
+}
+
+TEST(AdaptiveCollocation, OptionsOutOfRangeAreNamed) {
+  using testing::refusal;
+  EXPECT_NE(refusal(AdaptiveCollocation{.nodes = 8}).find("nodes must be 9, 13 or 17"), std::string::npos);
+  EXPECT_NE(refusal(AdaptiveCollocation{.relative_tolerance = 0.2}).find("relative_tolerance"),
+            std::string::npos);
+  EXPECT_NE(refusal(AdaptiveCollocation{.absolute_tolerance = testing::nan}).find("absolute_tolerance"),
+            std::string::npos);
+  EXPECT_NE(refusal(AdaptiveCollocation{.largest_step = -1}).find("largest_step"), std::string::npos);
+  EXPECT_EQ(refusal(AdaptiveCollocation{.relative_tolerance = 0}), "accepted");
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "nlmech/ivp/named/named_methods.hpp"
 #include "nlmech/problems/texts.hpp"
 #include "tests/ivp/methods.hpp"
+#include "tests/ivp/typed.hpp"
 
 namespace nlmech::ivp::hermitian_estimate_test {
 namespace {
@@ -95,24 +96,11 @@ TEST(HermitianDenseOutput, KeepsVelocitiesInTinySteps) {
   }
 }
 
-/// q'' = t.
-struct Ramp {
-  static constexpr int dimension = 2;
-  template <class T>
-  void acceleration(const T& t, const Vector<T, 1>& /*q*/, const Vector<T, 1>& /*v*/, Vector<T, 1>& a) const {
-    a[0] = t;
-  }
-  template <class T>
-  void operator()(const T& t, const Vector<T, 2>& x, Vector<T, 2>& dxdt) const {
-    problems::first_order_form(*this, t, x, dxdt);
-  }
-};
-
 // Within a step a velocity has, beside the error of the ends, the derivative of what the step's error of the
 // position makes of the quintic: for q'' = t a step by Newmark's operators has h^3/12 of it, and v at a share
 // s 30 s^2 (1 - s)^2 h^2/12.
 TEST(HermitianDenseOutput, VelocitiesHaveTheErrorOfTheirPlace) {
-  const System system{Ramp{}};
+  const System system = testing::typed("x'' = t");
   for (const double h : {1e-1, 1e-2}) {
     State x(2);
     const Observer observe = [&](const Step& step) {

@@ -8,17 +8,15 @@
 #include "tests/ivp/methods.hpp"
 #include "tests/ivp/oracle.hpp"
 #include "tests/ivp/reference.hpp"
-#include "tests/ivp/transversal/mtl_run.hpp"
 
 namespace nlmech::ivp::mtl_orders_test {
 namespace {
 
 using problems::TextProblem;
 using testing::eps;
-using testing::run;
 
 double error_of(const TextProblem& problem, const State& truth, double end, const Mtl& method) {
-  const auto s = run(problem, {1, 0}, 0, end, method);
+  const auto s = integrate(System(problem), State{1, 0}, 0, end, method);
   EXPECT_TRUE(s.status.ok()) << s.status.text();
   return oracle::distance(s.x, truth);
 }
@@ -59,8 +57,10 @@ TEST(Mtl, InterpoletsAreOfSecondOrder) {
 // With straight lines a step depends on the one before alone, however many are solved at once.
 TEST(Mtl, InterpoletsOfThreePointsAreThreeStepsOfOne) {
   const TextProblem problem("driven-duffing", {{"damping", 0.1}});
-  const auto one = run(problem, {1, 0}, 0, 3, {.step = 0.1, .points = 1, .basis = MtlBasis::interpolet});
-  const auto three = run(problem, {1, 0}, 0, 3, {.step = 0.1, .points = 3, .basis = MtlBasis::interpolet});
+  const auto one = integrate(System(problem), State{1, 0}, 0, 3,
+                             Mtl{.step = 0.1, .points = 1, .basis = MtlBasis::interpolet});
+  const auto three = integrate(System(problem), State{1, 0}, 0, 3,
+                               Mtl{.step = 0.1, .points = 3, .basis = MtlBasis::interpolet});
   EXPECT_NEAR(one.x[0], three.x[0], 100 * eps);
   EXPECT_NEAR(one.x[1], three.x[1], 100 * eps);
 }

@@ -1,23 +1,24 @@
-/// The coefficients of order 8(5,3) in extended precision, held to the order conditions of all rooted trees.
-#include "nlmech/ivp/runge_kutta/dop853_coefficients.hpp"
-
+/// Coefficients of explicit Runge-Kutta methods against the order conditions of all rooted trees: those of
+/// order 8(5,3) in extended precision, those of ode45 in double.
 #include <gtest/gtest.h>
 
 #include <functional>
 #include <string>
 #include <vector>
 
+#include "nlmech/ivp/runge_kutta/dop853_coefficients.hpp"
+#include "nlmech/ivp/runge_kutta/dormand_prince.hpp"
 #include "tests/ivp/coefficient_table.hpp"
 #include "tests/ivp/oracle.hpp"
 
-namespace nlmech::ivp::dop853_coefficients_test {
+namespace nlmech::ivp::runge_kutta_coefficients_test {
 namespace {
 
 using oracle::Real;
 using testing::CoefficientTable;
 using Weights = std::vector<Real>;
 
-constexpr std::size_t stages = dop853::all_stages, end_of_step = dop853::stages;
+constexpr std::size_t all_stages = dop853::all_stages, end_of_step = dop853::stages;
 // The digits, 26 after the point of the largest of size 500, summed over sixteen stages and through products
 // of weights up to 40.
 constexpr double rounding = 1e-23;
@@ -31,17 +32,18 @@ struct Exact {
   Exact() {
     const CoefficientTable table = written();
     const auto get = [&](const std::string& key) { return table.get(key); };
-    for (std::size_t i = 1; i <= stages; ++i) {
+    for (std::size_t i = 1; i <= all_stages; ++i) {
       const std::string n = std::to_string(i);
       c.push_back(get("c," + n + ","));
       third.push_back(get("third," + n + ","));
       fifth.push_back(get("fifth," + n + ","));
       a.emplace_back();
-      for (std::size_t j = 1; j <= stages; ++j) a.back().push_back(get("a," + n + "," + std::to_string(j)));
+      for (std::size_t j = 1; j <= all_stages; ++j)
+        a.back().push_back(get("a," + n + "," + std::to_string(j)));
     }
     for (int r = 4; r <= 7; ++r) {
       dense.emplace_back();
-      for (std::size_t i = 1; i <= stages; ++i)
+      for (std::size_t i = 1; i <= all_stages; ++i)
         dense.back().push_back(get("dense," + std::to_string(r) + "," + std::to_string(i)));
     }
   }
@@ -60,17 +62,17 @@ struct Tree {
   Weights product;
 };
 
-/// All trees of up to @p most nodes, each once: a tree of n nodes is a multiset of trees with n - 1 nodes
-/// altogether, written in falling order of their places in the list.
-std::vector<Tree> trees(int most) {
-  const Exact& e = exact();
+/// All trees of up to @p most nodes by the rows @p a, each once: a tree of n nodes is a multiset of trees
+/// with n - 1 nodes altogether, written in falling order of their places in the list.
+std::vector<Tree> trees(int most, const std::vector<Weights>& a = exact().a) {
+  const std::size_t stages = a.size();
   std::vector<Tree> all;
   std::vector<Weights> sums;  // sum_j a_ij product_j of each
   const auto add = [&](const Tree& tree) {
     all.push_back(tree);
     Weights sum(stages, 0);
     for (std::size_t i = 0; i < stages; ++i) {
-      for (std::size_t j = 0; j < i; ++j) sum[i] += e.a[i][j] * tree.product[j];
+      for (std::size_t j = 0; j < i; ++j) sum[i] += a[i][j] * tree.product[j];
     }
     sums.push_back(sum);
   };
@@ -117,7 +119,7 @@ TEST(Dop853Coefficients, TreesAreCounted) {
 
 TEST(Dop853Coefficients, RowsSumToTheirAbscissa) {
   const Exact& e = exact();
-  for (std::size_t i = 0; i < stages; ++i) {
+  for (std::size_t i = 0; i < all_stages; ++i) {
     Real sum = 0;
     for (std::size_t j = 0; j < i; ++j) sum += e.a[i][j];
     EXPECT_LT(abs(Real(sum - e.c[i])), Real(rounding)) << i + 1;
@@ -136,7 +138,7 @@ TEST(Dop853Coefficients, FormulaIsOfOrderEight) {
 TEST(Dop853Coefficients, EstimatesAreOfOrdersFiveAndThree) {
   const std::vector<Tree> all = trees(6);
   Weights fifth = exact().a[end_of_step];
-  for (std::size_t i = 0; i < stages; ++i) fifth[i] -= exact().fifth[i];
+  for (std::size_t i = 0; i < all_stages; ++i) fifth[i] -= exact().fifth[i];
   for (int order = 1; order <= 5; ++order) EXPECT_LT(worst(all, order, fifth), rounding) << order;
   EXPECT_GT(worst(all, 6, fifth), 1e-5);
   for (int order = 1; order <= 3; ++order) EXPECT_LT(worst(all, order, exact().third), rounding) << order;
@@ -148,7 +150,7 @@ Weights dense_weights(const Real& s) {
   const Exact& e = exact();
   const Real u = 1 - s;
   Weights weights;
-  for (std::size_t i = 0; i < stages; ++i) {
+  for (std::size_t i = 0; i < all_stages; ++i) {
     const Real way = e.a[end_of_step][i], first = i == 0 ? 1 : 0, last = i == end_of_step ? 1 : 0;
     const Real begin = first - way;
     const Real inner = e.dense[0][i] + s * (e.dense[1][i] + u * (e.dense[2][i] + s * e.dense[3][i]));
@@ -171,19 +173,70 @@ TEST(Dop853Coefficients, DenseOutputIsOfOrderSeven) {
 TEST(Dop853Coefficients, HeaderIsTheTableRounded) {
   CoefficientTable table = written();
   const auto same = [&](double mine, const std::string& key) { table.expect_rounded(mine, key); };
-  for (std::size_t i = 0; i < stages; ++i) {
+  for (std::size_t i = 0; i < all_stages; ++i) {
     const std::string n = std::to_string(i + 1);
     same(dop853::c[i], "c," + n + ",");
     if (i < dop853::stages) {
       same(dop853::third[i], "third," + n + ",");
       same(dop853::fifth[i], "fifth," + n + ",");
     }
-    for (std::size_t j = 0; j + 1 < stages; ++j)
+    for (std::size_t j = 0; j + 1 < all_stages; ++j)
       same(dop853::a[i][j], "a," + n + "," + std::to_string(j + 1));
     for (std::size_t r = 0; r < 4; ++r) same(dop853::dense[r][i], "dense," + std::to_string(r + 4) + "," + n);
   }
   table.expect_all_compared();
 }
 
+// ------------------------------------------------------------ ode45
+
+/// Its rows, and weights of its stages at a fraction s of a step.
+std::vector<Weights> ode45_rows() {
+  std::vector<Weights> rows;
+  for (const auto& row : dormand_prince::a) {
+    rows.emplace_back(row.begin(), row.end());
+    rows.back().emplace_back(0);
+  }
+  return rows;
+}
+Weights ode45_weights(double s) {
+  Weights b;
+  for (const auto& w : dormand_prince::dense) b.emplace_back(s * (w[0] + s * (w[1] + s * (w[2] + s * w[3]))));
+  return b;
+}
+
+constexpr double double_rounding = 64 * std::numeric_limits<double>::epsilon();  // weights up to 10 cancel
+
+TEST(Ode45Coefficients, FormulaIsOfOrderFiveAndItsCompanionOfFour) {
+  const std::vector<Weights> rows = ode45_rows();
+  const std::vector<Tree> all = trees(6, rows);
+  const Weights& fifth = rows.back();
+  Weights fourth = fifth;
+  for (std::size_t i = 0; i < fourth.size(); ++i) fourth[i] -= dormand_prince::difference[i];
+  for (int order = 1; order <= 5; ++order) EXPECT_LT(worst(all, order, fifth), double_rounding) << order;
+  EXPECT_GT(worst(all, 6, fifth), 1e-5);
+  for (int order = 1; order <= 4; ++order) EXPECT_LT(worst(all, order, fourth), double_rounding) << order;
+  EXPECT_GT(worst(all, 5, fourth), 1e-5);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    Real sum = 0;
+    for (const Real& a : rows[i]) sum += a;
+    EXPECT_LT(abs(Real(sum - dormand_prince::c[i])), Real(double_rounding));
+  }
+}
+
+// At the end of the step the quartic is the fifth-order formula, and its slope is f there.
+TEST(Ode45Coefficients, DenseOutputIsOfOrderFour) {
+  const std::vector<Weights> rows = ode45_rows();
+  const std::vector<Tree> all = trees(4, rows);
+  for (const double s : {0.1, 0.25, 0.5, 0.75, 1.0}) {
+    for (int order = 1; order <= 4; ++order)
+      EXPECT_LT(worst(all, order, ode45_weights(s), s), double_rounding) << order << " at " << s;
+  }
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    EXPECT_LT(abs(Real(ode45_weights(1)[i] - rows.back()[i])), Real(double_rounding));
+    const auto& w = dormand_prince::dense[i];
+    EXPECT_NEAR(w[0] + 2 * w[1] + 3 * w[2] + 4 * w[3], i + 1 == rows.size() ? 1 : 0, double_rounding);
+  }
+}
+
 }  // namespace
-}  // namespace nlmech::ivp::dop853_coefficients_test
+}  // namespace nlmech::ivp::runge_kutta_coefficients_test

@@ -1,0 +1,112 @@
+/// Does an equation depend on the time? And the method that is taken by default, on random equations with
+/// such forces.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <complex>
+#include <random>
+#include <string>
+
+#include "nlmech/comparison/choice/choice.hpp"
+#include "nlmech/comparison/commands/runs.hpp"
+#include "nlmech/support/errors.hpp"
+#include "tests/ivp/typed.hpp"
+
+namespace nlmech::comparison::default_method_test {
+namespace {
+
+using ivp::State;
+using ivp::testing::typed;
+
+TEST(DependsOnTime, BySymbolsAndByClocks) {
+  const auto depends = [](const std::string& equation) {
+    return depends_on_time(typed(equation), 0, State{1, 0.5});
+  };
+  EXPECT_TRUE(depends("x'' = cos(10 t)"));
+  EXPECT_TRUE(depends("x'' + x = 1e-300 t"));
+  EXPECT_TRUE(depends("x'' = exp(-((t-50)/0.5)^2)"));    // whose derivative at 0 is 0 in doubles
+  EXPECT_TRUE(depends("x' = cos(10 s); s' = 1"));        // a component in the place of the time
+  EXPECT_TRUE(depends("x' = max(sin(t), 0); y' = -y"));  // where it switches
+  EXPECT_FALSE(depends("x'' + 0.1 x' + x + x^3 = 0"));
+  EXPECT_FALSE(depends("x' = k x; k' = 0"));  // a constant unknown is no clock
+  EXPECT_FALSE(depends("x'' = -sin(x) + 2"));
+}
+
+/// Numbers that are the same everywhere: distributions of the library differ between its implementations.
+class Random {
+ public:
+  /// From least to most, equally likely in the logarithm.
+  [[nodiscard]] double size(double least, double most) {
+    const double share = static_cast<double>(engine_() >> 11) * 0x1p-53;
+    return least * std::pow(most / least, share);
+  }
+
+ private:
+  std::mt19937_64 engine_{20261127};
+};
+
+/// A random equation with its solution at an end.
+struct Forced {
+  std::string text;
+  double end, exact;
+};
+
+// a cos(w t) over a rest, over a decay, over an oscillator, and three smooth quadratures: closed forms.
+Forced forced(Random& random, int kind) {
+  using Complex = std::complex<double>;
+  const double a = random.size(0.1, 10), w = random.size(0.5, 50), end = random.size(0.5, 10),
+               k = random.size(1e-3, 1);
+  switch (kind) {
+    case 0: return {fmt::format("x' = {}*cos({}*t)", a, w), end, a / w * std::sin(w * end)};
+    case 1:
+      return {fmt::format("x' = {}/(1 + {}*t^2)", a, w), end,
+              a / std::sqrt(w) * std::atan(std::sqrt(w) * end)};
+    case 2:
+      return {fmt::format("x' = {}*sqrt(t + {})", a, k), end,
+              a * 2 / 3 * (std::pow(end + k, 1.5) - std::pow(k, 1.5))};
+    case 3: return {fmt::format("x'' = {}*cos({}*t)", a, w), end, a / (w * w) * (1 - std::cos(w * end))};
+    case 4: {
+      const Complex part = a / Complex(k, w);
+      return {fmt::format("x' = {}*cos({}*t) - {}*x", a, w, k), end,
+              (part * std::exp(Complex(0, w * end))).real() - part.real() * std::exp(-k * end)};
+    }
+    default: {  // x'' + 2 k x' + k^2 (1 + 9) x: roots -k +- 3 k i
+      const Complex r(-k, 3 * k), part = a / Complex(10 * k * k - w * w, 2 * k * w);
+      const double x0 = -part.real(), v0 = -(Complex(0, w) * part).real();
+      const Complex c = (v0 - std::conj(r) * x0) / (r - std::conj(r));
+      return {fmt::format("x'' + {}*x' + {}*x = {}*cos({}*t)", 2 * k, 10 * k * k, a, w), end,
+              (2.0 * c * std::exp(r * end) + part * std::exp(Complex(0, w * end))).real()};
+    }
+  }
+}
+
+// Right within what verification allows, a hundred tolerances of 1e-9, and never refused.
+TEST(DefaultMethod, AnswersWhatIsForced) {
+  Random random;
+  for (int i = 0; i < 60; ++i) {
+    const Forced f = forced(random, i % 6);
+    SCOPED_TRACE(fmt::format("{} to {}", f.text, f.end));
+    const auto problem = typed_problem(program::SourceText("equation", f.text), {});
+    const RunOptions options{.x0 = ivp::State::Zero(problem.system.size()),
+                             .t0 = 0,
+                             .t1 = f.end,
+                             .settings = {},
+                             .every = {},
+                             .limits = {.seconds = 60},
+                             .verify = true};
+    const ivp::MethodInfo& method = usual_method(problem, options);
+    try {
+      const Trajectory run = trajectory(problem, options, method);
+      const std::string last = run.rows.substr(run.rows.rfind('\n', run.rows.size() - 2) + 1);
+      const double x = std::stod(last.substr(last.find(',') + 1));
+      EXPECT_NEAR(x, f.exact, 1e-7 * (1 + std::abs(f.exact))) << method.name;
+      EXPECT_EQ(run.remark, "") << method.name;
+    } catch (const Failure& failure) {
+      ADD_FAILURE() << method.name << ": " << failure.what();
+    }
+  }
+}
+
+}  // namespace
+}  // namespace nlmech::comparison::default_method_test
