@@ -277,7 +277,7 @@ TEST_P(EveryIntegrator, NeverLooksAcrossAJump) {
     EXPECT_TRUE(solution.status.ok()) << solution.status.text();
     EXPECT_EQ(solution.t, t1);
   };
-  for (const double step : {0.1, 0.03, 0.07}) {
+  for (const double step : {0.1, 0.03, 0.07, 0.01}) {
     const NamedIntegrator integrate = with(by_steps() ? step : usual_tolerance);
     for (const double end : {0.3, 1.0}) check(integrate, 0, end);
     check(integrate, 0.3, 1);
@@ -303,7 +303,8 @@ TEST_P(EveryIntegrator, NeverLooksAcrossAKink) {
   const double room = gaussians() ? 1e-6 : 5000 * eps;
   std::mt19937 random(3);
   for (const bool forwards : {true, false}) {
-    expect_kink(with(by_steps() ? 0.1 : usual_tolerance), 0.3, forwards, room);
+    for (const double step : {0.1, 0.01})
+      expect_kink(with(by_steps() ? step : usual_tolerance), 0.3, forwards, room);
     for (int k = 0; k < 20 && !by_steps(); ++k)
       expect_kink(with(1e-6), static_cast<double>(random() % 1'000'000 + 1) / 1'000'001, forwards, room);
   }
