@@ -63,6 +63,12 @@ void both_models(double height, const BothStepped& steps, scene::Show& show) {
   } else {
     check_least_slopes(*williams, *element, show);
   }
+  if (height == 0.44) {
+    for (const auto& [name, model] : {std::pair("Williams", Model::williams), {"element", Model::element}})
+      show.equals(fmt::format("starts between the limit points that lead to the falling branch, {}", name),
+                  found_from_the_falling_branch(model), 20,
+                  "all of them: the curve has one root between the limit points under each of the loads");
+  }
   check_steps(steps.williams, "Williams", show);
   check_steps(steps.element, "element", show);
 }

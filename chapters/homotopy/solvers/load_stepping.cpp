@@ -75,6 +75,19 @@ const char* to_string(bool up) { return up ? "loading" : "unloading"; }
 
 }  // namespace
 
+int found_from_the_falling_branch(Model model) {
+  const Stepping how{.model = model, .height = 0.44};
+  const Branches branches(how);
+  int found = 0;
+  for (const double load : {34, 36, 38, 41}) {
+    for (const double start : {0.25, 0.3, 0.35, 0.4, 0.45}) {
+      const LoadPoint end = solve(how, branches, load, start);
+      found += end.found && end.branch == Branch::falling;
+    }
+  }
+  return found;
+}
+
 bool is_williams(const Stepped& steps) { return steps.how.model == Model::williams; }
 
 Stepped step_loads(const Stepping& how) {
