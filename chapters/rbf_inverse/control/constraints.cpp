@@ -84,13 +84,13 @@ void put_bounded(const std::vector<Bounded>& all, scene::Show& show) {
       panel.curve(b.limit ? fmt::format("at most {:g}", *b.limit) : "no bound", b.control.t, b.control.f,
                   scene::lines(b.limit ? 0 : 8));
   }
-  show.table(
-      all, {{"bound of |f|", &Bounded::limit},
-            {"status", [](const Bounded& b) { return to_string(b.status().outcome()); }},
-            {"cost", [](const Bounded& b) { return b.found(b.extremal.cost); }, 10},
-            {"lambda1(0)", [](const Bounded& b) { return b.first(2); }, 8},
-            {"lambda2(0)", [](const Bounded& b) { return b.first(3); }, 8},
-            {"miss of the integrated end", [](const Bounded& b) { return b.found(b.extremal.miss); }, 2}});
+  show.table(all,
+             {{"bound of |f|", &Bounded::limit},
+              {"status", [](const Bounded& b) { return to_string(b.status().outcome()); }},
+              {"cost", [](const Bounded& b) { return b.found(b.extremal.cost); }, 10},
+              {"lambda1(0)", [](const Bounded& b) { return b.first(2); }, 8},
+              {"lambda2(0)", [](const Bounded& b) { return b.first(3); }, 8},
+              {"miss of the integrated end", [](const Bounded& b) { return b.found(b.extremal.miss); }, 2}});
   const Bounded& at_15 = all[1];
   show.near("peak of the unbounded force", {all[0].control.peak(), "1/s^2"}, 16.409, 1e-3, "recorded");
   show.near("cost at 15", at_15.extremal.cost, 122.3004593, 1e-6,
