@@ -320,7 +320,7 @@ TEST_P(EveryIntegrator, TakesSystemsOfAnySize) {
       decays += (i > 1 ? "; " : "") + x + "' = -(" + rate + ") " + x;
       oscillators += (i > 1 ? "; " : "") + x + "'' = -(" + rate + ")^2 " + x;
     }
-    State x0 = State::Zero(2 * n);
+    State x0 = State::Zero(Eigen::Index{2} * n);
     x0.head(n).setOnes();
     const auto swings = run(typed(oscillators), x0, 0, 1);
     ASSERT_TRUE(swings.status.ok()) << swings.status.text();

@@ -223,7 +223,7 @@ void against_cvode(Speed& all, const Stiff& p, const Problem& problem, const Pla
         ivp::State x = p.x0;
         return run(tolerance, x) ? std::optional(p.error(x)) : std::nullopt;
       };
-      const std::string name = fmt::format("{} to {:.0e}, {}", p.name, digits, method);
+      std::string name = fmt::format("{} to {:.0e}, {}", p.name, digits, method);
       all.add(chapters::fastest(name, chapters::half_decades(8, 26), digits, error,
                                 [run, x0 = p.x0](double tolerance) {
                                   ivp::State x = x0;
