@@ -182,9 +182,10 @@ class Run:
             self.expand(t, x, step)
             longest = self.longest(size, digits)
             if 0.25 <= longest <= 4 or (longest > 4 and abs(step) >= way):
-                break
+                return step, longest
             step = step * fixed(min(longest, 8)) >> BITS
-        return step, longest
+        self.expand(t, x, step)
+        return step, self.longest(size, digits)
 
     def at(self, s):
         """The state after so many of the series' steps, in fixed point."""
@@ -202,6 +203,9 @@ def steps(run, x, t, end, digits, seconds, size=None):
     time between. They stop early if they become too many, or the solution grows beyond all bounds."""
     sign, last, step = 1 if end > t else -1, time.process_time() + seconds, (end - t) // 64
     size = size or [abs(c) for c in x]
+    if not any(size):  # from rest at 0: what the first rates make of it on the way
+        run.expand(t, x, step)
+        size[:] = [abs(rate.c[0] * (end - t) >> BITS) for rate in run.f]
     while t != end:
         largest = max(size)
         if time.process_time() > last or largest > ONE << 200:

@@ -38,6 +38,14 @@ def test_functions_of_a_series():
         assert abs(mp.ldexp(mp.mpf(state[1]), -taylor.BITS) - mp.exp(mp.sin(5)) ** -1.5) < mp.mpf(10) ** -23
 
 
+@pytest.mark.parametrize("end", [0.01, 3.0])
+def test_a_motion_from_rest_at_zero_has_a_size(end):
+    """x'' = cos 3t, whose state at the start gives no scale."""
+    with mp.workdps(50):
+        state = taylor.states(lambda t, x, _piece: [x[1], taylor.Cosine(t, 3)], [0, 0], 0.0, [end])[0]
+        assert abs(mp.ldexp(mp.mpf(state[0]), -taylor.BITS) * 9 / (1 - mp.cos(3 * mp.mpf(end))) - 1) < mp.mpf(10) ** -22
+
+
 def test_a_piece_ends_where_it_is_said_to():
     state = taylor.states(lambda t, x, piece: [t * (1 if piece < 1 else -2)], [0], 0.0, [3.0], breaks=(1.0, 7.0))[0]
     assert taylor.floating(state[0]) == pytest.approx(0.5 - 8, abs=1e-25)
