@@ -22,7 +22,7 @@ AT_ONCE = $(MAKE) --no-print-directory -j
 help:
 	@echo "make figures         every figure and table of every chapter"
 	@echo "make test            all tests but the long ones"
-	@echo "make test-long       those, but for random cases and oracles"
+	@echo "make test-long       the long tests, except random cases (make adversary) and oracles (make oracles)"
 	@echo "make tables          numbers and tables without drawing"
 	@echo "make chapter-NAME    one chapter: figures, tables, verdicts"
 	@echo "make check           published beside reproduced, verdicts, figures, claims; tables/REPRODUCTION.md"

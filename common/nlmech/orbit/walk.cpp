@@ -64,7 +64,7 @@ bool Walk::unrolled(int order) const {
   return options_.kernel && order >= kernels::least_unrolled && order <= kernels::most_unrolled;
 }
 
-// Measured for the three code paths: loops, the baseline kernel, the kernels with fused multiply-adds.
+// By code path: loops, the baseline kernel, the kernels with fused multiply-adds.
 double Walk::cost_exponent() const {
   if (!options_.kernel) return 1.8;
   return kernel_ == &kernels::baseline_kernel ? 1.4 : 1.0;
