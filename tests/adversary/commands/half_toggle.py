@@ -106,13 +106,13 @@ def factored(k, places):
 
 
 def solved(rows, right):
-    """The solution by what factored() returns."""
+    """The solution by what factored() returns; not finite if a pivot is zero."""
     x = list(right)
     for i in range(len(x)):
         for j in range(max(0, i - BAND), i):
             x[i] -= rows[i][j] * x[j]
     for i in reversed(range(len(x))):
-        x[i] = x[i] / rows[i][i]
+        x[i] = x[i] / rows[i][i] if rows[i][i] else math.inf
         for j in range(i + 1, min(i + BAND + 1, len(x))):
             x[i] -= rows[j][i] * x[j]
     return x

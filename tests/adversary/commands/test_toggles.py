@@ -195,13 +195,16 @@ def changes(toggle, low, high):
         if same(low, high):
             return
         before, after = toggle.between(low, high, lambda p, low=low: not same(p, low))
-        # The slope on both sides, away from its own rounding.
+        place = before
+        # Beside a singular matrix rounding decides the slope and the counts: both are looked at away from it.
         off = 1e-7 * toggle.height
         behind, ahead = toggle.at(before.drop - off, before.x) or before, toggle.at(after.drop + off, after.x) or after
+        if not same(behind, ahead) and ahead.drop <= high.drop:  # else two changes are near to each other, or one to the next point
+            before, after = behind, ahead
         is_symmetric = before.antisymmetric == after.antisymmetric
         is_limit = is_symmetric and (behind.slope > 0) != (ahead.slope > 0)
         yield Event(("maximum" if behind.slope > 0 else "minimum") if is_limit else "bifurcation", "symmetric" if is_symmetric else "antisymmetric",
-                    before.load, before.drop)
+                    place.load, place.drop)
         low = after
 
 
