@@ -1,194 +1,164 @@
 /// @file
-/// Where a function of time and state passes through zero on the way of an integration: landings, sections,
-/// impacts.
+/// Events: zeros of a function of time and state along a solution (landings, sections, impacts), and what
+/// they do to the state.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
+#include <cstdint>
 #include <functional>
-#include <stdexcept>
+#include <span>
 #include <utility>
 #include <vector>
 
-#include "nlmech/ivp/failures.hpp"
 #include "nlmech/ivp/integrate.hpp"
+#include "nlmech/program/interval.hpp"
 
 namespace nlmech::ivp {
 
-/// Which passages count, in the direction of the integration.
+/// Which zeros count, in the direction of the integration.
 enum class Crossing {
-  either,   ///< all
-  rising,   ///< from negative values
-  falling,  ///< from positive values
+  either,   ///< all, those too at which g touches zero
+  rising,   ///< from negative to positive values
+  falling,  ///< from positive to negative values
 };
 
-/// What an integration is to look out for.
+/// Bounds on a function g and on its derivative along solutions.
+struct Enclosure {
+  program::Interval value;  ///< of g
+  program::Interval rate;   ///< of dg/dt
+};
+
+/// A function to watch.
 struct Event {
   std::function<double(double t, const State& x)> value;  ///< g(t, x), continuous: the event is its zero
-  Crossing crossing = Crossing::either;                   ///< which passages count
-  bool ends = false;                                      ///< is the integration over at the first of them?
+  Crossing crossing = Crossing::either;                   ///< which zeros count
+  int ends = 0;  ///< the integration ends at the so-manieth that counts; 0: at none of them
+  /// Bounds on g over a time and a box of states. With them no zero is passed over: a part of a step without
+  /// one is a part where the bounds exclude it. Without them the signs of g at 8 places of a step decide.
+  std::function<Enclosure(const program::Interval& t, std::span<const program::Interval> x)> bounds = {};
+  /// What it makes of the state, which the integration goes on from; empty: it changes nothing.
+  std::function<void(double t, State& x)> change = {};
 };
 
 /// An event that took place.
 struct Hit {
   std::size_t event;  ///< its place in the list
   double t;           ///< when: at the zero or at most one spacing of doubles after it
-  State x;            ///< the state, by the method's dense output
-  bool rising;        ///< did g come from negative values?
+  State x;            ///< the state
+  int direction;      ///< 1 if g rises, -1 if it falls, 0 if it touches zero to within the tolerance
+  State after = {};   ///< what the event makes of x; empty if it changes nothing
 };
 
-/// An integration with what took place on its way.
-struct EventSolution {
-  Solution solution;      ///< ends at the asked time, or with success at the event that ends it
-  std::vector<Hit> hits;  ///< in the order of the way
+/// A part of an integration in which an event cannot be told from none.
+struct OpenEvent {
+  std::size_t event;  ///< its place in the list
+  double t0;          ///< from
+  double t1;          ///< to
 };
 
-/// Looks for events in one step after another. `integrate_with_events` is the usual way to use it.
+/// How far the states of a run may be off.
+struct StateAccuracy {
+  double relative = 0;  ///< of |x_i|
+  double absolute = 0;  ///< besides
+};
+
+/// Finds events in one step after another; an observer calls it. `integrate_with_events` is the usual way.
 ///
-/// Each step is looked at in 8 places (the last is its end), and every change of sign is narrowed down by
-/// bisection until two neighbouring doubles are left. Two zeros between neighbouring places go unseen: bound
-/// the method's `largest_step` where that may happen. A function that is zero at the begin of a place has the
-/// sign that it takes in the first 2^-26 of it: a ball that leaves the ground makes no event until it is
-/// back. Poles and jumps, where the sign changes without a zero, are no events.
+/// Where an event has bounds, the step is halved until each part has no zero by the bounds on g, or at most
+/// one by those on dg/dt (interval bisection). The box of states of a part is that of the Chebyshev
+/// polynomial of degree 7 through the dense output, where the last two coefficients show that it is resolved.
+/// Zeros that remain open to within the accuracy of the states, double ones for instance, are hits of
+/// direction 0 if g has a minimum or maximum there and the event counts both directions; else they are in
+/// open().
+///
+/// A function that is zero where the integration starts makes no event there. Poles and jumps, where the sign
+/// changes without a zero, are no events.
 class EventFinder {
  public:
+  /// @param run the method, by which the time of an event is made as accurate as the steps; empty: the dense
+  /// output is good enough
   /// @throws std::invalid_argument for an event without a function
-  explicit EventFinder(std::vector<Event> events) : events_(std::move(events)), signs_(events_.size(), 0) {
-    for (const Event& event : events_) {
-      if (!event.value) throw std::invalid_argument("event: there is no function to look at");
-    }
-  }
+  explicit EventFinder(std::vector<Event> events, StateAccuracy accuracy = {}, SmoothRun run = {});
 
-  /// Looks at a step; false if an event ends the integration in it, or a value was NaN.
-  [[nodiscard]] bool see(const Step& step) {
-    if (step.index == 1) begin(step.t0, step.x0);
-    State x = step.x1;
-    double from = step.t0;
-    for (int k = 1; k <= places && status_.ok(); ++k) {
-      const double to = k == places ? step.t1 : step.t0 + (step.t1 - step.t0) * k / places;
-      if (k < places) {
-        step.dense.at(to, x);
-      } else {
-        x = step.x1;
-      }
-      if (look(step, from, to, x)) return false;
-      from = to;
-    }
-    return status_.ok();
-  }
-  /// What was found up to now, in the order of the way.
+  /// Looks at a step of @p system; false if the run must stop in it: an event ends it or changes the state,
+  /// or a value was not a number.
+  [[nodiscard]] bool see(const System& system, const Step& step, const Limits& limits = {});
+  /// What was found up to now, in the direction of travel.
   [[nodiscard]] const std::vector<Hit>& hits() const { return hits_; }
-  /// Was the last one an event that ends the integration?
-  [[nodiscard]] bool ended() const { return !hits_.empty() && events_[hits_.back().event].ends; }
-  /// `non_finite` once a value was NaN.
+  /// Where an event could not be decided: the first such part of each event, up to the last one.
+  [[nodiscard]] const std::vector<OpenEvent>& open() const { return open_; }
+  /// Did the last hit end the integration?
+  [[nodiscard]] bool ended() const { return ended_; }
+  /// Did the last hit change the state? The integration goes on from Hit::after.
+  [[nodiscard]] bool changed() const { return changed_; }
+  /// To be called before the integration goes on from Hit::after: there the event is over, wherever rounding
+  /// has left its function.
+  void go_on();
+  /// `non_finite` once a value was not a number; else success.
   [[nodiscard]] const Status& status() const { return status_; }
 
  private:
-  static constexpr int places = 8;
-
-  void begin(double t, const State& x) {
-    for (std::size_t i = 0; i < events_.size(); ++i) signs_[i] = sign_of(events_[i].value(t, x), t);
-  }
-  int sign_of(double value, double t) {
-    if (std::isnan(value) && status_.ok()) status_ = event_undefined(t);
-    return (value > 0) - (value < 0);
-  }
-  // The passages between two places, the second with state x; true if one of them ends the integration.
-  bool look(const Step& step, double from, double to, const State& x) {
-    const std::size_t first = hits_.size();
-    for (std::size_t i = 0; i < events_.size(); ++i) {
-      double begin = from;
-      const int before = signs_[i] != 0 ? signs_[i] : sign_after(step, i, begin, to);
-      const int after = sign_of(events_[i].value(to, x), to);
-      signs_[i] = after;
-      const bool rising = before < 0;
-      if (before == 0 || after == before || !status_.ok() || !counts(events_[i].crossing, rising)) continue;
-      const Hit hit = narrowed(step, i, begin, to, before);
-      // Else the function was NaN on the way to its zero.
-      if (status_.ok() && is_zero(step, hit, begin, to, x)) hits_.push_back(hit);
-    }
-    const auto begin = hits_.begin() + static_cast<std::ptrdiff_t>(first);
-    const bool forwards = step.t1 > step.t0;
-    std::stable_sort(begin, hits_.end(),
-                     [forwards](const Hit& a, const Hit& b) { return forwards ? a.t < b.t : a.t > b.t; });
-    const auto end = std::find_if(begin, hits_.end(), [this](const Hit& h) { return events_[h.event].ends; });
-    if (end == hits_.end()) return false;
-    hits_.erase(end + 1, hits_.end());
-    return true;
-  }
-  // Where a function leaves zero, its sign is what it is shortly afterwards: there the function has moved by
-  // far more than rounding, but hardly come back already. Moves the begin there.
-  int sign_after(const Step& step, std::size_t event, double& begin, double to) {
-    const double after = begin + (to - begin) * 0x1p-26;
-    if (after == begin) return 0;
-    begin = after;
-    State x = step.x1;
-    step.dense.at(begin, x);
-    return sign_of(events_[event].value(begin, x), begin);
-  }
-  static bool counts(Crossing crossing, bool rising) {
-    return crossing == Crossing::either || (crossing == Crossing::rising) == rising;
-  }
-  // A pole and a jump change the sign too. Between neighbouring doubles a continuous function does not move
-  // as far as between two places.
-  bool is_zero(const Step& step, const Hit& hit, double from, double to, const State& x_to) const {
-    const auto& value = events_[hit.event].value;
-    const auto at = [&](double t) {
-      State x = step.x1;
-      step.dense.at(t, x);
-      return value(t, x);
-    };
-    const double across = std::abs(value(hit.t, hit.x) - at(std::nextafter(hit.t, from)));
-    return !(across > (std::abs(at(from)) + std::abs(value(to, x_to))) / 4);
-  }
-  // The first double at which the sign is no longer that of `from`.
-  Hit narrowed(const Step& step, std::size_t event, double from, double to, int sign) {
-    State x = step.x1;
-    for (;;) {
-      const double middle = from + (to - from) / 2;
-      if (middle == from || middle == to) break;
-      step.dense.at(middle, x);
-      (sign_of(events_[event].value(middle, x), middle) == sign ? from : to) = middle;
-    }
-    if (to == step.t1) {
-      x = step.x1;
-    } else {
-      step.dense.at(to, x);
-    }
-    return {event, to, x, sign < 0};
-  }
+  class Scan;
+  void begin(double t, const State& x);
+  bool stops_at(Hit& hit);
+  void add_open(std::size_t event, double t0, double t1);
 
   std::vector<Event> events_;
-  std::vector<int> signs_;
+  StateAccuracy accuracy_;
+  SmoothRun run_;
+  std::vector<int> signs_;              // of each function; 0: not known yet
+  std::vector<int> counts_;             // of hits of each event
+  std::vector<program::Interval> box_;  // of the states, of a part of a step
+  Nodes samples_, coefficients_;        // of a part of a step
   std::vector<Hit> hits_;
+  std::vector<OpenEvent> open_;
   Status status_;
+  bool ended_ = false, changed_ = false, goes_on_ = false;
 };
 
-/// integrate() with events. An event that ends the integration makes a success of it: the solution's time and
-/// state are those of the event. With the method `series` they are as accurate as the steps (a test asserts
-/// 16 eps of the time for an oscillator at a tolerance of 1e-15); other methods' dense output says how
-/// accurate it is.
-/// @param observer sees every step, the one too in which an event ends the integration
+/// A run with its events.
+struct EventSolution {
+  Solution solution;            ///< ends at the asked time, or with success at the event that ends it
+  std::vector<Hit> hits;        ///< in the direction of travel
+  std::vector<OpenEvent> open;  ///< where events could not be decided
+};
+
+/// Integrates on after every event that changes the state.
+/// @param run the method
+/// @param finder whose see() @p observer calls for each step, and returns false when that does
+/// @return as of @p run; `outside_validity` where events that change the state accumulate (a ball that
+/// bounces ever faster); `non_finite` where a function is not a number
+[[nodiscard]] Solution integrate_past_changes(const SmoothRun& run, const System& system, const State& x0,
+                                              double t0, double t1, EventFinder& finder,
+                                              const Observer& observer, const Limits& limits);
+
+/// @p run with events that change the state, as an integration of its own; @p run itself if none does.
+[[nodiscard]] SmoothRun with_changes(const SmoothRun& run, const std::vector<Event>& events,
+                                     StateAccuracy accuracy);
+
+/// The same with hits; for any integrator.
+[[nodiscard]] EventSolution integrate_with_events(const SmoothRun& run, const System& system, const State& x0,
+                                                  double t0, double t1, std::vector<Event> events,
+                                                  StateAccuracy accuracy, const Observer& observer,
+                                                  const Limits& limits);
+
+/// integrate() with events. One that ends the integration makes a success of it: the solution's time and
+/// state are those of the event, as accurate as the steps (a test asserts 16 eps of the time for an
+/// oscillator by `series` at a tolerance of 1e-15).
+/// @param observer sees every step, the one too in which an event ends the integration or changes the state
 /// @throws std::invalid_argument as integrate(), and for an event without a function
 template <class Method>
 [[nodiscard]] EventSolution integrate_with_events(const System& system, const State& x0, double t0, double t1,
                                                   const Method& method, std::vector<Event> events,
                                                   const Observer& observer = {}, const Limits& limits = {}) {
-  EventFinder finder(std::move(events));
-  const auto observe = [&](const Step& step) {
-    const bool wanted = !observer || observer(step);
-    return finder.see(step) && wanted;
+  const SmoothRun run = [&method](const System& s, const State& x, double from, double to,
+                                  const Observer& seen, const Limits& most) {
+    return integrate(s, x, from, to, method, seen, most);
   };
-  Solution solution = integrate(system, x0, t0, t1, method, observe, limits);
-  if (!finder.status().ok()) {
-    solution.status = finder.status();
-  } else if (finder.ended()) {
-    solution.t = finder.hits().back().t;
-    solution.x = finder.hits().back().x;
-    solution.status = {};
+  StateAccuracy accuracy;
+  if constexpr (HasTolerances<Method>) {
+    if (goes_by_tolerances(method)) accuracy = {method.relative_tolerance, method.absolute_tolerance};
   }
-  return {std::move(solution), finder.hits()};
+  return integrate_with_events(run, system, x0, t0, t1, std::move(events), accuracy, observer, limits);
 }
 
 }  // namespace nlmech::ivp

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "nlmech/program/graph.hpp"
+#include "nlmech/program/interval.hpp"
 #include "nlmech/program/value_of.hpp"
 
 namespace nlmech::program {
@@ -115,9 +116,13 @@ class Program {
 
   // What is not a number decides nothing.
   template <class T>
-  static const T& chosen(const T& decides, const T& a, const T& b) {
-    const auto value = value_of(decides);
-    return value >= 0 ? a : value < 0 ? b : decides;
+  static T chosen(const T& decides, const T& a, const T& b) {
+    if constexpr (std::is_same_v<T, Interval>) {
+      return choice(decides, a, b);
+    } else {
+      const auto value = value_of(decides);
+      return value >= 0 ? a : value < 0 ? b : decides;
+    }
   }
 
   // Numbers have a power of their own; for all else it is exp(b log a), for a > 0.
@@ -128,6 +133,8 @@ class Program {
     using std::pow;
     if constexpr (std::is_floating_point_v<T>) {
       return pow(a, b);
+    } else if constexpr (std::is_same_v<T, Interval>) {
+      return a.low < 0 ? Interval() : exp(b * log(a));
     } else {
       return exp(b * log(a));
     }

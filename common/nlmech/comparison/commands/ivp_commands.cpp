@@ -162,9 +162,14 @@ void add_integrate(scene::Commands& commands) {
     declare_settings(options, typed.settings);
     options.add("--every", typed.every, "rows at this distance in time; without it the first and the last")
         .positive();
-    options.add("--event", typed.events,
-                "a row where this becomes zero, as \"x=0\", \"x=0 falling\", \"x'=0 rising end\" (the run "
-                "ends there)");
+    options.add(
+        "--event", typed.events,
+        "a row at each zero: \"x=0\", \"apex: x'=0 falling\" (with a name), \"x=0 rising end\" (the run "
+        "ends there), \"x=0 end after 3\", \"dose: t = 0:24:240\" (at times by their distance)");
+    options.add(
+        "--set-at", typed.changes,
+        "change the state at events of a name: \"bounce: y' = -0.8 y'\"; several values with ; between. "
+        "Rows there come in pairs, before and after");
     options.add("--section", typed.section, "Poincare section: rows there alone, as \"x=0 rising\"");
     options.add("--no-verify", typed.no_verify,
                 "print the run without holding it to an independent one, which every run by a tolerance is");

@@ -32,6 +32,7 @@ struct TypedOptions {
   std::optional<double> largest_step;  ///< `--largest-step`
   std::vector<std::string> set;        ///< `--set`, each
   std::vector<std::string> events;     ///< `--event`, each
+  std::vector<std::string> changes;    ///< `--set-at`, each
   std::string section;                 ///< `--section`
   std::string states;                  ///< `--states`, a file
   std::optional<int> threads;          ///< `--threads`
@@ -39,10 +40,11 @@ struct TypedOptions {
   int digits = 9;                      ///< `--digits`
 };
 
-/// What a run is to look out for.
+/// What a run is to watch.
 struct WantedEvent {
-  std::string text;  ///< as typed
-  ivp::Event event;  ///< the same
+  std::string name;               ///< as it is printed: its name, or the equation as typed
+  ivp::Event event;               ///< the same
+  std::optional<double> at = {};  ///< its time, if it was typed as one of a list of times
 };
 
 /// A run of a problem. Made and checked once, of what was typed: what is behind it takes it as right.

@@ -1,6 +1,7 @@
 #include "nlmech/comparison/commands/runs.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <chrono>
@@ -64,7 +65,8 @@ class Run {
         one_(one),
         other_(other),
         t1_(options.t1),
-        finder_(events_of(options)) {
+        accuracy_(accuracy_of(options)),
+        finder_(events_of(options), accuracy_, one) {
     found_.rows =
         fmt::format("t,{}{}\n", fmt::join(problem.state_names, ","), options.events.empty() ? "" : ",event");
     found_.samples = {components_of(problem), SampledPath(options.t0, t1_), {}};
@@ -84,6 +86,17 @@ class Run {
       start.observer = [this](const ivp::Step& step) { return see(step); };
     return start;
   }
+  /// Does an event change the state on its way?
+  [[nodiscard]] bool has_changes() const {
+    return std::ranges::any_of(options_.events,
+                               [](const WantedEvent& e) { return static_cast<bool>(e.event.change); });
+  }
+  /// Integrates it, from change to change of the state.
+  [[nodiscard]] ivp::Solution integrate() {
+    const ivp::Start s = start();
+    return ivp::integrate_past_changes(one_, problem_.system, s.x0, s.t0, s.t1, finder_, s.observer,
+                                       s.limits_from_now());
+  }
   /// Its rows, once it has been integrated. @throws Failure if it failed or is wrong
   [[nodiscard]] Trajectory finish(ivp::Solution end);
 
@@ -97,6 +110,12 @@ class Run {
     std::vector<ivp::Event> events;
     for (const WantedEvent& e : options.events) events.push_back(e.event);
     return events;
+  }
+  // Of runs by tolerances.
+  static ivp::StateAccuracy accuracy_of(const RunOptions& options) {
+    if (options.settings.step) return {};
+    const Tolerance tolerance = tolerance_of(options.settings);
+    return {tolerance.relative, tolerance.absolute};
   }
   void print(double t, const ivp::State& x, std::string_view event) {
     auto out = std::back_inserter(found_.rows);
@@ -119,7 +138,9 @@ class Run {
   [[nodiscard]] bool see(const ivp::Step& step);
   /// The asked times within a step and before @p end, by its dense output.
   void add_before(double end, const ivp::Step& step);
-  [[nodiscard]] ivp::Hit refined(const ivp::Step& step, ivp::Hit hit) const;
+  void show(const ivp::Hit& hit, const ivp::Step& step);
+  /// What is worth saying of events that touch zero, or may.
+  [[nodiscard]] std::string remark_on_events() const;
   /// Some of the rows, at most most_verified at equal distances and the last, and times between where these
   /// are few.
   [[nodiscard]] Verified verified() const;
@@ -132,8 +153,8 @@ class Run {
   const ivp::NamedIntegrator& one_;
   const ivp::NamedIntegrator* other_;  // or null
   double t1_;                          // to where it has come
+  ivp::StateAccuracy accuracy_;        // of its states
   ivp::EventFinder finder_;
-  std::optional<ivp::Hit> last_;
   Trajectory found_;
   std::int64_t rows_ = 1, stride_ = 1, added_ = 0;
   std::vector<Kept> kept_;  // and always the latest row, in its last place
@@ -141,16 +162,20 @@ class Run {
 
 bool Run::see(const ivp::Step& step) {
   const std::size_t before = finder_.hits().size();
-  const bool goes_on = finder_.see(step);
-  for (std::size_t i = before; i < finder_.hits().size(); ++i) {
-    last_ = refined(step, finder_.hits()[i]);
-    add_before(last_->t, step);
-    print(last_->t, last_->x, options_.events[last_->event].text);
-    if (options_.draw) found_.samples.events.push_back({last_->t, {last_->x.begin(), last_->x.end()}});
-  }
+  const bool goes_on = finder_.see(problem_.system, step, options_.limits);
+  for (std::size_t i = before; i < finder_.hits().size(); ++i) show(finder_.hits()[i], step);
   if (goes_on) add_before(step.t1, step);
-  if (options_.draw && !options_.section) found_.samples.path.see(step, goes_on ? step.t1 : last_->t);
+  if (options_.draw && !options_.section)
+    found_.samples.path.see(step, goes_on || finder_.hits().empty() ? step.t1 : finder_.hits().back().t);
   return goes_on;
+}
+
+void Run::show(const ivp::Hit& hit, const ivp::Step& step) {
+  add_before(hit.t, step);
+  const std::string& name = options_.events[hit.event].name;
+  print(hit.t, hit.x, name);
+  if (hit.after.size() > 0) print(hit.t, hit.after, name + " after");
+  if (options_.draw) found_.samples.events.push_back({hit.t, {hit.x.begin(), hit.x.end()}});
 }
 
 void Run::add_before(double end, const ivp::Step& step) {
@@ -166,36 +191,41 @@ void Run::add_before(double end, const ivp::Step& step) {
   }
 }
 
-// An event by the dense output, made as exact as the steps: the method itself goes from the begin of the step
-// to the time of the event, which Newton's iteration corrects.
-ivp::Hit Run::refined(const ivp::Step& step, ivp::Hit hit) const {
-  const StateFunction& g = options_.events[hit.event].event.value;
-  const double way = step.t1 - step.t0, near = 1e-5 * way;
-  const double from = std::abs(hit.t - step.t0) < std::abs(way) / 2 ? hit.t : hit.t - near;
-  const double slope = (g(from + near, step.at(from + near)) - g(from, step.at(from))) / near;
-  constexpr int most = 3;
-  for (int k = 0; k < most && hit.t != step.t0; ++k) {
-    const ivp::Solution there = one_(problem_.system, step.x0, step.t0, hit.t, {}, options_.limits);
-    if (!there.status.ok()) break;
-    hit.x = there.x;
-    const double change = -g(hit.t, hit.x) / slope, next = hit.t + change;
-    const bool inside = (next - step.t0) / way > 0 && (next - step.t0) / way <= 1;
-    if (!inside || std::abs(change) <= std::numeric_limits<double>::epsilon() * std::abs(hit.t)) break;
-    hit.t = next;
+std::string Run::remark_on_events() const {
+  std::vector<std::string> remarks;
+  for (std::size_t i = 0; i < options_.events.size(); ++i) {
+    const auto touches = [i](const ivp::Hit& h) { return h.event == i && h.direction == 0; };
+    const auto count = std::ranges::count_if(finder_.hits(), touches);
+    if (count == 0) continue;
+    const ivp::Hit& first = *std::ranges::find_if(finder_.hits(), touches);
+    remarks.push_back(
+        fmt::format("{} touches zero to within the tolerance, and may miss it, {} times, first at t = {:.9g}",
+                    options_.events[i].name, count, first.t));
   }
-  return hit;
+  for (const ivp::OpenEvent& open : finder_.open())
+    remarks.push_back(
+        fmt::format("{} cannot be told from zero between t = {:.9g} and {:.9g}: rows may be missing",
+                    options_.events[open.event].name, open.t0, open.t1));
+  return fmt::format("{}", fmt::join(remarks, "; "));
 }
 
 Verified Run::verified() const {
   // The first row is the initial state.
   std::vector<Kept> all(std::next(kept_.begin()), kept_.end());
   const double way = t1_ - options_.t0, near = 1e-6 * std::abs(way);
+  // Where the state changes, rounding of the time decides which of both states is there.
+  const auto changes = [&](double t) {
+    return std::ranges::any_of(
+        finder_.hits(), [&](const ivp::Hit& h) { return h.after.size() > 0 && std::abs(h.t - t) <= near; });
+  };
+  if (has_changes()) std::erase_if(all, [&](const Kept& k) { return k.t != t1_ && changes(k.t); });
   const auto rows = static_cast<std::ptrdiff_t>(all.size());
   const ivp::State unasked =
       ivp::State::Constant(options_.x0.size(), std::numeric_limits<double>::quiet_NaN());
   for (const double t : look_at(options_.t0, t1_, 16)) {
     const auto close = [&](const Kept& k) { return std::abs(k.t - t) <= near; };
-    if (std::none_of(all.begin(), all.begin() + rows, close)) all.push_back({t, unasked});
+    if (std::none_of(all.begin(), all.begin() + rows, close) && (t == t1_ || !changes(t)))
+      all.push_back({t, unasked});
   }
   std::ranges::sort(all, [way](const Kept& a, const Kept& b) { return way > 0 ? a.t < b.t : a.t > b.t; });
   Verified run{{},
@@ -227,13 +257,19 @@ void Run::verify_by_integration(const ivp::Solution& end) {
   const scene::Doing doing("verifying the run by integration");
   Effort effort = effort_after(end.statistics, problem_.system.size(), left_after(end));
   effort.largest_step = options_.limits.largest_step;
+  for (const WantedEvent& e : options_.events) {
+    if (e.event.change) effort.changes.push_back(e.event);
+  }
   const ivp::Limits limits{.steps = 1000 + 20 * end.statistics.steps,
                            .seconds = effort.seconds,
                            .largest_step = effort.largest_step};
   const ivp::System& system = problem_.system;
-  if (other_ != nullptr && agrees(system, options_.x0, options_.t0, run, *other_, limits)) return;
-  const Reference reference = reference_of(problem_.extended(effort), system, options_.x0, options_.t0,
-                                           run.times, run.tolerance / 10, effort);
+  if (other_ != nullptr && agrees(system, options_.x0, options_.t0, run,
+                                  ivp::with_changes(*other_, effort.changes, accuracy_), limits))
+    return;
+  const auto extended = effort.changes.empty() ? problem_.extended(effort) : std::vector<Candidate>();
+  const Reference reference =
+      reference_of(extended, system, options_.x0, options_.t0, run.times, run.tolerance / 10, effort);
   const Verification v = verify(system, options_.x0, options_.t0, run, reference, effort);
   found_.is_open = v.verdict == Verification::Verdict::unknown;
   if (found_.is_open) static_cast<void>(left_after(end));  // if for want of time
@@ -245,8 +281,8 @@ Trajectory Run::finish(ivp::Solution end) {
   if (!finder_.status().ok()) {
     end.status = finder_.status();
   } else if (finder_.ended()) {
-    end.t = last_->t;
-    end.x = last_->x;
+    end.t = finder_.hits().back().t;
+    end.x = finder_.hits().back().x;
     end.status = {};
   }
   if (!end.status.ok()) throw Failure(end.status);
@@ -256,6 +292,8 @@ Trajectory Run::finish(ivp::Solution end) {
   else
     add(t1_, end.x);
   if (options_.verify && options_.t0 != options_.t1) verify_by_integration(end);
+  if (const std::string events = remark_on_events(); !events.empty())
+    found_.remark += (found_.remark.empty() ? "" : "; ") + events;
   return std::move(found_);
 }
 
@@ -279,16 +317,18 @@ void share_seconds(double all, std::vector<ivp::Solution>& ends) {
 
 /// Each trajectory with the bits of @p one, which is method.with(settings): `series` that chooses its steps
 /// moves several of them in a register (see ivp::integrate_all()), all others go one by one, in threads.
-std::vector<ivp::Solution> solutions_of(std::span<const ivp::Start> starts, const ivp::MethodInfo& method,
-                                        const ivp::Settings& settings, const ivp::NamedIntegrator& one,
+std::vector<ivp::Solution> solutions_of(std::span<const std::unique_ptr<Run>> runs,
+                                        const ivp::MethodInfo& method, const ivp::Settings& settings,
                                         int threads) {
-  if (method.name == ivp::Series::name && !settings.step)
+  if (method.name == ivp::Series::name && !settings.step && !runs.front()->has_changes()) {
+    std::vector<ivp::Start> starts;
+    for (const std::unique_ptr<Run>& run : runs) starts.push_back(run->start());
     return ivp::integrate_all(starts, ivp::named::series_of(settings), threads);
-  std::vector<ivp::Solution> solutions(starts.size());
-  share_out(starts.size(), 1, threads, [&](std::size_t begin, std::size_t end) {
+  }
+  std::vector<ivp::Solution> solutions(runs.size());
+  share_out(runs.size(), 1, threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      const ivp::Start& s = starts[i];
-      solutions[i] = one(*s.system, s.x0, s.t0, s.t1, s.observer, s.limits_from_now());
+      solutions[i] = runs[i]->integrate();
       solutions[i].statistics.seconds = 0;
     }
   });
@@ -326,10 +366,7 @@ const ivp::MethodInfo& usual_method(const UserProblem& problem, const RunOptions
 Trajectory trajectory(const UserProblem& problem, const RunOptions& options, const ivp::MethodInfo& method) {
   const auto one = about("--method", [&] { return method.with(options.settings); });
   Run run(problem, options, method, one);
-  const ivp::Start start = run.start();
-  return run.finish(about("--method", [&] {
-    return one(*start.system, start.x0, start.t0, start.t1, start.observer, start.limits);
-  }));
+  return run.finish(about("--method", [&] { return run.integrate(); }));
 }
 
 std::vector<EnsembleResult> trajectories(std::span<const EnsembleMember> members,
@@ -344,13 +381,11 @@ std::vector<EnsembleResult> trajectories(std::span<const EnsembleMember> members
   };
   const ivp::NamedIntegrator other = other_method(method, settings);
   std::vector<std::unique_ptr<Run>> runs(members.size());
-  std::vector<ivp::Start> starts(members.size());
   each([&](std::size_t i) {
     runs[i] = std::make_unique<Run>(*members[i].problem, members[i].options, method, one, &other);
-    starts[i] = runs[i]->start();
   });
   const Stopwatch watch;
-  auto ends = about("--method", [&] { return solutions_of(starts, method, settings, one, threads); });
+  auto ends = about("--method", [&] { return solutions_of(runs, method, settings, threads); });
   share_seconds(watch.seconds() * static_cast<double>(threads_for(threads)), ends);
   std::vector<EnsembleResult> all(members.size());
   each([&](std::size_t i) {

@@ -49,6 +49,21 @@ StateFunction UserProblem::expression(const std::string& option, const std::stri
   };
 }
 
+ivp::Event UserProblem::event(const std::string& option, const std::string& typed) const {
+  program::Equations names = text;
+  const program::NodeId node = names.expression(option, typed);
+  program::Graph graph = names.graph();
+  const program::NodeId rate = program::rates(graph, {node}, names.slopes()).front();
+  const auto program = std::make_shared<const program::Program>(graph, std::vector{node, rate});
+  ivp::Event event{expression(option, typed)};
+  event.bounds = [program](const program::Interval& t, std::span<const program::Interval> x) {
+    ivp::Enclosure g;
+    program->run(t, x, 0, 2, [&g](int i, const program::Interval& v) { (i == 0 ? g.value : g.rate) = v; });
+    return g;
+  };
+  return event;
+}
+
 UserProblem typed_problem(const program::SourceText& source, const program::Settings& settings,
                           std::string_view name) {
   const program::Equations equations(source, settings);

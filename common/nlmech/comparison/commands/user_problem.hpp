@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "nlmech/comparison/reference/reference_of.hpp"
-#include "nlmech/ivp/system.hpp"
+#include "nlmech/ivp/events.hpp"
 #include "nlmech/program/equations.hpp"
 
 namespace nlmech::comparison {
@@ -39,6 +39,8 @@ struct UserProblem {
   /// An expression of time and components, "x = 0" being x - 0.
   /// @param option named by messages @throws InputError that points at the mistake
   [[nodiscard]] StateFunction expression(const std::string& option, const std::string& typed) const;
+  /// The same as an event, with bounds on it: every zero counts, and nothing changes there.
+  [[nodiscard]] ivp::Event event(const std::string& option, const std::string& typed) const;
 };
 
 /// Makes a problem with these parameters, all others as they are in the publication or the text.

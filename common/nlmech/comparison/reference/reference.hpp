@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "nlmech/ivp/events.hpp"
 #include "nlmech/ivp/named/named_methods.hpp"
 #include "nlmech/ivp/system.hpp"
 #include "nlmech/support/status.hpp"
@@ -43,6 +44,7 @@ struct Effort {
   double seconds = std::numeric_limits<double>::infinity();  ///< wall time besides
   /// Longest step of each computation, as of the run that is judged.
   double largest_step = std::numeric_limits<double>::infinity();
+  std::vector<ivp::Event> changes = {};  ///< of the state on the way, as of the run that is judged
 };
 
 /// Ends a computation that is too slow to arrive: one that, after a twentieth of its steps, has made less

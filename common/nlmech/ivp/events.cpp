@@ -1,0 +1,387 @@
+#include "nlmech/ivp/events.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+
+#include "nlmech/ivp/failures.hpp"
+#include "nlmech/support/sentences.hpp"
+#include "nlmech/support/stopwatch.hpp"
+
+namespace nlmech::ivp {
+namespace {
+
+using program::Interval;
+
+constexpr int nodes = 8;                // of the polynomial that represents a part of a step
+constexpr double many_tolerances = 10;  // what errors of steps add up to, as events see it
+
+int sign_of(double value) { return (value > 0) - (value < 0); }
+
+/// The values at Chebyshev's extreme points cos(pi j/7), j = 0, 1, ..., as columns, times this matrix are the
+/// coefficients of the polynomial through them.
+const Eigen::MatrixXd& coefficients_of_values() {
+  static const Eigen::MatrixXd matrix = [] {
+    constexpr int last = nodes - 1;
+    Eigen::MatrixXd m(nodes, nodes);
+    for (int j = 0; j < nodes; ++j) {
+      for (int k = 0; k < nodes; ++k) {
+        const double ends = (j == 0 || j == last ? 0.5 : 1) * (k == 0 || k == last ? 0.5 : 1);
+        m(j, k) = 2. / last * ends * std::cos(std::numbers::pi * j * k / last);
+      }
+    }
+    return m;
+  }();
+  return matrix;
+}
+
+}  // namespace
+
+/// The zeros of one function within one step.
+class EventFinder::Scan {
+ public:
+  Scan(EventFinder& finder, const System& system, const Step& step, const Limits& limits)
+      : f_(finder),
+        system_(system),
+        step_(step),
+        limits_(limits),
+        x_(step.x1),
+        direction_(step.t1 > step.t0 ? 1 : -1) {}
+
+  /// All of event @p i; sets its sign at the end of the step.
+  void run(std::size_t i) {
+    event_ = i;
+    left_ = work;
+    in_open_ = false;
+    between(step_.t0, step_.t1, 0);
+    if (f_.status_.ok()) close_open();
+    if (f_.status_.ok() && f_.signs_[i] == 0) f_.signs_[i] = sign_at(step_.t1);
+  }
+
+ private:
+  static constexpr int deepest = 40;    // of halvings
+  static constexpr int resolving = 12;  // of halvings that wait for the polynomial to represent the states
+  static constexpr int work = 256;      // parts of a step to look at, and as many more for every hit
+  static constexpr int places = 3;      // halvings of a step whose function has no bounds
+
+  [[nodiscard]] const Event& event() const { return f_.events_[event_]; }
+  const State& state(double t) {
+    if (t == step_.t0) return step_.x0;
+    if (t == step_.t1) return step_.x1;
+    step_.dense.at(t, x_);
+    return x_;
+  }
+  double value_at(double t) {
+    const double value = event().value(t, state(t));
+    if (std::isnan(value) && f_.status_.ok()) f_.status_ = event_undefined(t);
+    return value;
+  }
+  int sign_at(double t) { return sign_of(value_at(t)); }
+
+  // What an error of the states of @p size may be.
+  [[nodiscard]] double error_of(double size) const {
+    return many_tolerances * (f_.accuracy_.absolute + f_.accuracy_.relative * size);
+  }
+  // Sets the box of the states from a to b. Does the polynomial represent them?
+  bool bound_states(double a, double b) {
+    const double middle = a + (b - a) / 2, half = (b - a) / 2;
+    Nodes &x = f_.samples_, &c = f_.coefficients_;
+    for (int j = 0; j < nodes; ++j) {
+      const double t = j == 0           ? b
+                       : j == nodes - 1 ? a
+                                        : middle + half * std::cos(std::numbers::pi * j / (nodes - 1));
+      x.col(j) = state(t);
+    }
+    c.noalias() = x * coefficients_of_values();
+    bool resolved = true;
+    for (Eigen::Index i = 0; i < c.rows(); ++i) {
+      const double tail = std::abs(c(i, nodes - 2)) + std::abs(c(i, nodes - 1));
+      const double all = c.row(i).tail(nodes - 1).cwiseAbs().sum(), size = std::abs(c(i, 0)) + all;
+      const double error = error_of(size);
+      resolved = resolved && tail <= 0.02 * all + error + 64 * std::numeric_limits<double>::epsilon() * size;
+      f_.box_[static_cast<std::size_t>(i)] = Interval(c(i, 0)).inflated(all + 2 * tail + error);
+    }
+    return resolved;
+  }
+  // Bounds at one time.
+  Enclosure at_point(double t) {
+    const State& x = state(t);
+    for (Eigen::Index i = 0; i < x.size(); ++i)
+      f_.box_[static_cast<std::size_t>(i)] = Interval(x[i]).inflated(error_of(std::abs(x[i])));
+    return event().bounds(Interval(t), f_.box_);
+  }
+
+  void between(double a, double b, int depth) {
+    if (!f_.status_.ok()) return;
+    const double middle = a + (b - a) / 2;
+    const bool last = depth >= deepest || middle == a || middle == b;
+    if (--left_ < 0) return undecided(a, b);
+    if (!event().bounds) {
+      if (depth == places || last) return monotone(a, b, 0);
+    } else if (bound_states(a, b) || depth >= resolving || last) {
+      const Interval t(std::min(a, b), std::max(a, b));
+      Enclosure g = event().bounds(t, f_.box_);
+      if (!g.value.has(0)) return without(g.value);
+      if (!g.rate.has(0)) return monotone(a, b, sign_of(g.rate.low) * direction_);
+      const Enclosure there = at_point(middle);
+      const Interval tight = there.value + g.rate * Interval(-t.width() / 2, t.width() / 2);
+      if (!tight.has(0)) return without(tight);
+      const double size = std::min(g.value.magnitude(), tight.magnitude());
+      if (last || size <= 2 * there.value.width()) return extend_open(a, b);
+    }
+    between(a, middle, depth + 1);
+    between(middle, b, depth + 1);
+  }
+  // A part for which there is no work left.
+  void undecided(double a, double b) {
+    f_.add_open(event_, a, b);
+    monotone(a, b, 0);
+  }
+  // A part without a zero.
+  void without(const Interval& values) {
+    close_open();
+    f_.signs_[event_] = sign_of(values.low);
+  }
+  // A part in which the function grows (1), falls (-1), or is taken to do one of both (0).
+  void monotone(double a, double b, int slope) {
+    close_open();
+    int& sign = f_.signs_[event_];
+    double from = a;
+    if (sign == 0) sign = slope;
+    if (sign == 0) {
+      // Where the function leaves zero, its sign is what it is shortly afterwards: there it has moved by far
+      // more than rounding, but hardly come back already.
+      from = a + (b - a) * 0x1p-26;
+      sign = from == a ? 0 : sign_at(from);
+    }
+    passage(from, b);
+  }
+  // The sign at b; a hit if it is another one than at a.
+  void passage(double a, double b) {
+    int& sign = f_.signs_[event_];
+    const int before = sign, after = sign_at(b);
+    sign = after;
+    if (before == 0 || after == before || !f_.status_.ok()) return;
+    const double t = first_of(a, b, [&](double at) { return sign_at(at) != before; });
+    if (counts(-before) && f_.status_.ok() && is_zero(t, a, b)) add(t, -before);
+  }
+  // The first double at which a condition holds that holds at b.
+  template <class Condition>
+  static double first_of(double a, double b, const Condition& holds) {
+    for (;;) {
+      const double middle = a + (b - a) / 2;
+      if (middle == a || middle == b) return b;
+      (holds(middle) ? b : a) = middle;
+    }
+  }
+  [[nodiscard]] bool counts(int direction) const {
+    const Crossing crossing = event().crossing;
+    return crossing == Crossing::either || (crossing == Crossing::rising) == (direction > 0);
+  }
+  // A pole and a jump change the sign too. Between neighbouring doubles a continuous function does not move
+  // as far as between two places.
+  bool is_zero(double t, double a, double b) {
+    const double across = std::abs(value_at(t) - value_at(std::nextafter(t, a)));
+    return !(across > (std::abs(value_at(a)) + std::abs(value_at(b))) / 4);
+  }
+
+  // A part in which the function may be zero, but need not.
+  void extend_open(double a, double b) {
+    if (!in_open_) open_from_ = a;
+    in_open_ = true;
+    open_to_ = b;
+  }
+  // What such parts are, once the next one is known to be none.
+  void close_open() {
+    if (!in_open_) return;
+    in_open_ = false;
+    int& sign = f_.signs_[event_];
+    const int before = sign;
+    if (before == 0 || sign_at(open_to_) == -before) return passage(open_from_, open_to_);
+    if (!f_.status_.ok()) return;
+    const int first = slope_at(open_from_), last = slope_at(open_to_);
+    const bool turns = first != 0 && last == -first;
+    if (turns && event().crossing == Crossing::either) {
+      add(first_of(open_from_, open_to_, [&](double t) { return slope_at(t) == last; }), 0);
+    } else {
+      f_.add_open(event_, open_from_, open_to_);
+    }
+  }
+  int slope_at(double t) {
+    const Interval rate = at_point(t).rate;
+    return sign_of(rate.low + rate.high);
+  }
+
+  void add(double t, int direction) {
+    Hit hit{event_, t, state(t), direction};
+    if (f_.run_) refine(hit);
+    f_.hits_.push_back(std::move(hit));
+    left_ = work;
+  }
+  // By the method itself from the start of the step: the state, and of a crossing the time by Newton's
+  // iteration.
+  void refine(Hit& hit) {
+    const double way = step_.t1 - step_.t0, near = 1e-5 * way;
+    const double from = std::abs(hit.t - step_.t0) < std::abs(way) / 2 ? hit.t : hit.t - near;
+    const double slope = (value_at(from + near) - value_at(from)) / near;
+    constexpr int most = 3;
+    for (int k = 0; k < most && hit.t != step_.t0; ++k) {
+      const Solution there = f_.run_(system_, step_.x0, step_.t0, hit.t, {}, limits_);
+      if (!there.status.ok()) break;
+      hit.x = there.x;
+      if (hit.direction == 0) break;
+      const double change = -event().value(hit.t, hit.x) / slope, next = hit.t + change;
+      const bool inside = (next - step_.t0) / way > 0 && (next - step_.t0) / way <= 1;
+      if (!inside || std::abs(change) <= std::numeric_limits<double>::epsilon() * std::abs(hit.t)) break;
+      hit.t = next;
+    }
+  }
+
+  EventFinder& f_;
+  const System& system_;
+  const Step& step_;
+  const Limits& limits_;
+  State x_;
+  int direction_;
+  std::size_t event_ = 0;
+  int left_ = 0;  // evaluations of bounds
+  bool in_open_ = false;
+  double open_from_ = 0, open_to_ = 0;
+};
+
+EventFinder::EventFinder(std::vector<Event> events, StateAccuracy accuracy, SmoothRun run)
+    : events_(std::move(events)),
+      accuracy_(accuracy),
+      run_(std::move(run)),
+      signs_(events_.size(), 0),
+      counts_(events_.size(), 0) {
+  for (const Event& event : events_) {
+    if (!event.value) throw std::invalid_argument("event: there is no function to watch");
+  }
+}
+
+void EventFinder::begin(double t, const State& x) {
+  const auto size = static_cast<std::size_t>(x.size());
+  box_.resize(size);
+  samples_.resize(x.size(), nodes);
+  coefficients_.resize(x.size(), nodes);
+  for (std::size_t i = 0; i < events_.size(); ++i) {
+    const double value = events_[i].value(t, x);
+    if (std::isnan(value) && status_.ok()) status_ = event_undefined(t);
+    signs_[i] = sign_of(value);
+  }
+  if (goes_on_) signs_[hits_.back().event] = 0;
+  goes_on_ = false;
+}
+
+void EventFinder::go_on() {
+  goes_on_ = changed_;
+  changed_ = false;
+}
+
+bool EventFinder::see(const System& system, const Step& step, const Limits& limits) {
+  if (events_.empty()) return true;
+  if (step.index == 1) begin(step.t0, step.x0);
+  const auto first = static_cast<std::ptrdiff_t>(hits_.size());
+  Scan scan(*this, system, step, limits);
+  for (std::size_t i = 0; i < events_.size() && status_.ok(); ++i) scan.run(i);
+  const auto begin = hits_.begin() + first;
+  const bool forwards = step.t1 > step.t0;
+  std::stable_sort(begin, hits_.end(),
+                   [forwards](const Hit& a, const Hit& b) { return forwards ? a.t < b.t : a.t > b.t; });
+  for (auto hit = begin; hit != hits_.end(); ++hit) {
+    if (!stops_at(*hit)) continue;
+    hits_.erase(hit + 1, hits_.end());
+    break;
+  }
+  return status_.ok() && !ended_ && !changed_;
+}
+
+bool EventFinder::stops_at(Hit& hit) {
+  const Event& event = events_[hit.event];
+  ended_ = ++counts_[hit.event] == event.ends;
+  if (event.change) {
+    hit.after = hit.x;
+    event.change(hit.t, hit.after);
+    changed_ = !ended_;
+    if (!hit.after.allFinite()) status_ = event_undefined(hit.t);
+  }
+  return ended_ || changed_;
+}
+
+void EventFinder::add_open(std::size_t event, double t0, double t1) {
+  const auto known = std::ranges::find(open_, event, &OpenEvent::event);
+  if (known == open_.end())
+    open_.push_back({event, t0, t1});
+  else
+    known->t1 = t1;
+}
+
+Solution integrate_past_changes(const SmoothRun& run, const System& system, const State& x0, double t0,
+                                double t1, EventFinder& finder, const Observer& observer,
+                                const Limits& limits) {
+  constexpr int most_repeated = 32;  // events one after another at once,
+  constexpr double at_once = 1e-12;  // that is within this share of the whole time
+  const Stopwatch watch;
+  Solution all{t0, x0, {}, {}};
+  int repeated = 0;
+  for (double from = t0;; from = all.t) {
+    Limits left = limits;
+    left.steps = std::max<std::int64_t>(limits.steps - all.statistics.steps - all.statistics.rejected, 1);
+    left.seconds = std::max(limits.seconds - watch.seconds(), 1e-6);
+    const Solution part = run(system, all.x, from, t1, observer, left);
+    all.statistics += part.statistics;
+    all.t = part.t;
+    all.x = part.x;
+    all.status = part.status;
+    if (!finder.status().ok()) all.status = finder.status();
+    if (!finder.status().ok() || !(finder.ended() || finder.changed())) break;
+    const Hit& hit = finder.hits().back();
+    all.t = hit.t;
+    all.x = finder.changed() ? hit.after : hit.x;
+    all.status = {};
+    if (finder.ended() || all.t == t1) break;
+    finder.go_on();
+    repeated = std::abs(hit.t - from) <= at_once * std::abs(t1 - t0) ? repeated + 1 : 0;
+    if (repeated > most_repeated) {
+      all.status =
+          failed_with(Outcome::outside_validity,
+                      "events that change the state follow each other without end at t = {:.17g}; end the "
+                      "run before, or at one of them",
+                      hit.t);
+      break;
+    }
+  }
+  all.statistics.seconds = watch.seconds();
+  return all;
+}
+
+SmoothRun with_changes(const SmoothRun& run, const std::vector<Event>& events, StateAccuracy accuracy) {
+  std::vector<Event> changing;
+  std::ranges::copy_if(events, std::back_inserter(changing),
+                       [](const Event& e) { return static_cast<bool>(e.change); });
+  if (changing.empty()) return run;
+  return [run, changing, accuracy](const System& system, const State& x0, double t0, double t1,
+                                   const Observer& observer, const Limits& limits) {
+    return integrate_with_events(run, system, x0, t0, t1, changing, accuracy, observer, limits).solution;
+  };
+}
+
+EventSolution integrate_with_events(const SmoothRun& run, const System& system, const State& x0, double t0,
+                                    double t1, std::vector<Event> events, StateAccuracy accuracy,
+                                    const Observer& observer, const Limits& limits) {
+  EventFinder finder(std::move(events), accuracy, run);
+  const Observer observe = [&](const Step& step) {
+    const bool goes_on = finder.see(system, step, limits);
+    if (!observer || observer(step)) return goes_on;
+    finder.go_on();  // no more: the observer ends the run
+    return false;
+  };
+  Solution solution = integrate_past_changes(run, system, x0, t0, t1, finder, observe, limits);
+  return {std::move(solution), finder.hits(), finder.open()};
+}
+
+}  // namespace nlmech::ivp
