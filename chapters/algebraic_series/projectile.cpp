@@ -30,7 +30,7 @@ Flight fly(const problems::TextProblem& problem) {
     flight.path.push_back({step.t1, step.x1});
     return true;
   };
-  const auto [end, hits] =
+  const auto [end, hits, open] =
       ivp::integrate_with_events(system, x0, 0, 100, published_series(0.01, 20), events, observe);
   if (!end.status.ok() || hits.size() != 2) throw Failure(end.status);
   flight.apex = {hits[0].t, hits[0].x};

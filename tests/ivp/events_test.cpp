@@ -32,7 +32,7 @@ RC_GTEST_PROP(Events, AreThoseOfTheCosine, ()) {
   const double level = *rc::gen::inRange(-90, 90) / 100.;
   const bool backwards = *rc::gen::arbitrary<bool>();
   const double t1 = backwards ? -10.1 : 10.1;
-  const auto [end, hits] = integrate_with_events(System(testing::Oscillator{.frequency = frequency}),
+  const auto [end, hits, open] = integrate_with_events(System(testing::Oscillator{.frequency = frequency}),
                                                  State{1, 0}, 0, t1, accurate, {passes(level)});
   RC_ASSERT(end.status.ok());
   std::vector<double> truth;
@@ -77,7 +77,7 @@ TEST(Events, ThatEndTheIntegrationAllowToGoOn) {
   double t = 0, expected = 0, speed = 1;
   State x{0.5, 0};
   for (int bounce = 0; bounce < 20; ++bounce) {
-    const auto [end, hits] = integrate_with_events(system, x, t, t + 10, accurate,
+    const auto [end, hits, open] = integrate_with_events(system, x, t, t + 10, accurate,
                                                    {passes(0, Crossing::falling, true), passes(10)});
     ASSERT_TRUE(end.status.ok()) << end.status.text();
     ASSERT_EQ(hits.size(), 1U);
@@ -101,7 +101,7 @@ TEST(Events, OfOtherMethodsAreAsAccurateAsTheirDenseOutput) {
   };
   EXPECT_LT(error(0.05), 1e-6);
   EXPECT_GT(error(0.1) / error(0.05), 8);
-  const auto [end, hits] = integrate_with_events(system, State{1, 0}, 0, 3, Ode45{}, {passes(0)});
+  const auto [end, hits, open] = integrate_with_events(system, State{1, 0}, 0, 3, Ode45{}, {passes(0)});
   ASSERT_EQ(hits.size(), 1U);
   EXPECT_NEAR(hits[0].t, std::numbers::pi / 2, 1e-2);  // ode45's own tolerance is 1e-3
 }
@@ -110,7 +110,7 @@ TEST(Events, MistakesAndFunctionsWithoutValue) {
   const System system(testing::Oscillator{});
   EXPECT_THROW((void)integrate_with_events(system, State{1, 0}, 0, 3, Series{}, {Event{}}),
                std::invalid_argument);
-  const auto [end, hits] = integrate_with_events(
+  const auto [end, hits, open] = integrate_with_events(
       system, State{1, 0}, 0, 3, Series{},
       {{[](double t, const State&) { return t < 1 ? 1. : nan; }, Crossing::either, false}});
   EXPECT_EQ(end.status.outcome(), Outcome::non_finite);
@@ -122,7 +122,7 @@ TEST(Events, MistakesAndFunctionsWithoutValue) {
 TEST(Events, NoValueOnTheWayToTheZero) {
   const auto value = [](double t, const State&) { return t <= 1 ? 1. : t < 1.5 ? nan : -1.; };
   for (const bool ends : {false, true}) {
-    const auto [end, hits] = integrate_with_events(
+    const auto [end, hits, open] = integrate_with_events(
         falling(), State{1, 0}, 0, 4, Series{.order = 4, .step = 4}, {{value, Crossing::either, ends}});
     EXPECT_EQ(end.status.outcome(), Outcome::non_finite) << ends;
     EXPECT_TRUE(hits.empty()) << ends;
@@ -131,7 +131,7 @@ TEST(Events, NoValueOnTheWayToTheZero) {
 
 TEST(Events, TheObserverStillEndsTheIntegration) {
   const System system(testing::Oscillator{});
-  const auto [end, hits] = integrate_with_events(system, State{1, 0}, 0, 30, Series{}, {passes(0)},
+  const auto [end, hits, open] = integrate_with_events(system, State{1, 0}, 0, 30, Series{}, {passes(0)},
                                                  [](const Step& step) { return step.t1 < 2; });
   EXPECT_EQ(end.status.outcome(), Outcome::interrupted);
   EXPECT_EQ(hits.size(), end.t > 1.5 * std::numbers::pi ? 2U : 1U);

@@ -62,7 +62,7 @@ class EventFinder::Scan {
   }
 
  private:
-  static constexpr int deepest = 40;    // of halvings
+  static constexpr int deepest = 60;    // of halvings
   static constexpr int resolving = 12;  // of halvings that wait for the polynomial to represent the states
   static constexpr int work = 256;      // parts of a step to look at, and as many more for every hit
   static constexpr int places = 3;      // halvings of a step whose function has no bounds
@@ -106,11 +106,11 @@ class EventFinder::Scan {
     }
     return resolved;
   }
-  // Bounds at one time.
-  Enclosure at_point(double t) {
+  // Bounds at one time, for states that may be off by so many times their error.
+  Enclosure at_point(double t, double errors) {
     const State& x = state(t);
     for (Eigen::Index i = 0; i < x.size(); ++i)
-      f_.box_[static_cast<std::size_t>(i)] = Interval(x[i]).inflated(error_of(std::abs(x[i])));
+      f_.box_[static_cast<std::size_t>(i)] = Interval(x[i]).inflated(errors * error_of(std::abs(x[i])));
     return event().bounds(Interval(t), f_.box_);
   }
 
@@ -126,7 +126,7 @@ class EventFinder::Scan {
       Enclosure g = event().bounds(t, f_.box_);
       if (!g.value.has(0)) return without(g.value);
       if (!g.rate.has(0)) return monotone(a, b, sign_of(g.rate.low) * direction_);
-      const Enclosure there = at_point(middle);
+      const Enclosure there = at_point(middle, 1);
       const Interval tight = there.value + g.rate * Interval(-t.width() / 2, t.width() / 2);
       if (!tight.has(0)) return without(tight);
       const double size = std::min(g.value.magnitude(), tight.magnitude());
@@ -199,6 +199,7 @@ class EventFinder::Scan {
     if (!in_open_) return;
     in_open_ = false;
     int& sign = f_.signs_[event_];
+    if (sign == 0) sign = slope_at(open_from_) * direction_;
     const int before = sign;
     if (before == 0 || sign_at(open_to_) == -before) return passage(open_from_, open_to_);
     if (!f_.status_.ok()) return;
@@ -211,7 +212,7 @@ class EventFinder::Scan {
     }
   }
   int slope_at(double t) {
-    const Interval rate = at_point(t).rate;
+    const Interval rate = at_point(t, 0).rate;
     return sign_of(rate.low + rate.high);
   }
 
@@ -273,7 +274,12 @@ void EventFinder::begin(double t, const State& x) {
     if (std::isnan(value) && status_.ok()) status_ = event_undefined(t);
     signs_[i] = sign_of(value);
   }
-  if (goes_on_) signs_[hits_.back().event] = 0;
+  if (goes_on_) {
+    const Hit& last = hits_.back();
+    const auto& value = events_[last.event].value;
+    const bool is_there = std::abs(value(t, x)) <= 2 * std::abs(value(last.t, last.x));
+    if (is_there) signs_[last.event] = 0;
+  }
   goes_on_ = false;
 }
 
@@ -323,11 +329,12 @@ void EventFinder::add_open(std::size_t event, double t0, double t1) {
 Solution integrate_past_changes(const SmoothRun& run, const System& system, const State& x0, double t0,
                                 double t1, EventFinder& finder, const Observer& observer,
                                 const Limits& limits) {
-  constexpr int most_repeated = 32;  // events one after another at once,
-  constexpr double at_once = 1e-12;  // that is within this share of the whole time
+  constexpr int most_repeated = 4;   // events one after another, each sooner than the one before,
+  constexpr double at_once = 1e-11;  // and within this share of the whole time
   const Stopwatch watch;
   Solution all{t0, x0, {}, {}};
   int repeated = 0;
+  double last = std::numeric_limits<double>::infinity();
   for (double from = t0;; from = all.t) {
     Limits left = limits;
     left.steps = std::max<std::int64_t>(limits.steps - all.statistics.steps - all.statistics.rejected, 1);
@@ -345,7 +352,9 @@ Solution integrate_past_changes(const SmoothRun& run, const System& system, cons
     all.status = {};
     if (finder.ended() || all.t == t1) break;
     finder.go_on();
-    repeated = std::abs(hit.t - from) <= at_once * std::abs(t1 - t0) ? repeated + 1 : 0;
+    const double since = std::abs(hit.t - from);
+    repeated = since <= at_once * std::abs(t1 - t0) && since <= last ? repeated + 1 : 0;
+    last = since;
     if (repeated > most_repeated) {
       all.status =
           failed_with(Outcome::outside_validity,

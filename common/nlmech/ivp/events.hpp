@@ -90,8 +90,8 @@ class EventFinder {
   [[nodiscard]] bool ended() const { return ended_; }
   /// Did the last hit change the state? The integration goes on from Hit::after.
   [[nodiscard]] bool changed() const { return changed_; }
-  /// To be called before the integration goes on from Hit::after: there the event is over, wherever rounding
-  /// has left its function.
+  /// To be called before the integration goes on from Hit::after. Where the change leaves the function at its
+  /// zero, the event is over, on whichever side rounding has left it.
   void go_on();
   /// `non_finite` once a value was not a number; else success.
   [[nodiscard]] const Status& status() const { return status_; }

@@ -69,6 +69,12 @@ struct Interval {
     return {};
   return Interval::outwards(std::min({p, q, r, s}), std::max({p, q, r, s}));
 }
+/// a a
+[[nodiscard]] inline Interval square(const Interval& a) {
+  const double least = a.has(0) ? 0 : std::min(std::abs(a.low), std::abs(a.high));
+  const Interval r = Interval::outwards(least * least, a.magnitude() * a.magnitude());
+  return {std::max(r.low, 0.), r.high};
+}
 [[nodiscard]] inline Interval operator/(double c, const Interval& a) {
   if (a.low < 0 && a.high > 0) return {};
   const double one = c / a.low, other = c / a.high;
@@ -167,9 +173,7 @@ template <class F>
   if (c < 0) return 1 / pow(a, -c);
   if (c == std::floor(c) && a.low < 0) {
     if (std::fmod(c, 2) != 0) return detail::growing([c](double x) { return std::pow(x, c); }, a);
-    const double least = a.has(0) ? 0 : std::min(std::abs(a.low), std::abs(a.high));
-    const Interval r = Interval::outwards(std::pow(least, c), std::pow(a.magnitude(), c));
-    return {std::max(r.low, 0.), r.high};
+    return pow(square(a), c / 2);
   }
   if (a.high < 0) return {};
   const Interval r = Interval::outwards(std::pow(std::max(a.low, 0.), c), std::pow(a.high, c));

@@ -11,6 +11,7 @@
 #include "nlmech/program/linear_terms.hpp"
 #include "nlmech/program/program.hpp"
 #include "nlmech/program/switches.hpp"
+#include "nlmech/program/time_features.hpp"
 #include "nlmech/program/vector.hpp"
 
 namespace nlmech::program {
@@ -26,6 +27,7 @@ class Problem {
   explicit Problem(const Equations& equations)
       : program_(std::make_shared<const Program>(equations.graph(), equations.slopes())),
         switches_(std::make_shared<const Switches>(equations.graph(), equations.slopes())),
+        features_(std::make_shared<const TimeFeatures>(equations.graph(), equations.slopes())),
         stated_(std::make_shared<const Stated>(equations)),
         linear_(std::make_shared<const LinearTerms>(
             program::linear_terms(equations.graph(), equations.slopes()))),
@@ -38,12 +40,15 @@ class Problem {
   /// Is every unknown of second order?
   [[nodiscard]] bool second_order() const { return second_order_; }
 
-  /// The known times between @p t0 and @p t1 at which the equations change, in the direction of travel.
+  /// The known times between @p t0 and @p t1 at which the equations change, or must not be stepped over, in
+  /// the direction of travel.
   [[nodiscard]] std::vector<double> discontinuities(double t0, double t1) const {
-    std::vector<double> between;
+    std::vector<double> between = features_->between(std::min(t0, t1), std::max(t0, t1));
     for (const double t : switches_->times()) {
       if (t > std::min(t0, t1) && t < std::max(t0, t1)) between.push_back(t);
     }
+    std::ranges::sort(between);
+    between.erase(std::unique(between.begin(), between.end()), between.end());
     if (t1 < t0) std::reverse(between.begin(), between.end());
     return between;
   }
@@ -125,6 +130,7 @@ class Problem {
 
   std::shared_ptr<const Program> program_;
   std::shared_ptr<const Switches> switches_;
+  std::shared_ptr<const TimeFeatures> features_;
   std::shared_ptr<const Stated> stated_;
   std::shared_ptr<const LinearTerms> linear_;
   int size_;

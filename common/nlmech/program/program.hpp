@@ -90,11 +90,18 @@ class Program {
       case Operation::difference: r = a - b; return;
       case Operation::shifted: r = a + i.c; return;
       case Operation::scaled: r = i.c * a; return;
-      case Operation::product: r = a * b; return;
+      case Operation::product: r = product(a, b); return;
       case Operation::quotient: r = a / b; return;
       case Operation::combined: r = a + i.c * b; return;
       default: r = value(i, place); return;
     }
+  }
+  template <class T>
+  [[gnu::always_inline]] static T product(const T& a, const T& b) {
+    if constexpr (std::is_same_v<T, Interval>)
+      return &a == &b ? square(a) : a * b;
+    else
+      return a * b;
   }
   template <class T>
   [[gnu::noinline]] static T value(const Instruction& i, const T* place) {

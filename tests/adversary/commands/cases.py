@@ -21,6 +21,7 @@ import io
 import math
 import os
 import random
+import shlex
 import subprocess
 import traceback
 
@@ -228,8 +229,9 @@ class Ran:
 
 
 def ran(words, limit=5):
-    """Runs a command of the build; it has so many seconds, and as many again to say that they are over."""
-    name, *options = words.split(" ")
+    """Runs a command of the build, a text or a list of words; it has so many seconds, and as many again to say that they are over."""
+    name, *options = words.split(" ") if isinstance(words, str) else words
+    words = words if isinstance(words, str) else shlex.join(words)
     try:
         done = subprocess.run([program(name), *options, "--limit", str(limit)], stdin=subprocess.DEVNULL, capture_output=True, encoding="utf-8",
                               timeout=2 * limit + 10, check=False)

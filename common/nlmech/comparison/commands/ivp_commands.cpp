@@ -42,8 +42,16 @@ int integrate(const TypedOptions& typed, const std::string& program) {
   return 0;
 }
 
+/// A problem whose state changes by its equations alone.
+UserProblem without_events(const TypedOptions& typed, std::string_view command) {
+  UserProblem problem = problem_of(typed)({});
+  if (!problem.event_lines.empty())
+    throw input_error("when {}: {} takes no events; integrate does", problem.event_lines.front().event, command);
+  return problem;
+}
+
 void compare(const TypedOptions& typed, const std::string& program) {
-  const UserProblem problem = problem_of(typed)({});
+  const UserProblem problem = without_events(typed, "compare");
   const scene::Picture picture(typed.plot);
   if (!typed.tolerances.empty() && typed.settings.tolerance)
     throw InputError("--tolerances: give no --tolerance with it");
@@ -77,7 +85,7 @@ std::vector<std::string> run_of(const TypedOptions& typed, double until, const R
 }
 
 void choose(const TypedOptions& typed, const std::string& program) {
-  const UserProblem problem = problem_of(typed)({});
+  const UserProblem problem = without_events(typed, "choose");
   const RunOptions r = run_options(typed, problem, problem.initial_state(typed.initial));
   if (r.t0 == r.t1) throw input_error("--until {}: is where it begins; there is nothing to choose for", r.t1);
   ChoiceRequest q = choice_request(problem, r);

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "nlmech/comparison/any_method.hpp"
+#include "nlmech/comparison/commands/typed_events.hpp"
 #include "nlmech/comparison/commands/user_problem.hpp"
-#include "nlmech/ivp/events.hpp"
 #include "nlmech/support/errors.hpp"
 
 namespace nlmech::comparison {
@@ -38,13 +38,6 @@ struct TypedOptions {
   std::optional<int> threads;          ///< `--threads`
   bool no_verify = false;              ///< `--no-verify`
   int digits = 9;                      ///< `--digits`
-};
-
-/// What a run is to watch.
-struct WantedEvent {
-  std::string name;               ///< as it is printed: its name, or the equation as typed
-  ivp::Event event;               ///< the same
-  std::optional<double> at = {};  ///< its time, if it was typed as one of a list of times
 };
 
 /// A run of a problem. Made and checked once, of what was typed: what is behind it takes it as right.

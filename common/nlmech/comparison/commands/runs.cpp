@@ -199,7 +199,8 @@ std::string Run::remark_on_events() const {
     if (count == 0) continue;
     const ivp::Hit& first = *std::ranges::find_if(finder_.hits(), touches);
     remarks.push_back(
-        fmt::format("{} touches zero to within the tolerance, and may miss it, {} times, first at t = {:.9g}",
+        fmt::format("{} touches zero {} times to within the tolerance, first at t = {:.9g}: it may also pass "
+                    "twice there, or not reach it",
                     options_.events[i].name, count, first.t));
   }
   for (const ivp::OpenEvent& open : finder_.open())

@@ -19,6 +19,12 @@ namespace nlmech::comparison {
 /// A function of time and state.
 using StateFunction = std::function<double(double t, const ivp::State& x)>;
 
+/// A line of a text that says what happens at an event.
+struct EventLine {
+  std::string event;    ///< "x = 0 falling"
+  std::string changes;  ///< "x' = -0.8 x'; n = n + 1"; may be empty
+};
+
 /// Equations with the values of their parameters, and what commands ask of them.
 struct UserProblem {
   std::string name;                                        ///< "three-dof"; "the equation" of a user
@@ -30,7 +36,8 @@ struct UserProblem {
   ivp::System system;                    ///< what methods run on
   /// Computations in extended precision, for references; may be none.
   std::function<std::vector<Candidate>(const Effort&)> extended;
-  program::Equations text;  ///< as they were read
+  program::Equations text;                  ///< as they were read
+  std::vector<EventLine> event_lines = {};  ///< of the text
 
   /// The initial state as typed: numbers in the order of the state, or "x1=1, v1=pi/2" for some of them, by
   /// expressions; what the publication or the text says for what is not given.

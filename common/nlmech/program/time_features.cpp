@@ -1,0 +1,190 @@
+#include "nlmech/program/time_features.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <queue>
+
+namespace nlmech::program {
+namespace {
+
+/// Bounds on a function of time and on its derivative.
+struct Bounds {
+  Interval value, rate;
+};
+
+/// States that a function of time alone does not depend on.
+struct AnyState {
+  Interval operator[](int) const { return {}; }
+};
+
+Bounds bounds_of(const Program& function, const Interval& t) {
+  Bounds b;
+  function.run(t, AnyState{}, 0, 2, [&b](int i, const Interval& v) { (i == 0 ? b.value : b.rate) = v; });
+  return b;
+}
+
+/// The least and the greatest value of a function, to a quarter of their distance: best-first search. The
+/// whole line if it is not bounded, or they are not found.
+Interval range_of(const Program& function, double t0, double t1) {
+  struct Part {
+    Interval t, value;
+    double open;  // by how much it may exceed what was found when it was made
+    bool operator<(const Part& other) const { return open < other.open; }
+  };
+  double least = std::numeric_limits<double>::infinity(), greatest = -least;
+  std::priority_queue<Part> parts;
+  const auto open = [&](const Interval& v) { return std::max(v.high - greatest, least - v.low); };
+  const auto add = [&](const Interval& t) {
+    const Interval middle = bounds_of(function, Interval(t.low + t.width() / 2)).value;
+    if (std::isfinite(middle.width())) {
+      least = std::min(least, middle.low);
+      greatest = std::max(greatest, middle.high);
+    }
+    const Interval value = bounds_of(function, t).value;
+    parts.push({t, value, open(value)});
+  };
+  add({t0, t1});
+  constexpr int most = 2000;
+  for (int k = 0; k < most && !parts.empty(); ++k) {
+    const Part part = parts.top();
+    parts.pop();
+    if (open(part.value) <= (greatest - least) / 4) {
+      if (open(part.value) < part.open) continue;  // others may be more open by now
+      return {least, greatest};
+    }
+    const double middle = part.t.low + part.t.width() / 2;
+    add({part.t.low, middle});
+    add({middle, part.t.high});
+  }
+  return parts.empty() ? Interval(least, greatest) : Interval();
+}
+
+/// The division of an interval into cells in which one function rests or is active.
+class Cells {
+ public:
+  struct Cell {
+    double t0, t1;
+    bool rests;
+  };
+
+  Cells(const Program& function, double t0, double t1) : function_(function) {
+    variation_ = range_of(function, t0, t1).width();
+    least_ = std::ldexp(t1 - t0, -48);
+    if (variation_ > 0 && std::isfinite(variation_)) divide(t0, t1);
+    if (left_ < 0) cells_.clear();
+  }
+  /// In the order of time.
+  [[nodiscard]] const std::vector<Cell>& all() const { return cells_; }
+
+ private:
+  void divide(double t0, double t1) {
+    if (--left_ < 0) return;
+    const Bounds b = bounds_of(function_, {t0, t1});
+    const double change = b.rate.magnitude() * (t1 - t0);
+    const bool rests = std::min(b.value.width(), change) <= 1e-12 * variation_;
+    if (rests || change <= 2 * variation_ || t1 - t0 <= least_) {
+      cells_.push_back({t0, t1, rests});
+      without_rest_ = rests ? 0 : without_rest_ + 1;
+      constexpr int most_without_rest = 4000;  // a wave
+      if (without_rest_ > most_without_rest) left_ = -1;
+      return;
+    }
+    const double middle = t0 + (t1 - t0) / 2;
+    divide(t0, middle);
+    divide(middle, t1);
+  }
+
+  const Program& function_;
+  double variation_ = 0, least_ = 0;
+  int left_ = 200'000, without_rest_ = 0;
+  std::vector<Cell> cells_;
+};
+
+/// Adds the places of one function.
+void add_places(const Program& function, double t0, double t1, std::vector<double>& places) {
+  constexpr int first_cells = 12;
+  const Cells cells(function, t0, t1);
+  int active = first_cells;  // cells since the last rest; as if many where it does not start with one
+  for (const Cells::Cell& cell : cells.all()) {
+    active = cell.rests ? 0 : active + 1;
+    if (active == 1 && cell.t0 > t0) places.push_back(cell.t0);
+    if (active > 0 && active <= first_cells && cell.t1 < t1) places.push_back(cell.t1);
+  }
+}
+
+/// Which nodes depend on time and on nothing else.
+std::vector<bool> of_time_alone(const Graph& graph) {
+  std::vector<bool> by_time(static_cast<std::size_t>(graph.nodes())), by_state(by_time.size());
+  for (NodeId i = 0; i < graph.nodes(); ++i) {
+    const Node& n = graph[i];
+    if (n.operation == Operation::number) continue;
+    if (n.operation == Operation::variable) {
+      (n.a == 0 ? by_time : by_state)[index(i)] = true;
+      continue;
+    }
+    const auto add = [&](NodeId from) {
+      by_time[index(i)] = by_time[index(i)] || by_time[index(from)];
+      by_state[index(i)] = by_state[index(i)] || by_state[index(from)];
+    };
+    add(n.a);
+    if (has_two_operands(n.operation)) add(n.b);
+    if (n.operation == Operation::choice) add(n.decides);
+  }
+  for (std::size_t i = 0; i < by_time.size(); ++i) by_time[i] = by_time[i] && !by_state[i];
+  return by_time;
+}
+
+/// Can it rest and then change fast? Sums and products of what cannot cannot either, nor can waves.
+bool may_rest(Graph& graph, const Node& node) {
+  switch (node.operation) {
+    case Operation::quotient:
+    case Operation::reciprocal:
+    case Operation::power:
+    case Operation::any_power:
+    case Operation::atan2: return true;
+    case Operation::function: break;
+    default: return false;
+  }
+  const bool is_periodic = node.function == Function::sin || node.function == Function::cos;
+  return !is_periodic || !graph.is_number(rates(graph, {node.a}, {}).front());
+}
+
+}  // namespace
+
+TimeFeatures::TimeFeatures(const Graph& graph, const std::vector<NodeId>& slopes) {
+  const std::vector<bool> part = parts_of(graph, slopes), by_time = of_time_alone(graph);
+  for (NodeId i = 0; i < graph.nodes(); ++i) {
+    if (!part[index(i)] || !by_time[index(i)]) continue;
+    Graph own = graph;
+    if (!may_rest(own, graph[i])) continue;
+    const NodeId rate = rates(own, {i}, slopes).front();
+    functions_.emplace_back(own, std::vector{i, rate});
+  }
+}
+
+std::vector<double> TimeFeatures::between(double t0, double t1) const {
+  if (functions_.empty() || !(t0 < t1) || !std::isfinite(t1 - t0)) return {};
+  const std::lock_guard guard(mutex_);
+  if (!(known_.t0 <= t0 && t1 <= known_.t1 && known_.t0 < known_.t1)) {
+    known_ = {t0, t1, {}};
+    std::vector<double>& places = known_.places;
+    for (const Program& function : functions_) {
+      std::vector<double> own;
+      add_places(function, t0, t1, own);
+      places.insert(places.end(), own.begin(), own.end());
+    }
+    std::ranges::sort(places);
+    const auto same = std::ranges::unique(places);
+    places.erase(same.begin(), same.end());
+    constexpr std::size_t most = 10'000;
+    if (places.size() > most) places.clear();
+  }
+  std::vector<double> between;
+  for (const double t : known_.places) {
+    if (t > t0 && t < t1) between.push_back(t);
+  }
+  return between;
+}
+
+}  // namespace nlmech::program
