@@ -29,43 +29,6 @@ sqrt(1 - t) ends at t = 1, and the first trial step at this tolerance crosses it
   integrators: *: ode45: * (glob)
   exit code 1
 
-Events
-------
-
-A ball falls 20 m in sqrt(2 20/9.81) s, the root of a parabola:
-
-  $ for method in series ode45 "rk4 --step 0.1" adaptive-collocation; do
-  >   integrate "x'' = -9.81; x(0) = 20; x'(0) = 0" --until 10 --event "x=0 end" --method $method > fall.csv
-  >   cut -d, -f 4 fall.csv | paste -s -d '|'
-  >   holds 'n = 1' 'T := sqrt(40/9.81)' 't = T +- 1e-8*T' 'x = 0 +- 2e-7' "x' = -9.81*T +- 1e-7" < fall.csv
-  > done
-  event||x=0
-  event||x=0
-  event||x=0
-  event||x=0
-
-Their rows stand in order among the others; a comma may stand in the text of an event:
-
-  $ integrate "x'' = -x" --initial "x=0, x'=1" --until 7 --every 2 --event "x=0 falling" "x'=0" > rows.csv
-  $ holds --each 't = [0, pi/2, 2, pi, 4, 3*pi/2, 6, 7] +- 4e-9' < rows.csv
-  $ cut -d, -f 4 rows.csv | paste -s -d '|'
-  event||x'=0||x=0||x'=0||
-
-tan has poles between its zeros, and atan2 jumps from pi to -pi: neither is an event. With x = cos(t), x' = -sin(t) their angle, pi/2 + t,
-is 1 at 3 pi/2 + 1:
-
-  $ swing() { integrate "x'' = -x" --initial "x=1, x'=0" --until 10 --event "$1"; }
-  $ swing 'tan(t)=0' | holds --where 'event=tan(t)=0' 't = [pi, 2*pi, 3*pi] +- 1e-12'
-  $ swing '1/x=0' | cut -d, -f 4 | paste -s -d '|'
-  event||
-  $ swing "atan2(x,x')=1" > angle.csv
-  $ holds --where "event=atan2(x,x')=1" 't = [3*pi/2 + 1] +- 1e-8' < angle.csv
-
-A section shows its own rows alone:
-
-  $ integrate "x'' = -x" --initial "x=0, x'=1" --until 20 --section "x=0 rising" --tolerance 1e-13 |
-  >   holds --each 't = [2*pi, 4*pi, 6*pi] +- 1e-12'
-
 Discontinuities
 ---------------
 

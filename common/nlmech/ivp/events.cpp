@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 #include <stdexcept>
+#include <utility>
 
 #include "nlmech/ivp/failures.hpp"
 #include "nlmech/support/sentences.hpp"
@@ -142,7 +143,7 @@ class EventFinder::Scan {
   }
   // A part without a zero.
   void without(const Interval& values) {
-    close_open();
+    close_open(true);
     f_.signs_[event_] = sign_of(values.low);
   }
   // A part in which the function grows (1), falls (-1), or is taken to do one of both (0).
@@ -195,7 +196,8 @@ class EventFinder::Scan {
     open_to_ = b;
   }
   // What such parts are, once the next one is known to be none.
-  void close_open() {
+  // @param leaves is the next one without a zero, though the slope would lead through it?
+  void close_open(bool leaves = false) {
     if (!in_open_) return;
     in_open_ = false;
     int& sign = f_.signs_[event_];
@@ -205,16 +207,34 @@ class EventFinder::Scan {
     if (!f_.status_.ok()) return;
     const int first = slope_at(open_from_), last = slope_at(open_to_);
     const bool turns = first != 0 && last == -first;
-    if (turns && event().crossing == Crossing::either) {
+    if (event().crossing == Crossing::either && turns) {
       add(first_of(open_from_, open_to_, [&](double t) { return slope_at(t) == last; }), 0);
+    } else if (event().crossing == Crossing::either && leaves) {
+      add(lowest(open_from_, open_to_), 0);
     } else {
       f_.add_open(event_, open_from_, open_to_);
     }
   }
-  int slope_at(double t) {
-    const Interval rate = at_point(t, 0).rate;
-    return sign_of(rate.low + rate.high);
+  // The least |g|, by golden section.
+  double lowest(double a, double b) {
+    constexpr double part = 0.381966011250105;
+    double left = a + part * (b - a), right = b - part * (b - a);
+    double at_left = std::abs(value_at(left)), at_right = std::abs(value_at(right));
+    constexpr int most = 60;
+    for (int k = 0; k < most && left != right; ++k) {
+      if (at_left <= at_right) {
+        b = std::exchange(right, left);
+        left = a + part * (b - a);
+        at_right = std::exchange(at_left, std::abs(value_at(left)));
+      } else {
+        a = std::exchange(left, right);
+        right = b - part * (b - a);
+        at_left = std::exchange(at_right, std::abs(value_at(right)));
+      }
+    }
+    return left;
   }
+  int slope_at(double t) { return sign_of(slope_near(t)); }
 
   void add(double t, int direction) {
     Hit hit{event_, t, state(t), direction};
@@ -222,12 +242,20 @@ class EventFinder::Scan {
     f_.hits_.push_back(std::move(hit));
     left_ = work;
   }
+  // dg/dt
+  double slope_near(double t) {
+    if (event().bounds) {
+      const Interval rate = at_point(t, 0).rate;
+      return (rate.low + rate.high) / 2;
+    }
+    const double way = step_.t1 - step_.t0, near = 1e-5 * way;
+    const double from = std::abs(t - step_.t0) < std::abs(way) / 2 ? t : t - near;
+    return (value_at(from + near) - value_at(from)) / near;
+  }
   // By the method itself from the start of the step: the state, and of a crossing the time by Newton's
   // iteration.
   void refine(Hit& hit) {
-    const double way = step_.t1 - step_.t0, near = 1e-5 * way;
-    const double from = std::abs(hit.t - step_.t0) < std::abs(way) / 2 ? hit.t : hit.t - near;
-    const double slope = (value_at(from + near) - value_at(from)) / near;
+    const double way = step_.t1 - step_.t0, slope = slope_near(hit.t);
     constexpr int most = 3;
     for (int k = 0; k < most && hit.t != step_.t0; ++k) {
       const Solution there = f_.run_(system_, step_.x0, step_.t0, hit.t, {}, limits_);
@@ -337,8 +365,10 @@ Solution integrate_past_changes(const SmoothRun& run, const System& system, cons
   double last = std::numeric_limits<double>::infinity();
   for (double from = t0;; from = all.t) {
     Limits left = limits;
-    left.steps = std::max<std::int64_t>(limits.steps - all.statistics.steps - all.statistics.rejected, 1);
-    left.seconds = std::max(limits.seconds - watch.seconds(), 1e-6);
+    if (from != t0) {
+      left.steps = std::max<std::int64_t>(limits.steps - all.statistics.steps - all.statistics.rejected, 1);
+      left.seconds = std::max(limits.seconds - watch.seconds(), 1e-6);
+    }
     const Solution part = run(system, all.x, from, t1, observer, left);
     all.statistics += part.statistics;
     all.t = part.t;

@@ -40,8 +40,12 @@ struct Interval {
   /// From a to b and some roundings further: four, which is more than functions of the C library are off by.
   [[nodiscard]] static Interval outwards(double a, double b) {
     constexpr double share = 4 * std::numeric_limits<double>::epsilon();
-    constexpr double least = std::numeric_limits<double>::denorm_min();
-    return {a - (share * std::abs(a) + least), b + (share * std::abs(b) + least)};
+    constexpr double least = std::numeric_limits<double>::denorm_min(),
+                     most = std::numeric_limits<double>::max();
+    // Beyond the range of doubles there is no next one.
+    const double low = a <= most ? a - (share * std::abs(a) + least) : a > most ? most : a;
+    const double high = b >= -most ? b + (share * std::abs(b) + least) : b < -most ? -most : b;
+    return {low, high};
   }
 };
 

@@ -78,21 +78,29 @@ class Cells {
   [[nodiscard]] const std::vector<Cell>& all() const { return cells_; }
 
  private:
+  [[nodiscard]] bool rests(const Bounds& b, double length) const {
+    return std::min(b.value.width(), b.rate.magnitude() * length) <= 1e-12 * variation_;
+  }
+  [[nodiscard]] bool rests(double t0, double t1) const {
+    return rests(bounds_of(function_, {t0, t1}), t1 - t0);
+  }
+
   void divide(double t0, double t1) {
     if (--left_ < 0) return;
     const Bounds b = bounds_of(function_, {t0, t1});
-    const double change = b.rate.magnitude() * (t1 - t0);
-    const bool rests = std::min(b.value.width(), change) <= 1e-12 * variation_;
-    if (rests || change <= 2 * variation_ || t1 - t0 <= least_) {
-      cells_.push_back({t0, t1, rests});
-      without_rest_ = rests ? 0 : without_rest_ + 1;
-      constexpr int most_without_rest = 4000;  // a wave
-      if (without_rest_ > most_without_rest) left_ = -1;
-      return;
-    }
     const double middle = t0 + (t1 - t0) / 2;
+    if (rests(b, t1 - t0)) return add({t0, t1, true});
+    const bool is_short =
+        b.rate.magnitude() * (t1 - t0) <= 2 * variation_ && !rests(t0, middle) && !rests(middle, t1);
+    if (is_short || t1 - t0 <= least_) return add({t0, t1, false});
     divide(t0, middle);
     divide(middle, t1);
+  }
+  void add(const Cell& cell) {
+    cells_.push_back(cell);
+    without_rest_ = cell.rests ? 0 : without_rest_ + 1;
+    constexpr int most_without_rest = 4000;  // a wave
+    if (without_rest_ > most_without_rest) left_ = -1;
   }
 
   const Program& function_;

@@ -66,7 +66,7 @@ class Run {
         other_(other),
         t1_(options.t1),
         accuracy_(accuracy_of(options)),
-        finder_(events_of(options), accuracy_, one) {
+        finder_(events_of(problem, options), accuracy_, one) {
     found_.rows =
         fmt::format("t,{}{}\n", fmt::join(problem.state_names, ","), options.events.empty() ? "" : ",event");
     found_.samples = {components_of(problem), SampledPath(options.t0, t1_), {}};
@@ -82,7 +82,7 @@ class Run {
   [[nodiscard]] ivp::Start start() {
     ivp::Start start{&problem_.system, options_.x0,      options_.t0, options_.t1, {},
                      options_.limits,  options_.deadline};
-    if (options_.every || options_.draw || !options_.events.empty())
+    if (options_.every || options_.draw || !options_.events.empty() || !problem_.domain_ends.empty())
       start.observer = [this](const ivp::Step& step) { return see(step); };
     return start;
   }
@@ -106,10 +106,15 @@ class Run {
     ivp::State x;
   };
 
-  static std::vector<ivp::Event> events_of(const RunOptions& options) {
+  /// Those that were asked for, then the ends of the domain of the equations.
+  static std::vector<ivp::Event> events_of(const UserProblem& problem, const RunOptions& options) {
     std::vector<ivp::Event> events;
     for (const WantedEvent& e : options.events) events.push_back(e.event);
+    events.insert(events.end(), problem.domain_ends.begin(), problem.domain_ends.end());
     return events;
+  }
+  [[nodiscard]] bool left_domain() const {
+    return finder_.ended() && finder_.hits().back().event >= options_.events.size();
   }
   // Of runs by tolerances.
   static ivp::StateAccuracy accuracy_of(const RunOptions& options) {
@@ -163,7 +168,9 @@ class Run {
 bool Run::see(const ivp::Step& step) {
   const std::size_t before = finder_.hits().size();
   const bool goes_on = finder_.see(problem_.system, step, options_.limits);
-  for (std::size_t i = before; i < finder_.hits().size(); ++i) show(finder_.hits()[i], step);
+  for (std::size_t i = before; i < finder_.hits().size(); ++i) {
+    if (finder_.hits()[i].event < options_.events.size()) show(finder_.hits()[i], step);
+  }
   if (goes_on) add_before(step.t1, step);
   if (options_.draw && !options_.section)
     found_.samples.path.see(step, goes_on || finder_.hits().empty() ? step.t1 : finder_.hits().back().t);
@@ -203,10 +210,12 @@ std::string Run::remark_on_events() const {
                     "twice there, or not reach it",
                     options_.events[i].name, count, first.t));
   }
-  for (const ivp::OpenEvent& open : finder_.open())
+  for (const ivp::OpenEvent& open : finder_.open()) {
+    if (open.event >= options_.events.size()) continue;
     remarks.push_back(
         fmt::format("{} cannot be told from zero between t = {:.9g} and {:.9g}: rows may be missing",
                     options_.events[open.event].name, open.t0, open.t1));
+  }
   return fmt::format("{}", fmt::join(remarks, "; "));
 }
 
@@ -281,6 +290,13 @@ void Run::verify_by_integration(const ivp::Solution& end) {
 Trajectory Run::finish(ivp::Solution end) {
   if (!finder_.status().ok()) {
     end.status = finder_.status();
+  } else if (left_domain()) {
+    end.status = failed_with(
+        Outcome::outside_validity,
+        "the argument of a square root, a power with a fraction or an arc becomes zero at t = "
+        "{:.9g}: the equations do not say how the solution goes on; end the run before, or say it: "
+        "sqrt(max(x, 0)) rests there",
+        finder_.hits().back().t);
   } else if (finder_.ended()) {
     end.t = finder_.hits().back().t;
     end.x = finder_.hits().back().x;

@@ -94,9 +94,10 @@ std::string assignments_of(std::string text) {
 std::vector<WantedEvent> events_of(const std::string& option, const std::string& typed,
                                    const UserProblem& problem) {
   std::string text = scene::trimmed(typed);
-  const std::string name = take_name(text), all = text;
+  const std::string name = take_name(text);
   ivp::Event event;
   event.ends = take_end(option, text);
+  const std::string all = text;
   if (take_last(text, "rising"))
     event.crossing = ivp::Crossing::rising;
   else if (take_last(text, "falling"))

@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <memory>
+#include <ranges>
 
 #include "nlmech/problems/texts.hpp"
 #include "nlmech/program/problem.hpp"
@@ -23,6 +26,72 @@ ivp::State state_of(const std::vector<double>& x) {
 
 UserProblem problem_of_text(const problems::ProblemText& known, const program::Settings& settings) {
   return typed_problem({fmt::format("{}.ode", known.name), std::string(known.text)}, settings, known.name);
+}
+
+/// A node as an event.
+ivp::Event zero_of(program::Graph graph, program::NodeId node, const std::vector<program::NodeId>& slopes) {
+  const program::NodeId rate = program::rates(graph, {node}, slopes).front();
+  const auto program = std::make_shared<const program::Program>(graph, std::vector{node, rate});
+  ivp::Event event;
+  event.value = [program](double t, const ivp::State& x) {
+    double value = 0;
+    program->run(t, x, 0, 1, [&value](int, double v) { value = v; });
+    return value;
+  };
+  event.bounds = [program](const program::Interval& t, std::span<const program::Interval> x) {
+    ivp::Enclosure g;
+    program->run(t, x, 0, 2, [&g](int i, const program::Interval& v) { (i == 0 ? g.value : g.rate) = v; });
+    return g;
+  };
+  return event;
+}
+
+/// What a function of a solution needs to be positive; nothing if it needs nothing.
+std::optional<program::NodeId> needs_positive(program::Graph& graph, const program::Node& n) {
+  using program::Operation;
+  if (n.operation == Operation::any_power) return n.a;
+  if (n.operation == Operation::power && n.c != std::floor(n.c)) return n.a;
+  if (n.operation != Operation::function) return {};
+  if (n.function == program::Function::sqrt) return n.a;
+  if (n.function == program::Function::asin || n.function == program::Function::acos)
+    return graph.difference(graph.number(1), graph.product(n.a, n.a));
+  return {};
+}
+
+/// Does it depend on the state, and is not positive by the way in which it is written: abs(x), max(x, 0)?
+bool may_end(const program::Graph& graph, program::NodeId argument) {
+  const std::vector<bool> part = program::parts_of(graph, {argument});
+  const auto states = std::ranges::subrange(part.begin() + 1, part.begin() + 1 + graph.size());
+  if (std::ranges::find(states, true) == states.end()) return false;
+  const program::Node& n = graph[argument];
+  if (n.operation != program::Operation::choice || n.a != n.decides) return true;
+  const program::Node& other = graph[n.b];
+  const bool is_opposite =
+      other.operation == program::Operation::scaled && other.c < 0 && other.a == n.decides;
+  return !is_opposite && !(other.operation == program::Operation::number && other.c >= 0);
+}
+
+/// Ends of the domain of the equations that depend on the state: where the argument of a square root, a power
+/// with a fraction, or an arc becomes zero. Not those that are positive whatever the state is.
+std::vector<ivp::Event> domain_ends(const program::Equations& equations) {
+  program::Graph graph = equations.graph();
+  const std::vector<bool> part = program::parts_of(graph, equations.slopes());
+  std::vector<ivp::Event> ends;
+  std::vector<program::NodeId> known;
+  const std::vector<program::Interval> anywhere(static_cast<std::size_t>(equations.size()));
+  for (std::size_t i = 0; i < part.size(); ++i) {
+    if (!part[i]) continue;
+    const program::Node node = graph[static_cast<program::NodeId>(i)];
+    const std::optional<program::NodeId> argument = needs_positive(graph, node);
+    if (!argument || std::ranges::find(known, *argument) != known.end() || !may_end(graph, *argument))
+      continue;
+    known.push_back(*argument);
+    ivp::Event end = zero_of(graph, *argument, equations.slopes());
+    if (end.bounds({}, anywhere).value.low >= 0) continue;
+    end.ends = 1;
+    ends.push_back(std::move(end));
+  }
+  return ends;
 }
 
 }  // namespace
@@ -52,16 +121,7 @@ StateFunction UserProblem::expression(const std::string& option, const std::stri
 ivp::Event UserProblem::event(const std::string& option, const std::string& typed) const {
   program::Equations names = text;
   const program::NodeId node = names.expression(option, typed);
-  program::Graph graph = names.graph();
-  const program::NodeId rate = program::rates(graph, {node}, names.slopes()).front();
-  const auto program = std::make_shared<const program::Program>(graph, std::vector{node, rate});
-  ivp::Event event{expression(option, typed)};
-  event.bounds = [program](const program::Interval& t, std::span<const program::Interval> x) {
-    ivp::Enclosure g;
-    program->run(t, x, 0, 2, [&g](int i, const program::Interval& v) { (i == 0 ? g.value : g.rate) = v; });
-    return g;
-  };
-  return event;
+  return zero_of(names.graph(), node, names.slopes());
 }
 
 UserProblem typed_problem(const program::SourceText& source, const program::Settings& settings,
@@ -81,6 +141,7 @@ UserProblem typed_problem(const program::SourceText& source, const program::Sett
           .t1 = equations.final_time(),
           .system = ivp::System(problem),
           .extended = extended,
+          .domain_ends = domain_ends(equations),
           .text = equations};
 }
 

@@ -36,6 +36,8 @@ struct UserProblem {
   ivp::System system;                    ///< what methods run on
   /// Computations in extended precision, for references; may be none.
   std::function<std::vector<Candidate>(const Effort&)> extended;
+  /// Where the argument of a square root, a power with a fraction or an arc becomes zero.
+  std::vector<ivp::Event> domain_ends = {};
   program::Equations text;                  ///< as they were read
   std::vector<EventLine> event_lines = {};  ///< of the text
 

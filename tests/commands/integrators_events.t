@@ -1,0 +1,139 @@
+Events of a typed equation
+==========================
+
+  $ integrate() { integrators integrate --equation "$@"; }
+
+A ball falls 20 m in sqrt(2 20/9.81) s, the root of a parabola:
+
+  $ for method in series ode45 "rk4 --step 0.1" adaptive-collocation; do
+  >   integrate "x'' = -9.81; x(0) = 20; x'(0) = 0" --until 10 --event "x=0 end" --method $method > fall.csv
+  >   cut -d, -f 4 fall.csv | paste -s -d '|'
+  >   holds 'n = 1' 'T := sqrt(40/9.81)' 't = T +- 1e-8*T' 'x = 0 +- 2e-7' "x' = -9.81*T +- 1e-7" < fall.csv
+  > done
+  event||x=0
+  event||x=0
+  event||x=0
+  event||x=0
+
+Their rows stand in order among the others; a comma may stand in the text of an event:
+
+  $ integrate "x'' = -x" --initial "x=0, x'=1" --until 7 --every 2 --event "x=0 falling" "x'=0" > rows.csv
+  $ holds --each 't = [0, pi/2, 2, pi, 4, 3*pi/2, 6, 7] +- 4e-9' < rows.csv
+  $ cut -d, -f 4 rows.csv | paste -s -d '|'
+  event||x'=0||x=0 falling||x'=0||
+
+tan has poles between its zeros, and atan2 jumps from pi to -pi: neither is an event. With x = cos(t), x' = -sin(t) their angle, pi/2 + t,
+is 1 at 3 pi/2 + 1:
+
+  $ swing() { integrate "x'' = -x" --initial "x=1, x'=0" --until 10 --event "$1"; }
+  $ swing 'tan(t)=0' | holds --where 'event=tan(t)=0' 't = [pi, 2*pi, 3*pi] +- 1e-12'
+  $ swing '1/x=0' | cut -d, -f 4 | paste -s -d '|'
+  event||
+  $ swing "atan2(x,x')=1" > angle.csv
+  $ holds --where "event=atan2(x,x')=1" 't = [3*pi/2 + 1] +- 1e-8' < angle.csv
+
+A section shows its own rows alone:
+
+  $ integrate "x'' = -x" --initial "x=0, x'=1" --until 20 --section "x=0 rising" --tolerance 1e-13 |
+  >   holds --each 't = [2*pi, 4*pi, 6*pi] +- 1e-12'
+
+Every zero
+----------
+
+One step of a parabola is exact, however long it is; its events are found all the same, and pulses of time however narrow:
+
+  $ integrate "x' = 1" --initial x=0 --until 100 --event "sin(t)=0" | holds --where 'event=sin(t)=0' 'n = 31' 't = pi*(i + 1) +- 1e-12'
+  $ integrate "x'' = -9.81" --initial "x=0, x'=0" --until 10 --event "sin(20 t)=0" | holds --where 'event=sin(20 t)=0' 'n = 63' 't = pi*(i + 1)/20 +- 1e-12'
+  $ integrate "x' = 1" --initial x=0 --until 100 --event "exp(-((t - 50)/1e-6)^2) = 0.5" |
+  >   holds --where 'event=exp(-((t - 50)/1e-6)^2) = 0.5' 't = 50 + (2*i - 1)*1e-6*sqrt(log(2)) +- 2e-14'
+  $ integrate "x'' = -x" --initial "x=1, x'=0" --until 100 --event "x=0.99999" | holds --where 'event=x=0.99999' 'n = 31'
+  $ integrate "x'' = -x" --initial "x=1, x'=0" --until 100 --event "x x' = 0.4999" | holds --where "event=x x' = 0.4999" 'n = 64'
+
+Double zeros are rows, and standard error says that rounding decides about them:
+
+  $ swing() { integrate "x'' = -x" --initial "x=1, x'=0" --until 10 --event "$@"; }
+  $ swing "x^2=0" | holds --where 'event=x^2=0' 'n = 3' 't = pi*(i + 0.5) +- 1e-8'
+  integrators: x^2=0 touches zero 3 times to within the tolerance, first at t = 1.57079633: it may also pass twice there, or not reach it
+  $ swing "x=1" | holds --where 'event=x=1' 'n = 1' 't = 2*pi +- 1e-8'
+  integrators: x=1 touches zero 1 times to within the tolerance, first at t = 6.28318531: it may also pass twice there, or not reach it
+  $ swing "x^2 + x'^2 = 2 x^2 + 2 x'^2 - 1" > /dev/null
+  integrators: * cannot be told from zero between t = * (glob)
+
+Names, and the n-th event:
+
+  $ swing "low: x'=0 rising" | holds --where 'event=low' 'n = 2' 't = pi*(2*i + 1) +- 1e-8'
+  $ swing "x=0 end after 2" | holds 't = 3*pi/2 +- 1e-8'
+
+Changes of the state
+--------------------
+
+A ball from 1 m keeps 0.8 of its speed: the k-th flight takes 2 0.8^k of the first fall. Rows come in pairs, before and after:
+
+  $ integrate "y'' = -9.81" --initial "y=1, y'=0" --until 3.5 --event "bounce: y=0 falling" --set-at "bounce: y' = -0.8 y'" > ball.csv
+  $ holds --where event=bounce 'T := sqrt(2/9.81)' 'n = 9' 't = T*(1 + 2*(0.8 - 0.8**(i + 1))/0.2) +- 1e-8' "y' = -9.81*T*0.8**i +- 1e-7" < ball.csv
+  $ holds --where 'event=bounce after' "y' = 9.81*sqrt(2/9.81)*0.8**(i + 1) +- 1e-7" < ball.csv
+
+The same in a file, by another method:
+
+  $ cat > ball.ode << END
+  > y'' = -g
+  > g = 9.81
+  > y(0) = 1
+  > y'(0) = 0
+  > when y = 0 falling: y' -> -0.8 y'  # keeps 0.8
+  > t <= 3.5
+  > END
+  $ integrators integrate --file ball.ode --method dop853 > file.csv
+  $ tail -1 file.csv | tr , '\n' | head -2 > end; tail -1 ball.csv | tr , '\n' | head -2 | paste - end |
+  >   awk '{ d = $1 - $2; if (d*d > 1e-14) print }'
+
+Its bounces end after 1 + 2 0.8/0.2 = 9 times the first fall, at 4.06 s:
+
+  $ integrators integrate --file ball.ode --until 5
+  integrators: outside_validity: events that change the state follow each other without end at t = 4.06*; end the run before, or at one of them (glob)
+  [1]
+
+A dose of 5 at 0, 24, ..., 240 h, of which exp(-2.4) is left after a day:
+
+  $ integrate "c' = -0.1 c; c(0) = 0; at t = 0:24:240: c -> c + 5" --until 250 --method ode45 |
+  >   holds 'c = 5*exp(-1)*(1 - exp(-2.4*11))/(1 - exp(-2.4)) +- 2e-8'
+  $ { echo c; echo 0; echo 1; } > starts.csv
+  $ integrate "c' = -0.1 c" --until 250 --event "dose: t = 0:24:240" --set-at "dose: c = c + 5" --states starts.csv > rows.csv
+  $ holds --where t=250 'n = 2' 'c = exp(-25)*i + 5*exp(-1)*(1 - exp(-2.4*11))/(1 - exp(-2.4)) +- 2e-8' < rows.csv
+
+A threshold sets the state, and several values change at once, each by the values before:
+
+  $ integrate "x' = -x; x(0) = 1" --until 10 --event "low: x=0.5 falling" --set-at "low: x = 1" |
+  >   holds 'x = exp(-10 + 14*log(2)) +- 2e-8'
+  $ integrate "x' = 0; y' = 0; x(0) = 1; y(0) = 2; at t = 1:1:1: x -> y, y -> x + atan2(0, 1)" --until 2 | holds 'x = 2' 'y = 1'
+
+Mistakes
+--------
+
+  $ decay() { integrate "x' = -x; x(0) = 1" --until 2 "$@"; }
+  $ decay --event "a: x=0.5" --set-at "b: x=2"
+  integrators: --set-at b: x=2: no --event has the name b
+  [2]
+  $ decay --event "a: x=0.5" --set-at "a: z=2"
+  integrators: --set-at a: z=2: z=2: say one of x = its new value
+  [2]
+  $ decay --event "a: x=0.5" --set-at "x=2"
+  integrators: --set-at x=2: say the name of an event, and what changes there: "bounce: y' = -0.8 y'"
+  [2]
+  $ decay --event "a: x=0.5" --set-at "a: x=z"
+  integrators: --set-at:1:1: z is not defined: it has neither a derivative (z') nor a definition (z = ...)
+    z
+    ^
+  [2]
+  $ integrate "x' = -x; x(0) = 1" --until -2 --event "a: x=0.5" --set-at "a: x=2"
+  integrators: --until -2: events that change the state go forwards in time, from 0
+  [2]
+  $ decay --event "a: x=0.5 end after z"
+  integrators: --event x=0.5 end after z: end after z: say a whole number of events, from 1 to 1e9
+  [2]
+  $ decay --event "a: t = 0:0:3"
+  integrators: --event t = 0:0:3: say the first time, a positive distance and a last time that is not earlier, as t = 0:24:240
+  [2]
+  $ integrators compare --file ball.ode
+  integrators: when y = 0 falling: compare takes no events; integrate does
+  [2]
