@@ -40,13 +40,12 @@ class Problem {
 
   /// The known times between @p t0 and @p t1 at which the equations change, in the direction of travel.
   [[nodiscard]] std::vector<double> discontinuities(double t0, double t1) const {
-    std::vector<double> between;
-    for (const double t : switches_->times()) {
-      if (t > std::min(t0, t1) && t < std::max(t0, t1)) between.push_back(t);
-    }
+    std::vector<double> between = switches_->times(std::min(t0, t1), std::max(t0, t1));
     if (t1 < t0) std::reverse(between.begin(), between.end());
     return between;
   }
+  /// May the times of discontinuities() differ by a rounding in other precisions?
+  [[nodiscard]] bool has_rounded_times() const { return switches_->has_rounded_times(); }
   /// How many other functions decide by their signs what the equations are; none within a mode.
   [[nodiscard]] int switches() const { return smooth_ ? 0 : switches_->count(); }
   /// The smooth equations of a mode. What the text says of all solutions does not hold of theirs: steps of
