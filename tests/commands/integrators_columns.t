@@ -22,8 +22,8 @@ With --states they have the parameters of each row:
   $ printf 'k,E\n1,7\n4,8\n' > springs.csv
   $ integrate "x'' = -k x; k = 1; x(0) = 1; x'(0) = 0" --until 1 --states springs.csv --columns "E = x'^2/2 + k x^2/2" > rows.csv
   $ head -1 rows.csv
-  row,t,x,x',E,k,input_E,status
-  $ holds --each 'E = k/2 +- 1e-8' < rows.csv
+  row,t,x,x',E,input_E,status
+  $ holds --each 'E = [1/2, 1/2, 2, 2] +- 1e-8' < rows.csv
 
 The order of the columns
 ------------------------

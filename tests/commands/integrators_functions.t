@@ -49,6 +49,16 @@ A spring that pulls alone: half a swing of each of the frequencies 1 and 2:
   $ integrate "x'' = -if(x > 0, 1, 4) x; x(0) = 0; x'(0) = 1" --until "3*pi/2 - 0.1" |
   >   holds 'x = -sin(2*(pi/2 - 0.1))/2 +- 1e-8' "x' = -cos(2*(pi/2 - 0.1)) +- 1e-8"
 
+A surface that jumps itself: x falls to it, moves with it, and falls again after its jump:
+
+  $ integrate "x' = -2 if(x > mod(t, 1), 1, -1); x(0) = 0.5" --until 2.5 --at 1/6,1,4/3,2.2 | holds --each 'x = [1/2, 1/6, 1, 1/3, 0.6, 0.5] +- 1e-8'
+
+One that is crossed and jumps back, forwards and backwards:
+
+  $ cross="x' = if(x > mod(t, 1), 0.1, -0.1)"
+  $ integrate "$cross" --initial x=0.2 --until 2 --at 2/9 --every 1 | holds --each 'x = [0.2, 2/9, 13/90, 6.2/81] +- 1e-8'
+  $ integrate "$cross" --initial x=6.2/81 --from 2 --until 0 --every 1 | holds --each 'x = [6.2/81, 13/90, 0.2] +- 1e-8'
+
 Numbers of time are expressions
 -------------------------------
 
@@ -61,7 +71,7 @@ Rows at times that are asked for, among those at equal distances; none stands tw
 
   $ swing --until 1 --at 0,1/4,0.6,1 | cut -d, -f 1 | paste -s -d '|'
   t|0|0.25|0.59999999999999998|1
-  $ swing --until 1 --every 0.2 --at 0.5,0.6,sqrt(0.5) | holds --each 't = [0, 0.2, 0.4, 0.5, 0.6, sqrt(1/2), 0.8, 1] +- 1e-15' 'x = cos(2*t) +- 4e-9'
+  $ swing --until 1 --every 0.2 --at '0.5,0.6,sqrt(0.5)' | holds --each 't = [0, 0.2, 0.4, 0.5, 0.6, sqrt(1/2), 0.8, 1] +- 1e-15' 'x = cos(2*t) +- 4e-9'
   $ swing --from 1 --until 0 --at 0.25,0.75 | holds --each 't = [1, 0.75, 0.25, 0]'
 
 What is refused

@@ -665,7 +665,9 @@ TEST(KnownTimes, OfWholeNumbers) {
   EXPECT_EQ(up.discontinuities(-1, 1.5), (Times{0, 1}));
   EXPECT_EQ(rate(up, 0), 1);
   EXPECT_EQ(rate(up, 0.5), 1);
-  EXPECT_EQ(falling.discontinuities(-1, 5), (Times{0, 2, 4}));
+  const Times of_falling = falling.discontinuities(-1, 5);
+  ASSERT_EQ(of_falling.size(), 3u);
+  for (int k = 0; k < 3; ++k) EXPECT_NEAR(of_falling[std::size_t(k)], 2 * k, 2 * eps);  // 1 - t/2 is rounded
   EXPECT_EQ(rate(falling, 0), 0);
   EXPECT_EQ(rate(falling, -0.5), 1);
   EXPECT_EQ(rate(falling, 2.5), -1);
