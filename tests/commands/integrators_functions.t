@@ -97,7 +97,7 @@ What is refused
     2*q
       ^
   $ refused integrators integrate --equation "x' = -x" --initial x=1 --until 2*x
-  integrators: --until:1:1: this is a number, or an expression of definitions that are
+  integrators: --until:1:1: a time is a number, or an expression of definitions that are
     2*x
     ^^^
   $ equation "x' = -x" --initial x=1 --every 1-2

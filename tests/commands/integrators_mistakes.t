@@ -210,9 +210,13 @@ Problems of the library
   $ refused integrators integrate --problem duffing --method rk4 --until 1e999
   integrators: --until 1e999: not a finite number
   $ refused integrators integrate --problem duffing --method rk4 --until soon
-  integrators: --until soon: not a finite number
+  integrators: --until:1:1: soon is not defined: it has neither a derivative (soon') nor a definition (soon = ...)
+    soon
+    ^^^^
   $ duffing --method rk4 --from -x
-  integrators: --from -x: not a finite number
+  integrators: --from:1:1: a time is a number, or an expression of definitions that are
+    -x
+    ^^
   $ duffing --method rk4 --step 0
   integrators: --step 0: must be positive
   $ duffing --method rk4 --step -0.1

@@ -306,7 +306,7 @@ double Equations::number(const std::string& name, const std::string& text) {
   const SourceText source(name, text);
   SyntaxTree tree;
   const std::size_t root = parse_expression(source, tree);
-  return Meaning(graph_, names_, source, tree).number(root, "this");
+  return Meaning(graph_, names_, source, tree).number(root, "a time");
 }
 
 void Equations::read_columns(const std::string& name, const std::string& text, std::vector<Column>& columns) {
