@@ -3,11 +3,11 @@ Integrating an equation as one types it
 
   $ integrate() { integrators integrate --equation "$@"; }
 
-Columns have the names of the equation. The tolerance is 1e-9, here over two units of time:
+Columns have the names of the equation, here in the order of --initial. The tolerance is 1e-9, here over two units of time:
 
   $ integrate "x'' = -x; y' = x" --initial "x=1, x'=0, y=0" --until 2 > rows.csv
   $ head -2 rows.csv
-  t,x,y,x'
+  t,x,x',y
   0,1,0,0
   $ holds 'x = cos(2) +- 4e-9' 'y = sin(2) +- 4e-9' "x' = -sin(2) +- 4e-9" < rows.csv
 

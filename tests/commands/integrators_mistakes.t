@@ -32,7 +32,7 @@ The text of an equation, with its place
     x'=0
     ^^
   $ equation "x' = -x" --initial x=1 --section x=1 --every 1
-  integrators: --section shows its own rows alone: give neither --event nor --every with it
+  integrators: --section shows its own rows alone: give neither --event, --every nor --at with it
   $ refused integrators integrate --until 1
   integrators: give one of --problem NAME, --equation TEXT and --file NAME.ode
   $ refused integrators integrate --until 1 --method rk4
@@ -116,7 +116,7 @@ The options of a run
     x=0 end
         ^^^
   $ run --until 1 --section x=0 --event x=1
-  integrators: --section shows its own rows alone: give neither --event nor --every with it
+  integrators: --section shows its own rows alone: give neither --event, --every nor --at with it
   $ run --until 1 --initial y=1
   integrators: --initial:1:1: no component of the state; these are x, x'
     y=1
@@ -210,9 +210,13 @@ Problems of the library
   $ refused integrators integrate --problem duffing --method rk4 --until 1e999
   integrators: --until 1e999: not a finite number
   $ refused integrators integrate --problem duffing --method rk4 --until soon
-  integrators: --until soon: not a finite number
+  integrators: --until:1:1: soon is not defined: it has neither a derivative (soon') nor a definition (soon = ...)
+    soon
+    ^^^^
   $ duffing --method rk4 --from -x
-  integrators: --from -x: not a finite number
+  integrators: --from:1:1: a time is a number, or an expression of definitions that are
+    -x
+    ^^
   $ duffing --method rk4 --step 0
   integrators: --step 0: must be positive
   $ duffing --method rk4 --step -0.1

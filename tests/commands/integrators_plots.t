@@ -40,6 +40,7 @@ Names, comments and markup of gnuplot in an equation stay what they are:
 What never moves, backwards, over decades:
 
   $ for value in 0 1 -3e-200 7e200; do integrators integrate --equation "x' = 0" --initial x=$value --until 3 --plot a.svg > rows.csv; done
+  integrators: x stays below the absolute tolerance 1e-09: none of its digits is determined; take a smaller --absolute-tolerance
   $ for until in 1e6 1e-2; do
   >   integrators integrate --file "$TESTDIR/../../chapters/integrators/examples/robertson.ode" --until $until --plot a.svg > rows.csv
   > done

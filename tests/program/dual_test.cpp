@@ -50,6 +50,8 @@ const Function functions[] = {
      [](const Real& x) { return Real(-1 / sqrt(1 - x * x)); }, -1, 0.9},
     {"atan", [](const D& x) { return atan(x); }, [](const Real& x) { return Real(atan(x)); },
      [](const Real& x) { return Real(1 / (1 + x * x)); }, -50, 50},
+    {"asinh", [](const D& x) { return asinh(x); }, [](const Real& x) { return Real(asinh(x)); },
+     [](const Real& x) { return Real(1 / sqrt(1 + x * x)); }, -50, 50},
     {"erf", [](const D& x) { return erf(x); }, [](const Real& x) { return Real(boost::math::erf(x)); },
      [](const Real& x) { return Real(2 / sqrt(Real(boost::math::constants::pi<Real>())) * exp(-x * x)); }, -2,
      2},

@@ -1,6 +1,7 @@
 /// What typed equations mean: unknowns, definitions, highest derivatives, initial values, and their numbers.
 #include "nlmech/program/equations.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 #include <Eigen/LU>
@@ -12,6 +13,7 @@
 
 #include "nlmech/ivp/system.hpp"
 #include "nlmech/program/linear_terms.hpp"
+#include "nlmech/program/power_series.hpp"
 #include "nlmech/program/problem.hpp"
 #include "tests/program/numbers.hpp"
 
@@ -306,6 +308,110 @@ TEST(Typed, Functions) {
   expect("x^100", std::pow(x, 100));
 }
 
+/// A function by other formulas, in a series of 50 digits.
+using RealSeries = PowerSeries<tests::Real>;
+struct ByFormula {
+  const char* text;
+  RealSeries (*formula)(const RealSeries&);
+  double at;
+};
+const ByFormula by_formula[] = {
+    {"ln(x)", [](const RealSeries& x) { return log(x); }, 0.7},
+    {"log10(x)", [](const RealSeries& x) { return log(x) / log(tests::Real(10)); }, 0.7},
+    {"log2(x)", [](const RealSeries& x) { return log(x) / log(tests::Real(2)); }, 3.7},
+    {"sec(x)", [](const RealSeries& x) { return 1 / cos(x); }, -0.7},
+    {"csc(x)", [](const RealSeries& x) { return 1 / sin(x); }, 0.7},
+    {"cot(x)", [](const RealSeries& x) { return 1 / tan(x); }, 0.7},
+    {"asinh(x)", [](const RealSeries& x) { return log(x + sqrt(1 + x * x)); }, -0.7},
+    {"acosh(x)", [](const RealSeries& x) { return log(x + sqrt(x * x - 1)); }, 1.7},
+    {"atanh(x)", [](const RealSeries& x) { return log((1 + x) / (1 - x)) / 2; }, 0.3}};
+
+// y' = f(x) and x = x0 + t/2: coefficient k of f is k + 1 times coefficient k + 1 of y.
+TEST(Typed, FunctionsHaveTheTaylorCoefficientsOfTheirFormulas) {
+  constexpr int order = 20;
+  for (const ByFormula& f : by_formula) {
+    const Equations equations(
+        SourceText("test", std::string("x(0) = 0; y' = ") + f.text + "; x' = 0.5 + 0 y"));
+    const ivp::System system{Problem(equations)};
+    const ivp::State x{f.at, 0};
+    auto typed = system.taylor(order + 1);
+    typed.begin_segment(0, x);
+    typed.expand(0, x, 1);
+    const RealSeries exact =
+        f.formula(tests::Real(f.at) + RealSeries::variable(tests::Real(0), order + 1) * tests::Real(0.5));
+    double scale = 0;
+    for (std::size_t k = 0; k <= order; ++k) scale = std::max(scale, std::abs(double(exact[k])));
+    for (std::size_t k = 0; k <= order; ++k)
+      EXPECT_NEAR(typed.coefficients(1)[k + 1] * double(k + 1), double(exact[k]),
+                  64 * double(k + 1) * eps * scale)
+          << f.text << " " << k;
+    ivp::Jacobian j;
+    system.jacobian(0, x, j);
+    // The slope of exact is by t, which is that by x times 1/2.
+    EXPECT_NEAR(j(1, 0), 2 * double(exact[1]), 16 * eps * std::abs(2 * double(exact[1]))) << f.text;
+  }
+}
+
+// Where the formulas lose digits in double: four roundings, and functions of one or two units.
+TEST(Typed, FunctionsKeepTheirDigitsAtTheEdges) {
+  const auto expect = [](const char* text, double at, const RealSeries& exact) {
+    EXPECT_NEAR(value(text, 0, at), double(exact[0]), 8 * eps * std::abs(double(exact[0])))
+        << text << " " << at;
+  };
+  for (const double at : {1e-300, -1e-9, 1e-3, -1e9, 1e150}) {
+    const tests::Real x = abs(tests::Real(at));  // odd; the formula loses digits below 0
+    const tests::Real y = x < 1e-20 ? x : tests::Real(log(x + sqrt(x * x + 1)));
+    expect("asinh(x)", at, tests::Real(at < 0 ? -y : y));
+  }
+  for (const double at : {1.0, 1 + 0x1p-50, 1.5, 1e9, 1e300}) {
+    const tests::Real x = at;
+    expect("acosh(x)", at, tests::Real(log(x + sqrt(x * x - 1))));
+  }
+  for (const double at : {-1e-9, 1e-3, 1 - 0x1p-50, -1 + 0x1p-53}) {
+    const tests::Real x = at;
+    expect("atanh(x)", at, tests::Real(log((1 + x) / (1 - x)) / 2));
+  }
+  EXPECT_EQ(value("atanh(x)", 0, 1), std::numeric_limits<double>::infinity());
+  EXPECT_TRUE(std::isnan(value("acosh(x)", 0, 0.99)));
+  EXPECT_TRUE(std::isnan(value("atanh(x)", 0, 1.01)));
+}
+
+TEST(Typed, StepsOfNumbers) {
+  EXPECT_EQ(value("log10(1000)"), 3);
+  EXPECT_EQ(value("log2(8)"), 3);
+  EXPECT_EQ(value("floor(-1.5)"), -2);
+  EXPECT_EQ(value("ceil(-1.5)"), -1);
+  EXPECT_EQ(value("floor(2) + ceil(2)"), 4);
+  EXPECT_EQ(value("frac(-0.25)"), 0.75);
+  EXPECT_EQ(value("mod(-1, 3)"), 2);
+  EXPECT_EQ(value("mod(5, -3)"), -1);
+  EXPECT_EQ(value("mod(6, 3)"), 0);
+  EXPECT_EQ(value("heaviside(0) + 10 step(2) + 100 step(-1)"), 11);
+  EXPECT_EQ(value("if(1 < 1, 2, 3)"), 3);
+  EXPECT_EQ(value("if(1 <= 1, 2, 3)"), 2);
+  EXPECT_EQ(value("if(1 > 1, 2, 3)"), 3);
+  EXPECT_EQ(value("if(1 >= 1, 2, 3)"), 2);
+}
+
+TEST(Typed, Conditions) {
+  for (const double x : {0.5, 1.5}) {
+    for (const double y : {0.5, 1.5}) {
+      for (const double t : {0.5, 1.5}) {
+        const bool a = x<1, b = y> 1, c = t <= 1;
+        const auto holds = [&](const char* condition) {
+          return value(fmt::format("if({}, 1, 0)", condition), t, x, y) == 1;
+        };
+        EXPECT_EQ(holds("x < 1 and y > 1 or t <= 1"), (a && b) || c);
+        EXPECT_EQ(holds("x < 1 and (y > 1 or t <= 1)"), a && (b || c));
+        EXPECT_EQ(holds("not x < 1 and not (y > 1 or not 2 t <= 2)"), !a && !(b || !c));
+        EXPECT_EQ(holds("(x + y) < 2 and (2) x >= (x + 0.5)"), x + y < 2);
+        EXPECT_EQ(holds("if(x < 1, y, t) > 1"), a ? b : !c);
+      }
+    }
+  }
+  EXPECT_EQ(value("if(x > 0, if(y > 0, 1, 2), if(y > 0, 3, 4))", 0, -1, 1), 3);
+}
+
 TEST(Typed, OperationsOnNumbers) {
   EXPECT_EQ(value("3 - x", 0, 1), 2);
   EXPECT_EQ(value("x - 3", 0, 1), -2);
@@ -344,6 +450,7 @@ TEST(Typed, SwitchesOnOneSurface) {
   EXPECT_EQ(switches("x'' = max(x, 1) + min(1, x)"), 1);
   EXPECT_EQ(switches("x'' = abs(x) + sign(x')"), 2);
   EXPECT_EQ(switches("x'' = abs(-3) x"), 0);
+  EXPECT_EQ(switches("x'' = sign(x) + heaviside(-x) + if(2 x < 0, 1, 3) + if(0 <= x, x, 0)"), 1);
 }
 
 // Three dry brakes at rest together: each holds its mass with the share of its friction that it takes.
@@ -536,6 +643,101 @@ TEST(KnownTimes, AreAnnounced) {
   EXPECT_EQ(f, (ivp::State{1, 1}));
   EXPECT_EQ(mode.discontinuities(0, 5), (Times{1}));
   EXPECT_EQ(system_of("x' = max(x, t)").switches(), 1);
+}
+
+/// x' at a time.
+double rate(const ivp::System& system, double t) {
+  ivp::State f;
+  system.rhs(t, ivp::State::Zero(system.size()), f);
+  return f[0];
+}
+
+// Whole multiples of what doubles hold exactly; at a jump the value is that just after it.
+TEST(KnownTimes, OfWholeNumbers) {
+  using Times = std::vector<double>;
+  const ivp::System down = system_of("x' = floor(t)"), up = system_of("x' = ceil(t)"),
+                    falling = system_of("x' = floor(1 - t/2)");
+  EXPECT_EQ(down.switches(), 0);
+  EXPECT_EQ(down.discontinuities(0, 3), (Times{1, 2}));
+  EXPECT_EQ(down.discontinuities(2.5, -1), (Times{2, 1, 0}));
+  EXPECT_EQ(rate(down, 2), 2);
+  EXPECT_EQ(rate(down, std::nextafter(2, 0)), 1);
+  EXPECT_EQ(up.discontinuities(-1, 1.5), (Times{0, 1}));
+  EXPECT_EQ(rate(up, 0), 1);
+  EXPECT_EQ(rate(up, 0.5), 1);
+  const Times of_falling = falling.discontinuities(-1, 5);
+  ASSERT_EQ(of_falling.size(), 3u);
+  for (int k = 0; k < 3; ++k) EXPECT_NEAR(of_falling[std::size_t(k)], 2 * k, 2 * eps);  // 1 - t/2 is rounded
+  EXPECT_EQ(rate(falling, 0), 0);
+  EXPECT_EQ(rate(falling, -0.5), 1);
+  EXPECT_EQ(rate(falling, 2.5), -1);
+}
+
+// mod(t, 0.1) jumps at the first double at which the double t/0.1 reaches a whole number.
+TEST(KnownTimes, OfRoundedPeriods) {
+  const ivp::System saw = system_of("x' = mod(t, 0.1)");
+  const std::vector<double> times = saw.discontinuities(0, 10);
+  ASSERT_EQ(times.size(), 99u);
+  for (std::size_t k = 0; k < times.size(); ++k) {
+    EXPECT_NEAR(times[k], 0.1 * double(k + 1), 4 * eps * times[k]);
+    EXPECT_NEAR(rate(saw, times[k]), 0, 4 * eps * times[k]);
+    EXPECT_NEAR(rate(saw, std::nextafter(times[k], 0)), 0.1, 4 * eps * times[k]);
+  }
+}
+
+TEST(KnownTimes, OfConditions) {
+  using Times = std::vector<double>;
+  const ivp::System square = system_of("x' = if(mod(t, 2) < 1, 1, -1)");
+  EXPECT_EQ(square.switches(), 0);
+  EXPECT_EQ(square.discontinuities(0, 5), (Times{1, 2, 3, 4}));
+  EXPECT_EQ(square.discontinuities(3.5, 0), (Times{3, 2, 1}));
+  for (const double t : {0.0, 0.5, 1.0, 1.5, 2.0, 2.5, 3.0})
+    EXPECT_EQ(rate(square, t), std::fmod(t, 2) < 1 ? 1 : -1);
+  const ivp::System one = system_of("x' = if(3 - 2 t > 0, 5, 7)");
+  EXPECT_EQ(one.discontinuities(0, 5), (Times{1.5}));
+  EXPECT_EQ(rate(one, 1.5), 7);
+  // Of the steps of steps: equality lasts.
+  const ivp::System even =
+      system_of("x' = mod(floor(t), 2) + 10 sign(floor(t) - 2) + 100 if(floor(t) > 2, 1, 0)");
+  EXPECT_EQ(even.discontinuities(0.5, 4), (Times{1, 2, 3}));
+  EXPECT_EQ(rate(even, 1.5), 1 - 10);
+  EXPECT_EQ(rate(even, 2.5), 0);
+  EXPECT_EQ(rate(even, 3.5), 1 + 10 + 100);
+  // A state decides by the rest.
+  EXPECT_EQ(system_of("x' = if(x > mod(t, 1), 1, 0)").switches(), 1);
+}
+
+TEST(KnownTimes, MoreThanAMillionAreRefused) {
+  EXPECT_EQ(system_of("x' = floor(1e5 t)").discontinuities(0, 1).size(), 99'999u);
+  EXPECT_THROW(static_cast<void>(system_of("x' = floor(1e9 t)").discontinuities(0, 1)),
+               std::invalid_argument);
+}
+
+TEST(Columns, AreExpressionsOfTheState) {
+  Equations e = read("x'' = -w^2 x + F; w = 2; F = cos(t); r = x^2");
+  std::vector<Equations::Column> columns;
+  e.read_columns("C", "E = T + w^2 r/2; T = x'^2/2; r; x''", columns);
+  e.read_columns("C", "twice = 2 E", columns);
+  std::vector<NodeId> nodes;
+  Names names;
+  for (const Equations::Column& c : columns) {
+    names.push_back(c.name);
+    nodes.push_back(c.node);
+  }
+  EXPECT_EQ(names, (Names{"E", "T", "r", "x''", "twice"}));
+  std::vector<double> found;
+  Program(e.graph(), nodes).run(0.0, std::vector<double>{3, 4}, 0, 5, [&](int, double v) {
+    found.push_back(v);
+  });
+  EXPECT_EQ(found, (std::vector<double>{26, 8, 9, -11, 52}));
+}
+
+TEST(InitialOrder, IsThatOfAllNames) {
+  const Equations e = read("x'' = z; z' = x + y'; y' = x");
+  ASSERT_EQ(e.state_names(), (Names{"x", "z", "y", "x'"}));
+  EXPECT_EQ(e.initial_order("y=1, x=0, x'=2, z=3"), (std::vector<int>{2, 0, 3, 1}));
+  EXPECT_EQ(e.initial_order("y=1, x=0"), (std::vector<int>{0, 1, 2, 3}));
+  EXPECT_EQ(e.initial_order("1,2,3,4"), (std::vector<int>{0, 1, 2, 3}));
 }
 
 }  // namespace

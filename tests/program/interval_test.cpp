@@ -31,11 +31,32 @@ class Typed {
   Program program_;
 };
 
-const char* const texts[] = {
-    "x + t - 2",      "x*t",         "x/t",        "1/(x - t)",      "x^2 - t^3", "x^(-2)",
-    "abs(x)^1.5",     "sqrt(x) + t", "exp(x - t)", "log(x)",         "sin(7 x)",  "cos(x)/(2 + t)",
-    "tan(x)",         "asin(x/40)",  "acos(x/40)", "atan(x) + t",    "sinh(x/9)", "cosh(x/9)",
-    "tanh(x) erf(t)", "atan2(x, t)", "max(x, t)",  "abs(x) sign(t)", "abs(t)^x",  "x/3 - 2 x^5"};
+const char* const texts[] = {"x + t - 2",
+                             "x*t",
+                             "x/t",
+                             "1/(x - t)",
+                             "x^2 - t^3",
+                             "x^(-2)",
+                             "abs(x)^1.5",
+                             "sqrt(x) + t",
+                             "exp(x - t)",
+                             "log(x)",
+                             "sin(7 x)",
+                             "cos(x)/(2 + t)",
+                             "tan(x)",
+                             "asin(x/40)",
+                             "acos(x/40)",
+                             "atan(x) + t",
+                             "sinh(x/9)",
+                             "cosh(x/9)",
+                             "tanh(x) erf(t)",
+                             "atan2(x, t)",
+                             "max(x, t)",
+                             "abs(x) sign(t)",
+                             "abs(t)^x",
+                             "x/3 - 2 x^5",
+                             "asinh(x) + acosh(2 + t)",
+                             "floor(x) mod(t, 3)"};
 
 // Any interval, and any numbers in it: the value in long double, which is as good as exact here, is among the
 // bounds.

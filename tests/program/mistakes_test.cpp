@@ -45,6 +45,31 @@ TEST(Mistake, IsPointedAt) {
       {"x'' - x'' = 3", "E:1:1: no highest derivative of an unknown stands here; there are x''\n"},
       {"x' = a(1 + x); a = 2",
        "E:1:6: a is no function; for a product write a*(...), or a blank before the bracket\n"},
+      {"x' = -arctan(x)", "E:1:7: arctan is not a function here; atan is\n  x' = -arctan(x)\n        ^^^^^^"},
+      {"x' = Sin(x)", "E:1:6: Sin is not a function here; sin is\n"},
+      {"x' = sine(x)", "E:1:6: sine is not a function here; sin is\n"},
+      {"x' = pow(x, 2)", "E:1:6: pow is not a function here; ^ is\n"},
+      {"x' = gamma(x)", "E:1:6: gamma is not a function here; there are sqrt exp log ln "},
+      {"x' = besselj(0, x)", "E:1:6: besselj is not a function here; there are sqrt exp log ln "},
+      {"x' = gamma(1 + x); gamma = 2",
+       "E:1:6: gamma is no function; for a product write gamma*(...), or a blank before the bracket\n"},
+      {"x' = k(1 + x)",
+       "E:1:6: k is no function; for a product write k*(...), or a blank before the bracket\n"},
+      {"x' = -x(t - 1)",
+       "E:1:7: x at another time: delays are not supported; for a product write x*(...), or a blank before"},
+      {"x' = -x(t)", "E:1:7: an unknown is written x, without the time\n"},
+      {"x' = if(x, 1, 2)", "E:1:10: expected an operator or one of < <= > >=\n"},
+      {"x' = if(x = 1, 1, 2)", "E:1:11: expected an operator or one of < <= > >=\n"},
+      {"x' = if(0 < x < 1, 1, 2)", "E:1:15: two comparisons are joined by and\n"},
+      {"x' = if(x < 1, 2)", "E:1:6: if has 3 arguments, and here 2\n"},
+      {"x' = if((x < 1 and t < 1, 2, 3)", "E:1:12: expected an operator or )\n"},
+      {"x' = if(x < 1, x', 3)",
+       "E:1:16: x' stands in a function; a highest derivative has to stand linearly\n"},
+      {"x' = floor(x)", "E:1:12: floor is known of numbers and of a t + b with numbers a and b alone; "},
+      {"x' = frac(sin(t))", "E:1:11: frac is known of numbers and of a t + b with numbers a and b alone; "},
+      {"x' = mod(t, x)", "E:1:13: the second argument of mod is a number other than 0\n"},
+      {"x' = mod(t, 1 - 1)", "E:1:13: the second argument of mod is a number other than 0\n"},
+      {"x' = acosh(0.5) x", "E:1:6: this is no real number\n"},
       {"x' = sin x", "E:1:6: sin is a function, and needs its argument in brackets: sin(...)\n"},
       {"x' = sin^2(x)", "E:1:9: a power of a function is written sin(...)^2\n"},
       {"x' = atan2(x)", "E:1:6: atan2 has 2 arguments, and here 1\n"},
@@ -114,6 +139,27 @@ TEST(Mistake, IsPointedAt) {
   };
   for (const Case& c : cases)
     EXPECT_EQ(refusal(c.text).substr(0, std::string(c.message).size()), c.message) << refusal(c.text);
+}
+
+TEST(Mistake, InColumns) {
+  const auto refused = [](const std::string& text) {
+    Equations equations(SourceText("E", "x'' = -x; r = 2 x"));
+    std::vector<Equations::Column> columns;
+    return tests::thrown<InputError>([&] { equations.read_columns("C", text, columns); });
+  };
+  const Case cases[] = {{"E = x^2 +", "C:1:10: expected a number, a name or (, and here the text ends\n"},
+                        {"E = y", "C:1:5: y is not defined"},
+                        {"E", "C:1:1: E is not defined"},
+                        {"x", "C:1:1: x is a column already\n"},
+                        {"E = x; E = 2 x", "C:1:8: E has a meaning already; take another name\n"},
+                        {"r; r", "C:1:4: r is a column already\n"},
+                        {"r = 3", "C:1:1: r has a meaning already; take another name\n"},
+                        {"x'' = 3", "C:1:1: x'' has a meaning already; take another name\n"},
+                        {"2 x", "C:1:1: a column is name = expression, or the name of a definition\n"},
+                        {"E = x = 2", "C:1:7: expected an operator, = or the end of the column\n"},
+                        {";", "C:1:1: there is no column\n"}};
+  for (const Case& c : cases)
+    EXPECT_EQ(refused(c.text).substr(0, std::string(c.message).size()), c.message) << refused(c.text);
 }
 
 TEST(Mistake, OfASetting) {

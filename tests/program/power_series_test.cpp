@@ -258,6 +258,7 @@ TEST(PowerSeriesFunctions, Inverses) {
   expect_equal(sin(asin(x)), x);
   expect_equal(asin(x) + acos(x), S(pi / 2) + 0 * t);
   expect_equal(tan(atan(x)), x);
+  expect_equal(sinh(asinh(x)), x);
   expect_equal(atan2((2 + t) * sin(x), (2 + t) * cos(x)), x);
   expect_equal(atan2(sin(x + 3), cos(x + 3)), x + 3 - 2 * pi);  // beyond pi the angle is negative
   expect_equal(atan2(S(Real(2)), x), pi / 2 - atan(x / 2));
@@ -273,6 +274,7 @@ TEST(PowerSeriesFunctions, OfConstants) {
                                       {asin(two / 4), asin(Real(0.5))},
                                       {acos(two / 4), acos(Real(0.5))},
                                       {atan(two), atan(Real(2))},
+                                      {asinh(two), asinh(Real(2))},
                                       {atan2(two, -two), atan2(Real(2), Real(-2))},
                                       {erf(two), erf(Real(2))},
                                       {pow(two, Real(0.3)), pow(Real(2), Real(0.3))}}) {
@@ -289,7 +291,7 @@ RC_GTEST_PROP(GrowingFunctions, EqualThoseOfPowerSeries, ()) {
   const auto all = [](const auto& x) {
     return std::array{log(x),  pow(x, -1.5),  sinh(x),       cosh(x), tan(x),
                       tanh(x), asin(0.5 * x), acos(0.5 * x), atan(x), atan2(x, 1 - x * x),
-                      erf(x),  pow(x, x)};
+                      erf(x),  pow(x, x),     asinh(x)};
   };
   const auto expected = all(whole);
   SeriesMemory<double> memory;

@@ -47,7 +47,8 @@ struct Inverses {
     const T constant = 0.5;
     f[0] = asin(a * c / 2.0) - acos(t) * b + asin(constant);
     f[1] = atan(a - b) + erf(c * c - t) - atan2(b, a * c) + acos(constant) + erf(constant);
-    f[2] = atan2(T(2), -b) - atan2(-c, T(-1)) + atan(t * t) * a + atan2(constant, T(-3)) + atan(constant);
+    f[2] = atan2(T(2), -b) - atan2(-c, T(-1)) + atan(t * t) * a + atan2(constant, T(-3)) + atan(constant) +
+           asinh(a * b - t) * asinh(constant);
   }
 };
 

@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "nlmech/ivp/smooth_segment.hpp"
 #include "nlmech/support/sentences.hpp"
 #include "nlmech/support/stopwatch.hpp"
 
@@ -41,8 +42,15 @@ class Walk {
 
   Solution from(double t, const State& x0) {
     solution_ = {t, x0, {}, {}};
-    begin(t, x0);
-    while (solution_.status.ok() && solution_.t != end_) segment();
+    // Functions may jump at known times too: there all modes are found anew.
+    std::vector<double> ends = system_.discontinuities(t, end_);
+    ends.push_back(end_);
+    for (const double end : ends) {
+      stretch_end_ = end;
+      segment_ = SmoothSegment(solution_.t, end);
+      begin(solution_.t, solution_.x);
+      while (solution_.status.ok() && solution_.t != stretch_end_) segment();
+    }
     solution_.statistics.seconds = watch_.seconds();
     return solution_;
   }
@@ -59,7 +67,9 @@ class Walk {
   };
 
   // Sets values_ and rates_.
-  void look(const Mode& mode, double t, const State& x) { in(mode).surfaces(t, x, values_, rates_); }
+  void look(const Mode& mode, double t, const State& x) {
+    in(mode).surfaces(segment_(t), x, values_, rates_);
+  }
   const System& in(const Mode& mode) {
     const auto known = systems_.find(mode);
     if (known != systems_.end()) return known->second;
@@ -77,6 +87,8 @@ class Walk {
 
   // The signs away from zeros; at these, to which side the motion leads, which may depend on the others.
   void begin(double t, const State& x) {
+    if (!solution_.status.ok()) return;
+    std::fill(mode_.begin(), mode_.end(), std::int8_t{1});
     std::vector<bool> zero(mode_.size());
     for (std::size_t i = 0; i < mode_.size(); ++i) {
       look(mode_, t, x);
@@ -159,7 +171,7 @@ class Walk {
     told_ = false;
     const Observer look_out = [this, &smooth](const Step& step) { return seen(smooth, step); };
     const double begin = solution_.t;
-    Solution part = run_(smooth, solution_.x, begin, end_, look_out, left());
+    Solution part = run_(smooth, solution_.x, begin, stretch_end_, look_out, left());
     solution_.statistics += part.statistics;
     if (found_ && !told_) {
       solution_.t = found_->t;
@@ -271,7 +283,7 @@ class Walk {
       if (!there.status.ok()) return;
       x = there.x;
       if (mode_[i] == 0 || k == most) return;
-      smooth.surfaces(t, x, values_, rates_);
+      smooth.surfaces(segment_(t), x, values_, rates_);
       const double change = -values_[i] / rates_[i], next = t + change;
       const bool inside = earlier(step.t0, next) && !earlier(step.t1, next);
       if (!inside || std::abs(change) <= 4 * std::numeric_limits<double>::epsilon() * std::abs(t)) return;
@@ -295,6 +307,8 @@ class Walk {
   const Limits& limits_;
   int direction_;
   double first_, end_;
+  double stretch_end_ = end_;  // the next known time at which the equations change
+  SmoothSegment segment_;      // up to it
   Mode mode_;
   std::map<Mode, System> systems_;
   std::vector<double> values_, rates_;

@@ -106,6 +106,14 @@ template <class T, int n>
   return Dual<T, n>::chained(atan(x.value), 1 / (1 + x.value * x.value), x);
 }
 
+/// Inverse of sinh.
+template <class T, int n>
+[[nodiscard]] Dual<T, n> asinh(const Dual<T, n>& x) {
+  using std::asinh;
+  using std::sqrt;
+  return Dual<T, n>::chained(asinh(x.value), 1 / sqrt(1 + x.value * x.value), x);
+}
+
 /// Angle of the point (x, y), from -pi to pi. At the origin, where there is no derivative, those that are
 /// asked for are not finite.
 template <class T, int n>

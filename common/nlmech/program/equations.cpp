@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "nlmech/program/highest_derivatives.hpp"
 #include "nlmech/support/echo.hpp"
@@ -285,7 +286,10 @@ bool Equations::second_order() const {
 NodeId Equations::expression(const std::string& name, const std::string& text) {
   const SourceText source(name, text);
   SyntaxTree tree;
-  if (text.find('=') == std::string::npos) {
+  const bool is_equation =
+      std::ranges::any_of(tokens_of(source, Separator::semicolon),
+                          [](const Token& token) { return token.kind == TokenKind::equals; });
+  if (!is_equation) {
     const std::size_t root = parse_expression(source, tree);
     return Meaning(graph_, names_, source, tree).expression(root);
   }
@@ -296,6 +300,63 @@ NodeId Equations::expression(const std::string& name, const std::string& text) {
   Meaning meaning(graph_, names_, source, tree);
   const NodeId left = meaning.expression(tree.statements.front().left);
   return graph_.difference(left, meaning.expression(tree.statements.front().right));
+}
+
+double Equations::number(const std::string& name, const std::string& text) {
+  const SourceText source(name, text);
+  SyntaxTree tree;
+  const std::size_t root = parse_expression(source, tree);
+  return Meaning(graph_, names_, source, tree).number(root, "a time");
+}
+
+void Equations::read_columns(const std::string& name, const std::string& text, std::vector<Column>& columns) {
+  const SourceText source(name, text);
+  const SyntaxTree tree = parse_columns(source);
+  Meaning meaning(graph_, names_, source, tree);
+  for (const Statement& statement : tree.statements) {
+    const Syntax& left = tree.nodes[statement.left];
+    if (left.kind != SyntaxKind::name)
+      throw source.mistake(left.place, "a column is name = expression, or the name of a definition");
+    if (statement.left == statement.right) continue;
+    if (left.primes > 0 || left.name == "t" || left.name == "pi" || names_.numbers.contains(left.name) ||
+        meaning.is_defined(left.name))
+      throw source.mistake(left.place, fmt::format("{} has a meaning already; take another name",
+                                                   with_primes(echoed(left.name), left.primes)));
+    meaning.define(left.name, statement.right);
+  }
+  if (tree.statements.empty()) throw source.mistake({0, text.size()}, "there is no column");
+  for (const Statement& statement : tree.statements) {
+    const Syntax& left = tree.nodes[statement.left];
+    const std::string column = with_primes(left.name, left.primes);
+    const bool is_there = column == "t" || names_.component(left) >= 0 ||
+                          std::ranges::any_of(columns, [&](const Column& c) { return c.name == column; });
+    if (is_there) throw source.mistake(left.place, fmt::format("{} is a column already", echoed(column)));
+    columns.push_back({column, with_highest_derivatives(meaning.form_of(statement.left))});
+  }
+}
+
+NodeId Equations::with_highest_derivatives(const LinearForm& form) {
+  NodeId all = form.rest;
+  for (const auto& [number, coefficient] : form.highest) {
+    const Unknown& u = names_.unknowns[static_cast<std::size_t>(number)];
+    const int rate_of = names_.components.at({u.name, u.order - 1});
+    all = graph_.sum(all, graph_.product(coefficient, slopes_[static_cast<std::size_t>(rate_of)]));
+  }
+  return all;
+}
+
+std::vector<int> Equations::initial_order(const std::string& text) const {
+  std::vector<int> order;
+  if (text.find('=') != std::string::npos) {
+    const SourceText source("--initial", text);
+    const SyntaxTree tree = parse(source, Separator::comma);
+    for (const Statement& statement : tree.statements)
+      order.push_back(names_.component(tree.nodes[statement.left]));
+  }
+  if (order.size() == state_names_.size()) return order;
+  order.resize(state_names_.size());
+  std::iota(order.begin(), order.end(), 0);
+  return order;
 }
 
 std::vector<double> Equations::initial_state(const std::string& name, const std::string& text) {

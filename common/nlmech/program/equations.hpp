@@ -75,12 +75,32 @@ class Equations {
   /// @throws InputError for a value that is missing, given twice, not finite, or of no component
   [[nodiscard]] std::vector<double> initial_state(const std::string& name, const std::string& text);
 
+  /// The components in the order in which @p text of initial_state() names them, if it names all; else in
+  /// that of the state.
+  [[nodiscard]] std::vector<int> initial_order(const std::string& text) const;
+
+  /// A quantity beside the state.
+  struct Column {
+    std::string name;  ///< "E", "x''"
+    NodeId node;       ///< in graph()
+  };
+  /// Adds quantities of @p text, definitions or their names and highest derivatives: "E = x'^2/2 + x^2/2; r;
+  /// x''".
+  /// @throws InputError that points at the mistake, and for a name that a component or an earlier one has
+  void read_columns(const std::string& name, const std::string& text, std::vector<Column>& columns);
+
+  /// The value of an expression of numbers and of definitions that are.
+  /// @throws InputError that points at the mistake
+  [[nodiscard]] double number(const std::string& name, const std::string& text);
+
   /// An expression of time, state and definitions, "x = 0" being x - 0.
   /// @throws InputError that points at the mistake
   [[nodiscard]] NodeId expression(const std::string& name, const std::string& text);
 
  private:
   friend class EquationReader;
+  [[nodiscard]] NodeId with_highest_derivatives(const LinearForm& form);
+
   SourceText source_;
   SyntaxTree tree_;
   Graph graph_{0};

@@ -5,11 +5,13 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace nlmech::program {
 
-/// A function of one or two arguments.
+/// A function of one to three arguments. Those up to asinh are operations of their own; all others are made
+/// of operations (Graph::call()).
 enum class Function : std::uint8_t {
   sqrt,
   exp,
@@ -24,11 +26,25 @@ enum class Function : std::uint8_t {
   cosh,
   tanh,
   erf,
+  asinh,
+  acosh,
+  atanh,
+  log10,
+  log2,
+  sec,
+  csc,
+  cot,
   abs,
   sign,
+  heaviside,
+  floor,
+  ceil,
+  frac,
   atan2,
   min,
-  max
+  max,
+  mod,
+  choose
 };
 
 /// How it is written.
@@ -38,17 +54,25 @@ struct FunctionInfo {
   int arguments;          ///< how many
 };
 
-/// All of them.
+/// All of them, some by two names.
 inline constexpr std::array functions = {
-    FunctionInfo{Function::sqrt, "sqrt", 1}, FunctionInfo{Function::exp, "exp", 1},
-    FunctionInfo{Function::log, "log", 1},   FunctionInfo{Function::sin, "sin", 1},
-    FunctionInfo{Function::cos, "cos", 1},   FunctionInfo{Function::tan, "tan", 1},
-    FunctionInfo{Function::asin, "asin", 1}, FunctionInfo{Function::acos, "acos", 1},
-    FunctionInfo{Function::atan, "atan", 1}, FunctionInfo{Function::sinh, "sinh", 1},
-    FunctionInfo{Function::cosh, "cosh", 1}, FunctionInfo{Function::tanh, "tanh", 1},
-    FunctionInfo{Function::erf, "erf", 1},   FunctionInfo{Function::abs, "abs", 1},
-    FunctionInfo{Function::sign, "sign", 1}, FunctionInfo{Function::atan2, "atan2", 2},
-    FunctionInfo{Function::min, "min", 2},   FunctionInfo{Function::max, "max", 2}};
+    FunctionInfo{Function::sqrt, "sqrt", 1},      FunctionInfo{Function::exp, "exp", 1},
+    FunctionInfo{Function::log, "log", 1},        FunctionInfo{Function::log, "ln", 1},
+    FunctionInfo{Function::log10, "log10", 1},    FunctionInfo{Function::log2, "log2", 1},
+    FunctionInfo{Function::sin, "sin", 1},        FunctionInfo{Function::cos, "cos", 1},
+    FunctionInfo{Function::tan, "tan", 1},        FunctionInfo{Function::sec, "sec", 1},
+    FunctionInfo{Function::csc, "csc", 1},        FunctionInfo{Function::cot, "cot", 1},
+    FunctionInfo{Function::asin, "asin", 1},      FunctionInfo{Function::acos, "acos", 1},
+    FunctionInfo{Function::atan, "atan", 1},      FunctionInfo{Function::atan2, "atan2", 2},
+    FunctionInfo{Function::sinh, "sinh", 1},      FunctionInfo{Function::cosh, "cosh", 1},
+    FunctionInfo{Function::tanh, "tanh", 1},      FunctionInfo{Function::asinh, "asinh", 1},
+    FunctionInfo{Function::acosh, "acosh", 1},    FunctionInfo{Function::atanh, "atanh", 1},
+    FunctionInfo{Function::erf, "erf", 1},        FunctionInfo{Function::abs, "abs", 1},
+    FunctionInfo{Function::sign, "sign", 1},      FunctionInfo{Function::heaviside, "heaviside", 1},
+    FunctionInfo{Function::heaviside, "step", 1}, FunctionInfo{Function::min, "min", 2},
+    FunctionInfo{Function::max, "max", 2},        FunctionInfo{Function::floor, "floor", 1},
+    FunctionInfo{Function::ceil, "ceil", 1},      FunctionInfo{Function::frac, "frac", 1},
+    FunctionInfo{Function::mod, "mod", 2},        FunctionInfo{Function::choose, "if", 3}};
 
 /// The function of that name, if there is one.
 [[nodiscard]] constexpr std::optional<FunctionInfo> function_by_name(std::string_view name) {
@@ -57,5 +81,9 @@ inline constexpr std::array functions = {
   }
   return std::nullopt;
 }
+
+/// What a user may have meant by a function that is not there: "atan is" of arctan, a list of all functions
+/// of gamma or besselj. Empty for a name that is like none that anybody knows.
+[[nodiscard]] std::string what_there_is(std::string_view name);
 
 }  // namespace nlmech::program

@@ -1,6 +1,8 @@
 #include "nlmech/program/graph.hpp"
 
 #include <cmath>
+#include <limits>
+#include <numbers>
 #include <utility>
 
 namespace nlmech::program {
@@ -20,6 +22,7 @@ double apply(Function function, double a) {
     case Function::sinh: return std::sinh(a);
     case Function::cosh: return std::cosh(a);
     case Function::tanh: return std::tanh(a);
+    case Function::asinh: return std::asinh(a);
     default: return std::erf(a);
   }
 }
@@ -76,6 +79,7 @@ double evaluate(const Node& node, double a, double b) {
     case Operation::function: return apply(node.function, a);
     case Operation::atan2: return std::atan2(a, b);
     case Operation::choice: return a;
+    case Operation::floor: return std::floor(a);
     case Operation::combined: return a + node.c * b;
   }
   return 0;
@@ -83,6 +87,24 @@ double evaluate(const Node& node, double a, double b) {
 
 Graph::Graph(int size) : size_(size) {
   for (int i = 0; i <= size; ++i) nodes_.push_back({Operation::variable, {}, i, i, 0, 0});
+  drifts_.assign(nodes_.size(), std::numeric_limits<double>::quiet_NaN());
+  drifts_[0] = 1;
+}
+
+double Graph::drift_of(const Node& n) const {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  if (n.operation == Operation::number) return 0;
+  const double a = drift(n.a), b = has_two_operands(n.operation) ? drift(n.b) : 0;
+  switch (n.operation) {
+    case Operation::sum: return a + b;
+    case Operation::difference: return a - b;
+    case Operation::shifted: return a;
+    case Operation::scaled: return n.c * a;
+    case Operation::divided: return a / n.c;
+    case Operation::floor: return 0 * a;
+    case Operation::choice: return a == b && !std::isnan(drift(n.decides)) ? a : none;
+    default: return a == 0 && b == 0 ? 0 : none;
+  }
 }
 
 NodeId Graph::add(Operation operation, NodeId a, NodeId b, double c, Function function, NodeId decides) {
@@ -93,7 +115,10 @@ NodeId Graph::add(Operation operation, NodeId a, NodeId b, double c, Function fu
   if (known_operands) return number(evaluate(node, (*this)[a].c, (*this)[b].c));
   // NaN has no place among keys that are compared: it makes a node of its own each time.
   const auto id = std::isnan(c) ? nodes() : known_.try_emplace(node.key(), nodes()).first->second;
-  if (id == nodes()) nodes_.push_back(node);
+  if (id == nodes()) {
+    nodes_.push_back(node);
+    drifts_.push_back(drift_of(node));
+  }
   return id;
 }
 
@@ -165,29 +190,78 @@ NodeId Graph::power_by_products(NodeId a, int p) {
 }
 
 NodeId Graph::call(Function function, NodeId a, NodeId b) {
+  const NodeId one = number(1);
   switch (function) {
     case Function::abs: return by_sign(a, a, negative(a));
-    case Function::sign: return is_number(a, 0) ? a : by_sign(a, number(1), number(-1));
+    case Function::sign: return sign_of(a);
+    case Function::heaviside: return where(a, false, one, number(0));
     case Function::max: return by_sign(difference(a, b), a, b);
     case Function::min: return by_sign(difference(a, b), b, a);
+    case Function::floor: return rounded_down(a);
+    case Function::ceil: return rounded_up(a);
+    case Function::frac: return difference(a, rounded_down(a));
+    case Function::mod: return difference(a, product(b, rounded_down(quotient(a, b))));
     case Function::atan2: return add(Operation::atan2, a, b);
+    case Function::log10:
+      if (is_number(a)) return number(std::log10((*this)[a].c));
+      return quotient(call(Function::log, a, a), number(std::numbers::ln10));
+    case Function::log2:
+      if (is_number(a)) return number(std::log2((*this)[a].c));
+      return quotient(call(Function::log, a, a), number(std::numbers::ln2));
+    case Function::sec: return quotient(one, call(Function::cos, a, a));
+    case Function::csc: return quotient(one, call(Function::sin, a, a));
+    case Function::cot: return quotient(call(Function::cos, a, a), call(Function::sin, a, a));
+    case Function::acosh: {  // cosh(2 u) = 1 + 2 sinh^2(u) keeps the digits near 1
+      const NodeId half = quotient(difference(a, one), number(2)), root = call(Function::sqrt, half, half);
+      return product(number(2), call(Function::asinh, root, root));
+    }
+    case Function::atanh: {  // of a = tanh(u), a/sqrt(1 - a^2) is sinh(u)
+      const NodeId square = product(difference(one, a), sum(one, a));
+      const NodeId sine = quotient(a, call(Function::sqrt, square, square));
+      return call(Function::asinh, sine, sine);
+    }
     default: return add(Operation::function, a, a, 0, function);
   }
 }
 
+// What does not change between its jumps may be zero for some time.
+NodeId Graph::sign_of(NodeId a) {
+  if (drift(a) != 0) return by_sign(a, number(1), number(-1));
+  return choice(a, choice(negative(a), number(0), number(1)), number(-1));
+}
+NodeId Graph::where(NodeId a, bool strict, NodeId yes, NodeId no) {
+  if (drift(a) != 0) return by_sign(a, yes, no);
+  return strict ? choice(negative(a), no, yes) : choice(a, yes, no);
+}
+
+// At a jump the value just after it: of what falls, that is one less than the whole number that is reached.
+NodeId Graph::rounded_down(NodeId a) {
+  if (drift(a) < 0) return difference(negative(add(Operation::floor, negative(a))), number(1));
+  return add(Operation::floor, a);
+}
+NodeId Graph::rounded_up(NodeId a) {
+  if (drift(a) > 0) return sum(add(Operation::floor, a), number(1));
+  return negative(add(Operation::floor, negative(a)));
+}
+
 // A choice by the sign of @p a, for which it does not matter what is chosen at 0: one function for all
-// multiples of a, and for a - b and b - a.
+// multiples of a, and for a - b and b - a. What depends on the time alone rises through 0, so that the choice
+// there is that of the later side.
 NodeId Graph::by_sign(NodeId a, NodeId positive, NodeId negative) {
   while ((*this)[a].operation == Operation::scaled || (*this)[a].operation == Operation::divided) {
     if ((*this)[a].c < 0) std::swap(positive, negative);
     a = (*this)[a].a;
   }
   const Node n = (*this)[a];
-  const bool turned = n.operation == Operation::shifted && (*this)[n.a].operation == Operation::scaled &&
-                      (*this)[n.a].c == -1;  // c - x
-  if (turned || (n.operation == Operation::difference && n.b < n.a)) {
+  const bool reversed = n.operation == Operation::shifted && (*this)[n.a].operation == Operation::scaled &&
+                        (*this)[n.a].c == -1,  // c - x
+      is_difference = n.operation == Operation::difference;
+  const bool by_time = drift(a) > 0 || drift(a) < 0;
+  if (by_time ? drift(a) < 0 : reversed || (is_difference && n.b < n.a)) {
     std::swap(positive, negative);
-    a = turned ? sum((*this)[n.a].a, number(-n.c)) : difference(n.b, n.a);
+    a = reversed        ? sum((*this)[n.a].a, number(-n.c))
+        : is_difference ? difference(n.b, n.a)
+                        : this->negative(a);
   }
   return choice(a, positive, negative);
 }
@@ -216,6 +290,7 @@ NodeId Graph::again(const Node& node, NodeId a, NodeId b) {
     case Operation::function: return call(node.function, a, a);
     case Operation::atan2: return call(Function::atan2, a, b);
     case Operation::choice: return choice(node.decides, a, b);
+    case Operation::floor: return add(Operation::floor, a);
     case Operation::combined: return sum(a, product(number(node.c), b));
   }
   return a;

@@ -28,6 +28,7 @@ enum class Operation : std::uint8_t {
   function,    ///< function of a
   atan2,       ///< atan2(a, b)
   choice,      ///< a where the function of the switch is not negative, else b
+  floor,       ///< greatest whole number up to a, which depends on the time alone
   combined     ///< a + c b; in programs alone
 };
 
@@ -80,12 +81,20 @@ class Graph {
   [[nodiscard]] NodeId power(NodeId a, NodeId b);
   /// a^p by repeated squaring: right also where a is zero or negative.
   [[nodiscard]] NodeId power_by_products(NodeId a, int p);
-  /// A function; @p b is the second argument of those that have two. abs, sign, min and max become choices,
-  /// by one function where they change on one surface: abs(x), sign(-2 x) and max(0, x) all look at x. On the
-  /// surface itself sign is that of a side; sign(0) of the number is 0.
+  /// A function but `choose`; @p b is the second argument of those that have two. abs, sign, heaviside, min
+  /// and max become choices, by one function where they change on one surface: abs(x), sign(-2 x) and
+  /// max(0, x) all look at x. On the surface itself sign and heaviside are those of a side; sign(0) of the
+  /// number is 0, heaviside(0) is 1. floor, ceil, frac and mod are known of numbers and of what is linear in
+  /// the time between its jumps: see drift(). At a jump they have the value just after it.
   [[nodiscard]] NodeId call(Function function, NodeId a, NodeId b);
+  /// @p yes where @p a >= 0 (@p strict: > 0), else @p no. On a surface of the state it is that of a side.
+  [[nodiscard]] NodeId where(NodeId a, bool strict, NodeId yes, NodeId no);
   /// @p yes where @p decides is not negative, else @p no; not a number where it is none.
   [[nodiscard]] NodeId choice(NodeId decides, NodeId yes, NodeId no);
+
+  /// The derivative by the time of what depends on the time alone and is linear in it between jumps: 2 t - 1,
+  /// mod(t, 3). NaN of all else.
+  [[nodiscard]] double drift(NodeId id) const { return drifts_[static_cast<std::size_t>(id)]; }
 
   /// The operation of @p node on other operands.
   [[nodiscard]] NodeId again(const Node& node, NodeId a, NodeId b);
@@ -103,9 +112,14 @@ class Graph {
   NodeId add(Operation operation, NodeId a, NodeId b = 0, double c = 0, Function function = {},
              NodeId decides = 0);
   NodeId by_sign(NodeId a, NodeId positive, NodeId negative);
+  NodeId sign_of(NodeId a);
+  NodeId rounded_down(NodeId a);
+  NodeId rounded_up(NodeId a);
+  [[nodiscard]] double drift_of(const Node& node) const;
 
   int size_;
   std::vector<Node> nodes_;
+  std::vector<double> drifts_;  // of each node
   std::map<decltype(Node{}.key()), NodeId> known_;
 };
 

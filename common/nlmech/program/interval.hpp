@@ -173,6 +173,10 @@ template <class F>
 [[nodiscard]] inline Interval erf(const Interval& a) {
   return detail::growing([](double x) { return std::erf(x); }, a);
 }
+[[nodiscard]] inline Interval asinh(const Interval& a) {
+  return detail::growing([](double x) { return std::asinh(x); }, a);
+}
+[[nodiscard]] inline Interval floor(const Interval& a) { return {std::floor(a.low), std::floor(a.high)}; }
 [[nodiscard]] inline Interval pow(const Interval& a, double c) {
   if (c < 0) return 1 / pow(a, -c);
   if (c == std::floor(c) && a.low < 0) {

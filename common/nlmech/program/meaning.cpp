@@ -170,14 +170,60 @@ LinearForm Meaning::power(const Syntax& node) {
   if (graph_.is_number(exponent.rest, 1)) return base;
   throw nonlinear(node.operands[0].node, base, "in a power");
 }
+NodeId Meaning::argument(std::size_t node) {
+  const LinearForm form = form_of(node);
+  if (!form.highest.empty()) throw nonlinear(node, form, "in a function");
+  return form.rest;
+}
 LinearForm Meaning::call(const Syntax& node) {
+  if (node.function == Function::choose) return choose(node);
   std::vector<NodeId> arguments;
-  for (const Syntax::Operand& operand : node.operands) {
-    const LinearForm form = form_of(operand.node);
-    if (!form.highest.empty()) throw nonlinear(operand.node, form, "in a function");
-    arguments.push_back(form.rest);
-  }
+  for (const Syntax::Operand& operand : node.operands) arguments.push_back(argument(operand.node));
+  hold_to_domain(node, arguments);
   return {graph_.call(node.function, arguments.front(), arguments.back()), {}};
+}
+// Of functions whose jumps must be known beforehand.
+void Meaning::hold_to_domain(const Syntax& node, const std::vector<NodeId>& arguments) const {
+  const std::string_view name =
+      source_.at(node.place).substr(0, source_.at(node.place).find_first_of(" \t("));
+  switch (node.function) {
+    case Function::mod:
+      if (!graph_.is_number(arguments[1]) || graph_.is_number(arguments[1], 0))
+        throw source_.mistake(tree_.nodes[node.operands[1].node].place,
+                              "the second argument of mod is a number other than 0");
+      break;
+    case Function::floor:
+    case Function::ceil:
+    case Function::frac: break;
+    default: return;
+  }
+  if (!std::isnan(graph_.drift(arguments[0])) || graph_.is_number(arguments[0])) return;
+  throw source_.mistake(
+      tree_.nodes[node.operands[0].node].place,
+      fmt::format("{} is known of numbers and of a t + b with numbers a and b alone; where a state or "
+                  "another function of time reaches a known value c, write step(... - c)",
+                  name));
+}
+
+LinearForm Meaning::choose(const Syntax& node) {
+  const NodeId yes = argument(node.operands[1].node), no = argument(node.operands[2].node);
+  return {where(node.operands[0].node, yes, no), {}};
+}
+NodeId Meaning::where(std::size_t condition, NodeId yes, NodeId no) {
+  const Syntax& node = tree_.nodes[condition];
+  const std::vector<Syntax::Operand>& all = node.operands;
+  if (node.kind == SyntaxKind::opposite) return where(all[0].node, no, yes);
+  if (node.kind == SyntaxKind::comparison) {
+    NodeId greater = argument(all[0].node), less = argument(all[1].node);
+    const bool is_less = node.relation == TokenKind::below || node.relation == TokenKind::at_most;
+    if (is_less) std::swap(greater, less);
+    const bool strict = node.relation == TokenKind::below || node.relation == TokenKind::above;
+    return graph_.where(graph_.difference(greater, less), strict, yes, no);
+  }
+  NodeId result = node.kind == SyntaxKind::both ? yes : no;
+  for (std::size_t i = all.size(); i-- > 0;)
+    result = node.kind == SyntaxKind::both ? where(all[i].node, result, no) : where(all[i].node, yes, result);
+  return result;
 }
 InputError Meaning::nonlinear(std::size_t node, const LinearForm& form, std::string_view where) const {
   const Unknown& u = names_.unknowns[static_cast<std::size_t>(form.highest.begin()->first)];

@@ -88,6 +88,10 @@ class Meaning {
   [[nodiscard]] LinearForm product(const Syntax& node);
   [[nodiscard]] LinearForm power(const Syntax& node);
   [[nodiscard]] LinearForm call(const Syntax& node);
+  void hold_to_domain(const Syntax& node, const std::vector<NodeId>& arguments) const;
+  [[nodiscard]] LinearForm choose(const Syntax& node);
+  [[nodiscard]] NodeId where(std::size_t condition, NodeId yes, NodeId no);
+  [[nodiscard]] NodeId argument(std::size_t node);
   [[nodiscard]] InputError nonlinear(std::size_t node, const LinearForm& form, std::string_view where) const;
 
   Graph& graph_;

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "nlmech/program/syntax.hpp"
 #include "nlmech/support/echo.hpp"
 
@@ -20,6 +22,23 @@ class Parser {
       } else {
         statement();
       }
+    }
+  }
+
+  void columns() {
+    while (!sees(TokenKind::end_of_text)) {
+      if (sees(TokenKind::end_of_statement)) {
+        ++at_;
+        continue;
+      }
+      const std::size_t first = peek().place.begin, left = sum();
+      std::size_t right = left;
+      if (sees(TokenKind::equals)) {
+        ++at_;
+        right = sum();
+      }
+      end_statement("an operator, = or the end of the column");
+      tree_.statements.push_back({left, right, {first, tree_.nodes[right].place.end}});
     }
   }
 
@@ -73,13 +92,16 @@ class Parser {
     tree_.conditions.push_back({left, relation, right, {first, tree_.nodes[right].place.end}});
   }
 
-  // The word, and behind it an expression without a sign that would make an equation or a condition of it.
+  // The word, and behind it an expression without a sign that would make an equation or a condition of it;
+  // within brackets comparisons may stand.
   [[nodiscard]] bool begins_conserved() const {
     if (!sees(TokenKind::name) || name_of(peek()) != "conserved" || peek().primes > 0) return false;
+    int depth = 0;
     for (std::size_t ahead = 1;; ++ahead) {
       const TokenKind kind = peek(ahead).kind;
       if (kind == TokenKind::end_of_text || kind == TokenKind::end_of_statement) return ahead > 1;
-      if (kind == TokenKind::equals || is_relation(kind)) return false;
+      depth += kind == TokenKind::open ? 1 : kind == TokenKind::close ? -1 : 0;
+      if (depth == 0 && (kind == TokenKind::equals || is_relation(kind))) return false;
     }
   }
   void conserved() {
@@ -92,13 +114,17 @@ class Parser {
   [[nodiscard]] bool begins_initial_value() const {
     if (!sees(TokenKind::name) || peek(1).kind != TokenKind::open || peek(1).after_blank) return false;
     if (function_by_name(name_of(peek()))) return false;
-    std::size_t ahead = 2;
-    for (int depth = 1; depth > 0; ++ahead) {
+    const std::size_t behind = behind_bracket(1);
+    return behind > 0 && peek(behind).kind == TokenKind::equals;
+  }
+  // How many tokens ahead that bracket is closed and what follows it stands; 0: it is not closed.
+  [[nodiscard]] std::size_t behind_bracket(std::size_t ahead) const {
+    for (int depth = 0;; ++ahead) {
       const TokenKind kind = peek(ahead).kind;
-      if (kind == TokenKind::end_of_text || kind == TokenKind::end_of_statement) return false;
+      if (kind == TokenKind::end_of_text || kind == TokenKind::end_of_statement) return 0;
       depth += kind == TokenKind::open ? 1 : kind == TokenKind::close ? -1 : 0;
+      if (depth == 0) return ahead + 1;
     }
-    return peek(ahead).kind == TokenKind::equals;
   }
   void initial_value() {
     const Token& name = take();
@@ -138,6 +164,7 @@ class Parser {
   [[nodiscard]] bool stands_beside() const {
     if (sees(TokenKind::number))
       throw source_.mistake(peek().place, "a number stands before what it multiplies; else write * or ^");
+    if (conditions_ > 0 && (sees_word("and") || sees_word("or"))) return false;
     return sees(TokenKind::name) || sees(TokenKind::open);
   }
 
@@ -226,17 +253,109 @@ class Parser {
     return inside;
   }
 
+  [[nodiscard]] bool sees_word(std::string_view word) const {
+    return sees(TokenKind::name) && source_.at(peek().place) == word;
+  }
+  // From loosest to tightest: or, and, not, comparison. Within them these words are no names.
+  std::size_t condition() {
+    ++conditions_;
+    const std::size_t root = alternatives();
+    --conditions_;
+    return root;
+  }
+  std::size_t alternatives() {
+    std::vector<Syntax::Operand> all = {{conjunction()}};
+    while (sees_word("or")) {
+      ++at_;
+      all.push_back({conjunction()});
+    }
+    return gathered(SyntaxKind::either, std::move(all));
+  }
+  std::size_t conjunction() {
+    std::vector<Syntax::Operand> all = {{single_condition()}};
+    while (sees_word("and")) {
+      ++at_;
+      all.push_back({single_condition()});
+    }
+    return gathered(SyntaxKind::both, std::move(all));
+  }
+  std::size_t single_condition() {
+    const Nested nested(*this);
+    if (sees_word("not")) {
+      const std::size_t begin = take().place.begin, inside = single_condition();
+      return add({.kind = SyntaxKind::opposite,
+                  .place = {begin, tree_.nodes[inside].place.end},
+                  .operands = {{inside}}});
+    }
+    if (sees(TokenKind::open) && bracket_is_condition()) {
+      ++at_;
+      const std::size_t inside = alternatives();
+      if (!sees(TokenKind::close)) throw expected("and, or or )");
+      ++at_;
+      return inside;
+    }
+    const std::size_t left = sum();
+    if (!is_relation(peek().kind)) throw expected("an operator or one of < <= > >=");
+    const TokenKind relation = take().kind;
+    const std::size_t right = sum();
+    if (is_relation(peek().kind)) throw source_.mistake(peek().place, "two comparisons are joined by and");
+    return add({.kind = SyntaxKind::comparison,
+                .place = span(left, right),
+                .relation = relation,
+                .operands = {{left}, {right}}});
+  }
+  // A bracket of an expression is followed by an operator or a relation.
+  [[nodiscard]] bool bracket_is_condition() const {
+    const std::size_t behind = behind_bracket(0);
+    if (behind == 0) return false;
+    const Token& next = peek(behind);
+    return next.kind == TokenKind::comma || next.kind == TokenKind::close ||
+           (next.kind == TokenKind::name &&
+            (source_.at(next.place) == "and" || source_.at(next.place) == "or"));
+  }
+
   std::size_t name_or_call() {
     const Token& token = take();
     const std::string_view name = name_of(token);
     if (const auto function = function_by_name(name)) return call(token, *function);
-    if (sees(TokenKind::open) && !peek().after_blank)
-      throw source_.mistake(
-          token.place,
-          fmt::format("{0} is no function; for a product write {0}*(...), or a blank before the bracket",
-                      echoed(source_.at(token.place))));
+    if (sees(TokenKind::open) && !peek().after_blank) throw no_function(token);
     return add(
         {.kind = SyntaxKind::name, .place = token.place, .name = std::string(name), .primes = token.primes});
+  }
+  // Of a name with a bracket directly behind it.
+  [[nodiscard]] InputError no_function(const Token& token) const {
+    const std::string name = echoed(source_.at(token.place));
+    const std::string product =
+        fmt::format("for a product write {}*(...), or a blank before the bracket", name);
+    if (is_unknown(token) && bracket_has_time())
+      return source_.mistake(
+          token.place, peek(2).kind == TokenKind::close
+                           ? fmt::format("an unknown is written {}, without the time", name)
+                           : fmt::format("{} at another time: delays are not supported; {}", name, product));
+    if (!is_name(token)) {
+      if (const std::string there = what_there_is(name); !there.empty())
+        return source_.mistake(token.place, fmt::format("{} is not a function here; {}", name, there));
+    }
+    return source_.mistake(token.place, fmt::format("{} is no function; {}", name, product));
+  }
+  [[nodiscard]] bool is_unknown(const Token& token) const {
+    return std::ranges::any_of(tokens_, [&](const Token& other) {
+      return other.kind == TokenKind::name && other.primes > 0 && name_of(other) == name_of(token);
+    });
+  }
+  // Does it stand anywhere without a bracket directly behind it?
+  [[nodiscard]] bool is_name(const Token& token) const {
+    for (std::size_t i = 0; i + 1 < tokens_.size(); ++i) {
+      const bool alone = tokens_[i + 1].kind != TokenKind::open || tokens_[i + 1].after_blank;
+      if (tokens_[i].kind == TokenKind::name && name_of(tokens_[i]) == name_of(token) && alone) return true;
+    }
+    return false;
+  }
+  [[nodiscard]] bool bracket_has_time() const {
+    for (std::size_t ahead = 1; ahead < behind_bracket(0); ++ahead) {
+      if (peek(ahead).kind == TokenKind::name && source_.at(peek(ahead).place) == "t") return true;
+    }
+    return false;
   }
   std::size_t call(const Token& token, const FunctionInfo& function) {
     const Nested nested(*this);
@@ -250,7 +369,7 @@ class Parser {
           token.place,
           fmt::format("{0} is a function, and needs its argument in brackets: {0}(...)", function.name));
     ++at_;
-    std::vector<Syntax::Operand> arguments = {{sum()}};
+    std::vector<Syntax::Operand> arguments = {{function.function == Function::choose ? condition() : sum()}};
     while (sees(TokenKind::comma)) {
       ++at_;
       arguments.push_back({sum()});
@@ -271,7 +390,7 @@ class Parser {
   SyntaxTree& tree_;
   std::vector<Token> tokens_;
   std::size_t at_ = 0;
-  int depth_ = 0;
+  int depth_ = 0, conditions_ = 0;
 };
 
 void hold_to_length(const SourceText& source) {
@@ -285,6 +404,13 @@ SyntaxTree parse(const SourceText& source, Separator separator) {
   hold_to_length(source);
   SyntaxTree tree;
   Parser(source, tree, separator).statements();
+  return tree;
+}
+
+SyntaxTree parse_columns(const SourceText& source) {
+  hold_to_length(source);
+  SyntaxTree tree;
+  Parser(source, tree, Separator::semicolon).columns();
   return tree;
 }
 

@@ -44,14 +44,15 @@ class Problem {
   /// the direction of travel.
   [[nodiscard]] std::vector<double> discontinuities(double t0, double t1) const {
     std::vector<double> between = features_->between(std::min(t0, t1), std::max(t0, t1));
-    for (const double t : switches_->times()) {
-      if (t > std::min(t0, t1) && t < std::max(t0, t1)) between.push_back(t);
-    }
+    const std::vector<double> switches = switches_->times(std::min(t0, t1), std::max(t0, t1));
+    between.insert(between.end(), switches.begin(), switches.end());
     std::ranges::sort(between);
     between.erase(std::unique(between.begin(), between.end()), between.end());
     if (t1 < t0) std::reverse(between.begin(), between.end());
     return between;
   }
+  /// May the times of discontinuities() differ by a rounding in other precisions?
+  [[nodiscard]] bool has_rounded_times() const { return switches_->has_rounded_times(); }
   /// How many other functions decide by their signs what the equations are; none within a mode.
   [[nodiscard]] int switches() const { return smooth_ ? 0 : switches_->count(); }
   /// The smooth equations of a mode. What the text says of all solutions does not hold of theirs: steps of

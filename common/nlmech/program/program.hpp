@@ -116,6 +116,7 @@ class Program {
       case Operation::function: return apply(i.function, a);
       case Operation::atan2: return atan2(a, b);
       case Operation::choice: return chosen(place[i.decides], a, b);
+      case Operation::floor: return T(rounded_down(a));
       case Operation::number: return T(i.c);
       default: return a;
     }
@@ -130,6 +131,13 @@ class Program {
       const auto value = value_of(decides);
       return value >= 0 ? a : value < 0 ? b : decides;
     }
+  }
+
+  // A number also of what has derivatives: it is the same up to the next jump.
+  template <class T>
+  static auto rounded_down(const T& a) {
+    using std::floor;
+    return floor(value_of(a));
   }
 
   // Numbers have a power of their own; for all else it is exp(b log a), for a > 0.
@@ -151,6 +159,7 @@ class Program {
   static T apply(Function function, const T& a) {
     using std::acos;
     using std::asin;
+    using std::asinh;
     using std::atan;
     using std::cos;
     using std::cosh;
@@ -175,6 +184,7 @@ class Program {
       case Function::sinh: return sinh(a);
       case Function::cosh: return cosh(a);
       case Function::tanh: return tanh(a);
+      case Function::asinh: return asinh(a);
       default: return erf(a);
     }
   }

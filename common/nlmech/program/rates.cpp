@@ -47,6 +47,7 @@ class Rates {
         return g.quotient(g.difference(g.product(b, da), g.product(a, db)), square);
       }
       case Operation::choice: return g.choice(n.decides, da, db);
+      case Operation::floor: return g.number(0);
       default: return g.product(derivative(g, n.function, id, a), da);
     }
   }
@@ -80,6 +81,10 @@ NodeId derivative(Graph& g, Function function, NodeId value, NodeId a) {
     case Function::sinh: return g.call(Function::cosh, a, a);
     case Function::cosh: return g.call(Function::sinh, a, a);
     case Function::tanh: return g.difference(one, g.product(value, value));
+    case Function::asinh: {
+      const NodeId cosine = g.sum(one, square);
+      return g.quotient(one, g.call(Function::sqrt, cosine, cosine));
+    }
     default:  // erf: 2/sqrt(pi) exp(-a^2)
       return g.product(g.number(2 / std::sqrt(std::acos(-1.0))),
                        g.call(Function::exp, g.negative(square), one));

@@ -98,6 +98,8 @@ class Recorded {
   friend Recorded acos(const Recorded& a) { return call(Function::acos, a); }
   /// Arc tangent.
   friend Recorded atan(const Recorded& a) { return call(Function::atan, a); }
+  /// Inverse of sinh.
+  friend Recorded asinh(const Recorded& a) { return call(Function::asinh, a); }
   /// Error function.
   friend Recorded erf(const Recorded& a) { return call(Function::erf, a); }
   /// Angle of the point (x, y).

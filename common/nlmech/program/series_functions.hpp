@@ -127,6 +127,13 @@ template <RecurrentSeries S>
   return S(atan(a[0])) + a.integral_of(1 / (1 + a * a));
 }
 
+/// Inverse of sinh.
+template <RecurrentSeries S>
+[[nodiscard]] S asinh(const S& a) {
+  using std::asinh;
+  return S(asinh(a[0])) + a.integral_of(pow(1 + a * a, -0.5));
+}
+
 /// Angle of the point (x, y), which is not the origin.
 template <RecurrentSeries S>
 [[nodiscard]] S atan2(const S& y, const S& x) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -75,16 +76,76 @@ std::optional<double> time_of(const Graph& graph, NodeId decides) {
 Switches::Switches(const Graph& graph, const std::vector<NodeId>& slopes) : graph_(graph), slopes_(slopes) {
   const std::vector<bool> part = parts_of(graph_, slopes_);
   for (NodeId i = 0; i < graph_.nodes(); ++i) {
-    if (!part[index(i)] || graph_[i].operation != Operation::choice) continue;
+    if (!part[index(i)]) continue;
+    if (graph_[i].operation == Operation::floor) timed_.push_back(i);
+    if (graph_[i].operation != Operation::choice) continue;
     const NodeId decides = graph_[i].decides;
     if (const std::optional<double> time = time_of(graph_, decides)) {
       times_.push_back(*time);
+    } else if (!std::isnan(graph_.drift(decides))) {
+      timed_.push_back(decides);
     } else if (std::find(deciding_.begin(), deciding_.end(), decides) == deciding_.end()) {
       deciding_.push_back(decides);
     }
   }
-  std::sort(times_.begin(), times_.end());
-  times_.erase(std::unique(times_.begin(), times_.end()), times_.end());
+  const auto sort_once = [](auto& all) {
+    std::ranges::sort(all);
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+  };
+  sort_once(times_);
+  sort_once(timed_);
+  timed_values_ = Program(graph_, timed_);
+}
+
+// What is constant between two jumps: a whole number, or the sign of what decides.
+double Switches::step_value(std::size_t k, double t) const {
+  double value = 0;
+  struct NoState {
+    double operator[](int) const { return 0; }
+  };
+  timed_values_.run(t, NoState{}, k, k + 1, [&](int, double v) { value = v; });
+  return graph_[timed_[k]].operation == Operation::floor ? value : value >= 0 ? 1 : 0;
+}
+
+std::vector<double> Switches::times(double from, double to) const {
+  std::vector<double> all;
+  for (const double t : times_) {
+    if (t > from && t < to) all.push_back(t);
+  }
+  // A node is monotonic between the jumps of those that it is made of, which are before it.
+  for (std::size_t k = 0; k < timed_.size(); ++k) {
+    std::vector<double> jumps;
+    double begin = from;
+    for (const double end : all) {
+      add_jumps(k, begin, std::nextafter(end, from), jumps);
+      begin = end;
+    }
+    add_jumps(k, begin, std::nextafter(to, from), jumps);
+    all.insert(all.end(), jumps.begin(), jumps.end());
+    std::sort(all.begin(), all.end());
+  }
+  return all;
+}
+
+void Switches::add_jumps(std::size_t k, double begin, double last, std::vector<double>& jumps) const {
+  constexpr double most = 1e6;
+  if (!(begin < last)) return;
+  const double end_value = step_value(k, last);
+  double value = step_value(k, begin);
+  if (!(std::abs(end_value - value) + static_cast<double>(jumps.size()) <= most))
+    throw std::invalid_argument(
+        "the equations jump more than a million times before, by floor, ceil, frac or mod");
+  while (value != end_value) {
+    double before = begin, after = last;
+    for (;;) {
+      const double middle = before + (after - before) / 2;
+      if (middle == before || middle == after) break;
+      (step_value(k, middle) == value ? before : after) = middle;
+    }
+    jumps.push_back(after);
+    begin = after;
+    value = step_value(k, begin);
+  }
 }
 
 // Slopes and then functions without choices, for a mode without zeros.

@@ -24,15 +24,20 @@ using Mode = std::vector<std::int8_t>;
 /// several surfaces at once the slopes change by a share of each surface's own jump, such that all their
 /// functions stay zero (Utkin's equivalent control): what dry friction at several places asks for.
 ///
-/// A function t - c, as of max(0, t - c), decides at a known time: methods step onto it, and there is nothing
-/// to locate. The equations keep such choices in every mode.
+/// What decides by the time alone, as max(0, t - c) and floor(t), does so at known times: methods step onto
+/// these, and there is nothing to locate. The equations keep such choices in every mode.
 class Switches {
  public:
   /// What the slopes @p slopes of a state depend on by choices. @param graph is copied
   Switches(const Graph& graph, const std::vector<NodeId>& slopes);
 
-  /// The times c at which functions t - c decide, ascending.
-  [[nodiscard]] const std::vector<double>& times() const { return times_; }
+  /// The times between @p from and @p to > from at which the equations change by the time alone, ascending:
+  /// the first doubles at which they are those of the later side.
+  /// @throws std::invalid_argument if there are more than a million
+  [[nodiscard]] std::vector<double> times(double from, double to) const;
+  /// Are there such times besides those of functions t - c, whose equations change at the same double in
+  /// every precision?
+  [[nodiscard]] bool has_rounded_times() const { return !timed_.empty(); }
   /// How many other functions decide.
   [[nodiscard]] int count() const { return static_cast<int>(deciding_.size()); }
   /// The equations of a mode. Outputs: the slopes; for each function its value, or where the motion stays on
@@ -42,11 +47,16 @@ class Switches {
 
  private:
   [[nodiscard]] std::vector<NodeId> resolved(const Mode& mode, Graph& graph) const;
+  [[nodiscard]] double step_value(std::size_t k, double t) const;
+  void add_jumps(std::size_t k, double begin, double last, std::vector<double>& jumps) const;
 
   static constexpr std::size_t most_known = 256;  // modes that are kept
   Graph graph_;
   std::vector<NodeId> slopes_, deciding_;
-  std::vector<double> times_;
+  std::vector<double> times_;  // c of functions t - c, ascending
+  std::vector<NodeId>
+      timed_;  // other nodes of the time alone that decide or are rounded, with what they need before them
+  Program timed_values_;
   mutable std::mutex mutex_;
   mutable std::map<Mode, std::shared_ptr<const Program>> known_;
 };

@@ -20,7 +20,12 @@ enum class SyntaxKind {
   sum,       ///< operands, each added or (`inverse`) subtracted
   product,   ///< operands, each a factor or (`inverse`) a divisor
   power,     ///< two operands
-  call       ///< a function of its operands
+  call,      ///< a function of its operands
+  // Conditions, the first operand of `if` alone:
+  comparison,  ///< of two operands, by `relation`
+  both,        ///< all operands hold
+  either,      ///< one of the operands holds
+  opposite     ///< the operand does not hold
 };
 
 /// A part of an expression. Sums and products hold all their operands, so that a tree is as deep as its
@@ -37,6 +42,7 @@ struct Syntax {
   std::string name = {};               ///< of a name
   int primes = 0;                      ///< of a name
   Function function = {};              ///< of a call
+  TokenKind relation = {};             ///< of a comparison: at_least, at_most, above or below
   std::vector<Operand> operands = {};  ///< of all else
 };
 
@@ -82,6 +88,10 @@ inline constexpr std::size_t most_bytes = 1'000'000;
 /// Reads equations and definitions, with separators or line ends between; some may be empty.
 /// @throws InputError that points at a mistake and says what was expected
 [[nodiscard]] SyntaxTree parse(const SourceText& source, Separator separator = Separator::semicolon);
+
+/// Reads the list of `name = expression` and names, each as a statement; both sides of a name are the name.
+/// @throws InputError as parse()
+[[nodiscard]] SyntaxTree parse_columns(const SourceText& source);
 
 /// Reads one expression. Appends it to a tree; its root is the last node.
 /// @throws InputError as parse()

@@ -45,7 +45,7 @@ int degree(Step step, int a, int b) {
 bool is_integral(const Node& n) {
   if (n.operation != Step::function) return false;
   return n.function == Function::asin || n.function == Function::acos || n.function == Function::atan ||
-         n.function == Function::erf;
+         n.function == Function::asinh || n.function == Function::erf;
 }
 
 }  // namespace
@@ -69,7 +69,7 @@ struct Recurrences {
 
  private:
   NodeId copy(const Node& n, NodeId a, NodeId b) {
-    if (n.operation == Step::choice) throw_unannounced_branch(false);
+    if (n.operation == Step::choice || n.operation == Step::floor) throw_unannounced_branch(false);
     if (n.operation == Step::any_power) {
       const NodeId exponent = graph.product(b, graph.call(Function::log, a, a));
       return graph.call(Function::exp, exponent, exponent);
@@ -324,6 +324,7 @@ class TapeCompiler {
       case Function::asin: return Operation::arc_sine;
       case Function::acos: return Operation::arc_cosine;
       case Function::atan: return Operation::arc_tangent;
+      case Function::asinh: return Operation::area_sine;
       default: return Operation::error_function;
     }
   }

@@ -20,6 +20,7 @@ enum class Operation : std::uint8_t {
   arc_cosine,          ///< acos a; extra: its slope
   arc_tangent,         ///< atan a; extra: its slope
   angle,               ///< atan2(a, b); extra: its slope
+  area_sine,           ///< asinh a; extra: its slope
   error_function,      ///< erf a; extra: its slope
   exponential,         ///< exp a; extra: slope of a
   circular,            ///< sin a, and cos a in r + 1; extra: slope of a

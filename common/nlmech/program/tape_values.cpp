@@ -23,6 +23,7 @@ std::pair<double, double> first_coefficient(const Instruction& i, double factor,
     case Operation::arc_cosine: return {std::acos(x), 0};
     case Operation::arc_tangent: return {std::atan(x), 0};
     case Operation::angle: return {std::atan2(x, other), 0};
+    case Operation::area_sine: return {std::asinh(x), 0};
     case Operation::error_function: return {std::erf(x), 0};
     default: return {0, 0};
   }

@@ -13,6 +13,7 @@
 #include "nlmech/comparison/commands/compare.hpp"
 #include "nlmech/scene/catalogue/catalogue.hpp"
 #include "nlmech/scene/program/this_process.hpp"
+#include "nlmech/support/echo.hpp"
 #include "nlmech/support/sentences.hpp"
 #include "nlmech/support/threads.hpp"
 
@@ -69,9 +70,9 @@ class CatalogueRun {
     if (!missing_.empty() && !std::ranges::all_of(states_, has)) throw InputError(missing_);
     const bool is_end = joined(columns_, {end_column}).size() > columns_.size();
     const bool has_ends = is_end && catalogue_.has(end_column);
-    if (typed.until && has_ends)
-      throw input_error("--until {}: {} has a column until", *typed.until, catalogue_.name());
-    if (!typed.until && !has_ends && !base_->t1)
+    if (!typed.until.empty() && has_ends)
+      throw input_error("--until {}: {} has a column until", echoed(typed.until), catalogue_.name());
+    if (typed.until.empty() && !has_ends && !base_->t1)
       throw input_error("{}: has no column until; give it, or --until T for all rows", catalogue_.name());
   }
 
@@ -79,12 +80,15 @@ class CatalogueRun {
     // Rows have as many lines as --every makes of them, and count for so many that most_rows make a portion.
     catalogue_.weigh_by(
         [this](const auto& row) { return std::max(lines_at_a_time / most_rows, lines(row)); });
-    scene::print_catalogue(
-        catalogue_, {.header = fmt::format("row,t,{}{}{},status", fmt::join(states_, ","),
-                                           options_.events.empty() ? "" : ",event",
-                                           catalogue_.columns().rest_names({"row", "t", "event", "status"})),
-                     .portion = scene::portion_for(lines_at_a_time, threads_),
-                     .work = [this](const scene::CatalogueRows& rows) { return lines_of(rows); }});
+    const std::vector<std::string> printed = printed_names(*base_, options_);
+    std::vector<std::string> taken = options_.columns.names;
+    taken.insert(taken.end(), {"row", "t", "event", "status"});
+    scene::print_catalogue(catalogue_,
+                           {.header = fmt::format("row,t,{}{}{},status", fmt::join(printed, ","),
+                                                  options_.events.empty() ? "" : ",event",
+                                                  catalogue_.columns().rest_names(taken)),
+                            .portion = scene::portion_for(lines_at_a_time, threads_),
+                            .work = [this](const scene::CatalogueRows& rows) { return lines_of(rows); }});
     if (open_ > 1)
       scene::tell(
           fmt::format("{}: {} of the runs are not verified; the first is {}", program_, open_, remark_));
@@ -113,7 +117,8 @@ class CatalogueRun {
   }
   [[nodiscard]] double end(const std::vector<double>& row) const { return end(row, options_.t1); }
   [[nodiscard]] double lines(const std::vector<double>& row) const {
-    return options_.every ? std::abs(end(row) - options_.t0) / *options_.every + 2 : 2;
+    const auto others = static_cast<double>(options_.at.size() + 2);
+    return options_.every ? std::abs(end(row) - options_.t0) / *options_.every + others : others;
   }
   /// What is asked of a row, NaN standing where there is no column.
   [[nodiscard]] EnsembleMember member_of(const std::vector<double>& row) const {
@@ -182,7 +187,8 @@ class CatalogueRun {
   void add_lines(std::int64_t row, const std::string& rest, const EnsembleResult& end,
                  std::string& lines) const {
     if (!end.status.ok()) {
-      const std::size_t empty = states_.size() + 1 + (options_.events.empty() ? 0 : 1);
+      const std::size_t empty =
+          states_.size() + options_.columns.names.size() + 1 + (options_.events.empty() ? 0 : 1);
       lines +=
           fmt::format("{}{}{},{}\n", row, std::string(empty, ','), rest, to_string(end.status.outcome()));
       return;

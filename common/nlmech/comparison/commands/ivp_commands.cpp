@@ -32,7 +32,9 @@ int integrate(const TypedOptions& typed, const std::string& program) {
   const scene::Picture picture(typed.plot);
   const RunOptions options = run_options(typed, problem, problem.initial_state(typed.initial));
   const Trajectory run = trajectory(problem, options, method_of(typed, problem, options));
-  if (!run.remark.empty()) scene::tell(fmt::format("{}: {}", program, run.remark));
+  for (const std::string& remark : {run.remark, run.small}) {
+    if (!remark.empty()) scene::tell(fmt::format("{}: {}", program, remark));
+  }
   scene::print_result(run.rows);
   if (picture.wanted())
     picture.draw([&] {
@@ -46,7 +48,8 @@ int integrate(const TypedOptions& typed, const std::string& program) {
 UserProblem without_events(const TypedOptions& typed, std::string_view command) {
   UserProblem problem = problem_of(typed)({});
   if (!problem.event_lines.empty())
-    throw input_error("when {}: {} takes no events; integrate does", problem.event_lines.front().event, command);
+    throw input_error("when {}: {} takes no events; integrate does", problem.event_lines.front().event,
+                      command);
   return problem;
 }
 
@@ -74,7 +77,7 @@ std::vector<std::string> run_of(const TypedOptions& typed, double until, const R
   if (!typed.set.empty()) all.emplace_back("--set");
   all.insert(all.end(), typed.set.begin(), typed.set.end());
   add("--initial", typed.initial);
-  if (typed.from) add("--from", fmt::format("{}", *typed.from));
+  add("--from", typed.from);
   add("--until", fmt::format("{}", until));
   add("--method", first.method);
   add("--tolerance", fmt::format("{:.1e}", first.tolerance));
@@ -106,15 +109,16 @@ void declare_problem(scene::Options& options, TypedOptions& typed, const std::st
   options.add("--file", typed.file, "a file of equations, definitions and initial values");
   options.add("--set", typed.set, "name=value of a parameter; more of them with blanks between");
   options.add("--initial", typed.initial,
-              "initial state: \"x=1, x'=0\", or numbers in the order of the columns, in which the text first "
-              "names the "
-              "unknowns; the problem's own without it");
-  options.add("--from", typed.from, "time at which it begins; the problem's own without it");
-  options.add(
-      "--until", typed.until,
-      fmt::format("time at which it ends; earlier runs backwards. Required but where the text says t <= "
-                  "...{}",
-                  many.empty() ? "" : fmt::format(", or {} has a column until", many)));
+              "initial state: \"x=1, x'=0\", or numbers in the order in which the text first names the "
+              "unknowns; the problem's own without it. If it names all, the columns have its order");
+  options.add("--from", typed.from,
+              "time at which it begins, a number or an expression of definitions and pi; the problem's own "
+              "without it");
+  options.add("--until", typed.until,
+              fmt::format("time at which it ends, as 10 or \"2 pi/w\"; earlier runs backwards. Required but "
+                          "where the text says t <= "
+                          "...{}",
+                          many.empty() ? "" : fmt::format(", or {} has a column until", many)));
 }
 
 void declare_largest_step(scene::Options& options, TypedOptions& typed) {
@@ -128,7 +132,7 @@ void declare_largest_step(scene::Options& options, TypedOptions& typed) {
 void declare_common(scene::Options& options, TypedOptions& typed, const std::string& many = {}) {
   declare_problem(options, typed, many);
   ivp::Settings& s = typed.settings;
-  options.add("--step", s.step, "length of a step, for methods of fixed step and series").positive();
+  options.add("--step", typed.step, "length of a step, for methods of fixed step and series");
   options
       .add("--tolerance", s.tolerance,
            "relative and absolute, of the error of a step; 1e-9 without it. For methods that choose their "
@@ -168,8 +172,11 @@ void add_integrate(scene::Commands& commands) {
                 "one of the methods below; without it the first that choose would list for the digits of the "
                 "tolerance");
     declare_settings(options, typed.settings);
-    options.add("--every", typed.every, "rows at this distance in time; without it the first and the last")
-        .positive();
+    options.add("--every", typed.every, "rows at this distance in time; without it the first and the last");
+    options.add("--at", typed.at, "rows at these times too, with commas between: 1,2.5,3 pi");
+    options.add("--columns", typed.columns,
+                "further columns: \"E = x'^2/2 + x^2/2; r; x''\", definitions or their names and highest "
+                "derivatives");
     options.add(
         "--event", typed.events,
         "a row at each zero: \"x=0\", \"apex: x'=0 falling\" (with a name), \"x=0 rising end\" (the run "

@@ -10,6 +10,7 @@
 #include "nlmech/comparison/commands/typed_events.hpp"
 #include "nlmech/scene/program/options.hpp"
 #include "nlmech/scene/program/typed.hpp"
+#include "nlmech/support/echo.hpp"
 #include "nlmech/support/sentences.hpp"
 
 namespace nlmech::comparison {
@@ -25,9 +26,35 @@ void start_with_changes(RunOptions& r) {
   }
 }
 
+/// As typed; nothing: not given.
+std::optional<double> time_of(const std::string& option, const std::string& typed,
+                              const UserProblem& problem) {
+  if (typed.empty()) return {};
+  return problem.number(option, typed);
+}
+std::optional<double> positive_of(const std::string& option, const std::string& typed,
+                                  const UserProblem& problem) {
+  const std::optional<double> value = time_of(option, typed, problem);
+  if (value && !(*value > 0)) throw input_error("{} {}: must be positive", option, echoed(typed));
+  return value;
+}
+/// Ascending, each once.
+std::vector<double> times_of_rows(const std::string& typed, const UserProblem& problem) {
+  std::vector<double> times;
+  if (typed.empty()) return times;
+  for (const std::string& piece : scene::split(typed, ',')) times.push_back(problem.number("--at", piece));
+  std::ranges::sort(times);
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+  return times;
+}
+
 }  // namespace
 
 void RunOptions::check_rows() const {
+  for (const double t : at) {
+    if (!(t >= std::min(t0, t1) && t <= std::max(t0, t1)))
+      throw input_error("--at {}: is outside of the run, which goes from {} to {}", t, t0, t1);
+  }
   if (every && std::abs(t1 - t0) / *every > 1e7)
     throw input_error("--every {}: more than 10 million rows", *every);
 }
@@ -58,32 +85,42 @@ MakeProblem problem_of(const TypedOptions& typed) {
 RunOptions run_options(const TypedOptions& typed, const UserProblem& problem, ivp::State x0) {
   RunOptions r{
       .x0 = std::move(x0),
-      .t0 = typed.from.value_or(problem.t0),
+      .t0 = time_of("--from", typed.from, problem).value_or(problem.t0),
       .t1 = 0,
       .settings = typed.settings,
-      .every = typed.every,
+      .every = positive_of("--every", typed.every, problem),
+      .order = problem.printed_order(typed.initial),
       .limits = {.seconds = typed.limit.value_or(scene::Options::usual_limit),
                  .largest_step = typed.largest_step.value_or(std::numeric_limits<double>::infinity())},
       .section = !typed.section.empty(),
-      .verify = !typed.settings.step && !typed.no_verify,
+      .verify = typed.step.empty() && !typed.no_verify,
       .draw = !typed.plot.empty()};
+  if (!typed.columns.empty()) r.columns = problem.columns(typed.columns);
+  r.settings.step = positive_of("--step", typed.step, problem);
   if (r.settings.step && typed.largest_step)
     throw input_error("--step {} --largest-step {}: give equal steps or a bound on chosen ones, not both",
                       *r.settings.step, *typed.largest_step);
-  const std::optional<double> end = typed.until ? typed.until : problem.t1;
+  const std::optional<double> until = time_of("--until", typed.until, problem),
+                              end = until ? until : problem.t1;
   if (!end && typed.states.empty())
     throw input_error("--until: give the time at which it ends{}",
                       typed.problem.empty() ? ", or t <= ... in the text" : "");
-  if (!typed.until && end && *end < r.t0)
+  if (!until && end && *end < r.t0)
     throw input_error(
         "--until: the text ends at t = {}, before the start at {}; give --until to run backwards", *end,
         r.t0);
   r.t1 = end.value_or(r.t0);
-  r.check_rows();
+  r.at = times_of_rows(typed.at, problem);
+  if (typed.states.empty()) r.check_rows();  // else each run's
+  try {
+    static_cast<void>(problem.system.discontinuities(r.t0, r.t1));
+  } catch (const std::invalid_argument& error) {
+    throw input_error("--until {}: {}; give an earlier end, or longer periods", r.t1, error.what());
+  }
   for (const std::string& text : typed.events)
     std::ranges::move(events_of("--event", text, problem), std::back_inserter(r.events));
-  if (r.section && (!r.events.empty() || r.every))
-    throw InputError("--section shows its own rows alone: give neither --event nor --every with it");
+  if (r.section && (!r.events.empty() || r.every || !r.at.empty()))
+    throw InputError("--section shows its own rows alone: give neither --event, --every nor --at with it");
   if (r.section) r.events = events_of("--section", typed.section, problem);
   for (const std::string& text : typed.changes) add_change("--set-at", text, problem, r.events);
   for (const EventLine& line : problem.event_lines) add_line(line, problem, r.events);

@@ -24,16 +24,19 @@ struct TypedOptions {
   std::string method;                  ///< `--method`, `--methods`
   std::string tolerances;              ///< `--tolerances`
   std::string plot;                    ///< `--plot`
-  std::optional<double> until;         ///< `--until`
-  std::optional<double> from;          ///< `--from`
-  std::optional<double> every;         ///< `--every`
-  ivp::Settings settings;              ///< `--step`, `--tolerance` and what else methods have
+  std::string until;                   ///< `--until`
+  std::string from;                    ///< `--from`
+  std::string every;                   ///< `--every`
+  std::string at;                      ///< `--at`
+  std::string step;                    ///< `--step`
+  ivp::Settings settings;              ///< `--tolerance` and what else methods have, without `--step`
   std::optional<double> limit;         ///< `--limit`, s
   std::optional<double> largest_step;  ///< `--largest-step`
   std::vector<std::string> set;        ///< `--set`, each
   std::vector<std::string> events;     ///< `--event`, each
   std::vector<std::string> changes;    ///< `--set-at`, each
   std::string section;                 ///< `--section`
+  std::vector<std::string> columns;    ///< `--columns`, each
   std::string states;                  ///< `--states`, a file
   std::optional<int> threads;          ///< `--threads`
   bool no_verify = false;              ///< `--no-verify`
@@ -46,7 +49,10 @@ struct RunOptions {
   double t0 = 0;                         ///< start
   double t1 = 0;                         ///< end
   ivp::Settings settings;                ///< of the method
-  std::optional<double> every;           ///< distance of the rows in time; nothing: first and last alone
+  std::optional<double> every = {};      ///< distance of the rows in time; nothing: first and last alone
+  std::vector<double> at = {};           ///< times of further rows, ascending
+  std::vector<int> order = {};           ///< components as they are printed
+  Columns columns = {};                  ///< behind them
   ivp::Limits limits;                    ///< when to give up, all in all
   std::vector<WantedEvent> events = {};  ///< a row each time one takes place
   bool section = false;                  ///< rows of events alone
@@ -55,7 +61,8 @@ struct RunOptions {
   /// Of many runs: when all of them are to be over, their verifications too.
   std::chrono::steady_clock::time_point deadline = std::chrono::steady_clock::time_point::max();
 
-  /// @throws InputError naming `--every` for more rows than anybody reads: ten million
+  /// @throws InputError naming `--every` for more rows than anybody reads: ten million; naming `--at` for a
+  /// time that is not within the run
   void check_rows() const;
 };
 

@@ -67,9 +67,10 @@ class Run {
         t1_(options.t1),
         accuracy_(accuracy_of(options)),
         finder_(events_of(problem, options), accuracy_, one) {
-    found_.rows =
-        fmt::format("t,{}{}\n", fmt::join(problem.state_names, ","), options.events.empty() ? "" : ",event");
+    found_.rows = fmt::format("t,{}{}\n", fmt::join(printed_names(problem, options), ","),
+                              options.events.empty() ? "" : ",event");
     found_.samples = {components_of(problem), SampledPath(options.t0, t1_), {}};
+    if (options.t1 < options.t0) std::ranges::reverse(at_);
     if (options.every)
       stride_ = 1 + static_cast<std::int64_t>(std::abs(t1_ - options.t0) / *options.every / most_verified);
     add(options.t0, options.x0);
@@ -82,7 +83,8 @@ class Run {
   [[nodiscard]] ivp::Start start() {
     ivp::Start start{&problem_.system, options_.x0,      options_.t0, options_.t1, {},
                      options_.limits,  options_.deadline};
-    if (options_.every || options_.draw || !options_.events.empty() || !problem_.domain_ends.empty())
+    if (options_.every || !options_.at.empty() || options_.draw || !options_.events.empty() ||
+        !problem_.domain_ends.empty() || alone())
       start.observer = [this](const ivp::Step& step) { return see(step); };
     return start;
   }
@@ -125,7 +127,9 @@ class Run {
   void print(double t, const ivp::State& x, std::string_view event) {
     auto out = std::back_inserter(found_.rows);
     fmt::format_to(out, "{:.17g}", t);
-    for (const double value : x) fmt::format_to(out, ",{:.17g}", value);
+    for (const int i : options_.order) fmt::format_to(out, ",{:.17g}", x[i]);
+    options_.columns.values.run(t, x, 0, options_.columns.names.size(),
+                                [&](int, double value) { fmt::format_to(out, ",{:.17g}", value); });
     if (!options_.events.empty()) fmt::format_to(out, ",{}", scene::csv_field(event));
     found_.rows += '\n';
   }
@@ -135,12 +139,19 @@ class Run {
     keep(t, x);
   }
   void keep(double t, const ivp::State& x) {
+    largest_ = largest_.cwiseMax(x.cwiseAbs());
     if (added_ > 1 && (added_ - 1) % stride_ != 0) kept_.pop_back();
     kept_.push_back({t, x});
     ++added_;
   }
   /// Looks at a step; false if an event ends the run in it.
   [[nodiscard]] bool see(const ivp::Step& step);
+  /// Is it a single run, and not one of many? All steps of that are seen.
+  [[nodiscard]] bool alone() const { return other_ == nullptr; }
+  /// Components that stay below the absolute tolerance without being zero: no digit of them is determined.
+  [[nodiscard]] std::string small_components() const;
+  /// The next row that is asked for, if there is one before the end.
+  [[nodiscard]] std::optional<double> next_row() const;
   /// The asked times within a step and before @p end, by its dense output.
   void add_before(double end, const ivp::Step& step);
   void show(const ivp::Hit& hit, const ivp::Step& step);
@@ -162,10 +173,14 @@ class Run {
   ivp::EventFinder finder_;
   Trajectory found_;
   std::int64_t rows_ = 1, stride_ = 1, added_ = 0;
+  std::vector<double> at_ = options_.at;  // in the direction of travel
+  std::size_t next_at_ = 0;
+  ivp::State largest_ = options_.x0.cwiseAbs();
   std::vector<Kept> kept_;  // and always the latest row, in its last place
 };
 
 bool Run::see(const ivp::Step& step) {
+  largest_ = largest_.cwiseMax(step.x0.cwiseAbs());
   const std::size_t before = finder_.hits().size();
   const bool goes_on = finder_.see(problem_.system, step, options_.limits);
   for (std::size_t i = before; i < finder_.hits().size(); ++i) {
@@ -185,17 +200,47 @@ void Run::show(const ivp::Hit& hit, const ivp::Step& step) {
   if (options_.draw) found_.samples.events.push_back({hit.t, {hit.x.begin(), hit.x.end()}});
 }
 
-void Run::add_before(double end, const ivp::Step& step) {
-  if (!options_.every) return;
-  const double every = *options_.every, way = t1_ - options_.t0;
+// Rounding of k DT makes no second row of one of --at, and none of the end, which has its own.
+std::optional<double> Run::next_row() const {
+  const double way = t1_ - options_.t0, every = options_.every.value_or(0), near = 1e-9 * every;
   const auto is_after = [way](double a, double b) { return way > 0 ? a > b : a < b; };
-  for (;; ++rows_) {
+  std::optional<double> next;
+  if (options_.every) {
     const double t = options_.t0 + std::copysign(static_cast<double>(rows_) * every, way);
-    // The end has its own row; rounding of k DT makes no second one.
-    const bool is_inner = is_after(t1_, t) && std::abs(t1_ - t) > 1e-9 * every;
-    if (!is_inner || is_after(t, end)) return;
-    add(t, step.at(t));
+    if (is_after(t1_, t) && std::abs(t1_ - t) > near) next = t;
   }
+  if (next_at_ < at_.size()) {
+    const double t = at_[next_at_];
+    if (is_after(t1_, t) && (!next || is_after(*next, t) || std::abs(*next - t) <= near)) next = t;
+  }
+  return next;
+}
+void Run::add_before(double end, const ivp::Step& step) {
+  const double way = t1_ - options_.t0;
+  const auto is_after = [way](double a, double b) { return way > 0 ? a > b : a < b; };
+  for (;;) {
+    const std::optional<double> t = next_row();
+    if (!t || is_after(*t, end)) return;
+    if (*t != options_.t0) add(*t, step.at(*t));
+    if (next_at_ < at_.size() && at_[next_at_] == *t) ++next_at_;
+    if (options_.every &&
+        static_cast<double>(rows_) * *options_.every <= std::abs(*t - options_.t0) + 1e-9 * *options_.every)
+      ++rows_;
+  }
+}
+
+std::string Run::small_components() const {
+  const double absolute = tolerance_of(options_.settings).absolute;
+  std::vector<std::string> small;
+  for (const int i : options_.order) {
+    if (largest_[i] > 0 && largest_[i] <= absolute)
+      small.push_back(problem_.state_names[static_cast<std::size_t>(i)]);
+  }
+  if (small.empty() || options_.settings.step || t1_ == options_.t0) return {};
+  return fmt::format(
+      "{} stay{} below the absolute tolerance {}: none of {} digits is determined; take a smaller "
+      "--absolute-tolerance",
+      fmt::join(small, ", "), small.size() > 1 ? "" : "s", absolute, small.size() > 1 ? "their" : "its");
 }
 
 std::string Run::remark_on_events() const {
@@ -308,6 +353,7 @@ Trajectory Run::finish(ivp::Solution end) {
     keep(t1_, end.x);
   else
     add(t1_, end.x);
+  if (alone()) found_.small = small_components();
   if (options_.verify && options_.t0 != options_.t1) verify_by_integration(end);
   if (const std::string events = remark_on_events(); !events.empty())
     found_.remark += (found_.remark.empty() ? "" : "; ") + events;
@@ -354,6 +400,13 @@ std::vector<ivp::Solution> solutions_of(std::span<const std::unique_ptr<Run>> ru
 
 }  // namespace
 
+std::vector<std::string> printed_names(const UserProblem& problem, const RunOptions& options) {
+  std::vector<std::string> names;
+  for (const int i : options.order) names.push_back(problem.state_names[static_cast<std::size_t>(i)]);
+  names.insert(names.end(), options.columns.names.begin(), options.columns.names.end());
+  return names;
+}
+
 ChoiceRequest choice_request(const UserProblem& problem, const RunOptions& r) {
   const Tolerance tolerance = tolerance_of(r.settings);
   return {.system = problem.system,
@@ -370,7 +423,8 @@ const ivp::MethodInfo& usual_method(const UserProblem& problem, const RunOptions
     const ivp::MethodInfo& method = any_method(name);
     const auto lacks = [&](const ivp::SettingInfo* s) { return s->value(r.settings) && !method.has(*s); };
     const bool exact_within = name == "series" || name == "adaptive-collocation";
-    const bool within = r.every || !r.events.empty();  // not for a picture, which changes no number
+    const bool within =
+        r.every || !r.at.empty() || !r.events.empty();  // not for a picture, which changes no number
     if (std::ranges::none_of(ivp::own_settings, lacks) && (exact_within || !within) && !method.fixed_step())
       q.methods.push_back(name);
   }

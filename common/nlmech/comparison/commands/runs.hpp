@@ -18,6 +18,7 @@ namespace nlmech::comparison {
 struct Trajectory {
   std::string rows;      ///< CSV
   std::string remark;    ///< of its verification, for standard error; may be empty
+  std::string small;     ///< the same of components without a determined digit
   bool is_open = false;  ///< was it to be verified, and could it not be?
   PlotSamples samples;   ///< for a picture, if RunOptions::draw
 };
@@ -34,6 +35,9 @@ struct EnsembleResult {
   Trajectory trajectory;  ///< of a success
 };
 
+/// Names of what rows have behind the time: components, then further columns.
+[[nodiscard]] std::vector<std::string> printed_names(const UserProblem& problem, const RunOptions& options);
+
 /// What a method is chosen for.
 [[nodiscard]] ChoiceRequest choice_request(const UserProblem& problem, const RunOptions& options);
 
@@ -42,8 +46,9 @@ struct EnsembleResult {
 /// where the problem ends before its end, and for a step.
 [[nodiscard]] const ivp::MethodInfo& usual_method(const UserProblem& problem, const RunOptions& options);
 
-/// Rows `t,...`: the first, those at RunOptions::every and at events, and the last at t1 exactly, or at the
-/// event that ends the run. With events a last column, `event`, has the text of each.
+/// Rows `t,...`: the first, those at RunOptions::every, RunOptions::at and at events, and the last at t1
+/// exactly, or at the event that ends the run. Behind the state are RunOptions::columns; with events a last
+/// column, `event`, has the text of each.
 /// @throws Failure if the method fails or is wrong, InputError naming `--method` for settings that cannot be
 /// meant
 [[nodiscard]] Trajectory trajectory(const UserProblem& problem, const RunOptions& options,

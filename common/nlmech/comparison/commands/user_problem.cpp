@@ -106,6 +106,25 @@ ivp::State UserProblem::initial_state(const std::string& typed) const {
   return state_of(x);
 }
 
+Columns UserProblem::columns(const std::vector<std::string>& typed) const {
+  program::Equations names = text;
+  std::vector<program::Equations::Column> all;
+  for (const std::string& list : typed) names.read_columns("--columns", list, all);
+  Columns made;
+  std::vector<program::NodeId> nodes;
+  for (const program::Equations::Column& column : all) {
+    made.names.push_back(column.name);
+    nodes.push_back(column.node);
+  }
+  made.values = program::Program(names.graph(), nodes);
+  return made;
+}
+
+double UserProblem::number(const std::string& option, const std::string& typed) const {
+  if (scene::is_number(typed)) return scene::typed_number(option, typed);
+  return program::Equations(text).number(option, typed);
+}
+
 StateFunction UserProblem::expression(const std::string& option, const std::string& typed) const {
   program::Equations names = text;
   const program::NodeId node = names.expression(option, typed);
@@ -129,9 +148,11 @@ UserProblem typed_problem(const program::SourceText& source, const program::Sett
   const program::Equations equations(source, settings);
   const program::Problem problem(equations);
   const auto extended = [problem](const Effort& effort) {
-    // A Taylor series in extended precision does not see where an equation switches.
-    return problem.switches() > 0 ? std::vector<Candidate>()
-                                  : taylor_candidates(problem, problem.size(), effort);
+    // A Taylor series in extended precision does not see where an equation switches, and may round a known
+    // time of it otherwise.
+    return problem.switches() > 0 || problem.has_rounded_times()
+               ? std::vector<Candidate>()
+               : taylor_candidates(problem, problem.size(), effort);
   };
   return {.name = std::string(name),
           .equation = equations.summary(),

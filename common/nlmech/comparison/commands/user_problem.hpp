@@ -13,6 +13,7 @@
 #include "nlmech/comparison/reference/reference_of.hpp"
 #include "nlmech/ivp/events.hpp"
 #include "nlmech/program/equations.hpp"
+#include "nlmech/program/program.hpp"
 
 namespace nlmech::comparison {
 
@@ -23,6 +24,12 @@ using StateFunction = std::function<double(double t, const ivp::State& x)>;
 struct EventLine {
   std::string event;    ///< "x = 0 falling"
   std::string changes;  ///< "x' = -0.8 x'; n = n + 1"; may be empty
+};
+
+/// Quantities that are printed beside the state.
+struct Columns {
+  std::vector<std::string> names;  ///< "E", "x''"
+  program::Program values;         ///< in this order, of time and state
 };
 
 /// Equations with the values of their parameters, and what commands ask of them.
@@ -45,6 +52,17 @@ struct UserProblem {
   /// expressions; what the publication or the text says for what is not given.
   /// @throws InputError naming `--initial` that points at the mistake, or says how many numbers there must be
   [[nodiscard]] ivp::State initial_state(const std::string& typed) const;
+  /// Components in the order in which they are printed: that in which the initial state as typed names them,
+  /// if it names all, else that of the state.
+  [[nodiscard]] std::vector<int> printed_order(const std::string& typed) const {
+    return text.initial_order(typed);
+  }
+  /// Columns as typed: "E = x'^2/2 + x^2/2; r; x''". @throws InputError naming `--columns` that points at the
+  /// mistake
+  [[nodiscard]] Columns columns(const std::vector<std::string>& typed) const;
+  /// A number as typed, or an expression of numbers and of definitions that are.
+  /// @param option named by messages @throws InputError for anything else
+  [[nodiscard]] double number(const std::string& option, const std::string& typed) const;
   /// An expression of time and components, "x = 0" being x - 0.
   /// @param option named by messages @throws InputError that points at the mistake
   [[nodiscard]] StateFunction expression(const std::string& option, const std::string& typed) const;

@@ -119,6 +119,7 @@ class Replayer {
       case Operation::arc_cosine:
       case Operation::arc_tangent:
       case Operation::angle:
+      case Operation::area_sine:
       case Operation::error_function: r.set(k_, d[k_] / k); return;
       case Operation::logarithm:
         g.set(k_, (k * a[k_] - middle(g, a)) / a[0]);

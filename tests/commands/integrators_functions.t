@@ -1,0 +1,108 @@
+Functions with jumps, and others, in equations as one types them
+================================================================
+
+  $ integrate() { integrators integrate --equation "$@"; }
+
+The inverse functions undo those that they are inverses of: all three solutions are t, by slopes that are 1.
+
+  $ integrate "x' = sinh(asinh(x))/x; y' = cosh(acosh(1 + y^2)) - y^2; z' = 1/(1 - tanh(atanh(z/4))^2 + z^2/16)" --initial "x=1, y=0.5, z=0.2" --until 2 |
+  >   holds 'x = 3 +- 1e-8' 'y = 2.5 +- 1e-8' 'z = 2.2 +- 1e-8'
+
+Integrals of sec^2, csc^2 and cot, and of logarithms to three bases:
+
+  $ integrate "x' = sec(t)^2; y' = csc(t)^2; z' = cot(t); u' = ln(t); v' = log2(t); w' = log10(t)" --initial "x=0, y=0, z=0, u=0, v=0, w=0" --from 0.5 --until 1.25 |
+  >   holds 'x = tan(1.25) - tan(0.5) +- 1e-8' 'y = cot(0.5) - cot(1.25) +- 1e-8' 'z = log(sin(1.25)/sin(0.5)) +- 1e-8' \
+  >         'I := (1.25*log(1.25) - 1.25) - (0.5*log(0.5) - 0.5)' 'u = I +- 1e-8' 'v = I/log(2) +- 1e-8' 'w = I/log(10) +- 1e-8'
+
+What jumps at known times
+-------------------------
+
+A saw-tooth has the mean 1/2; methods step onto its jumps, those of fixed step too:
+
+  $ saw() { integrate "y' = t - floor(t); y(0) = 0" --until 10 "$@"; }
+  $ for method in "" "--method ode45" "--method rk4 --step 0.3" "--method adaptive-collocation" "--method series"; do
+  >   saw $method | holds 'y = 5 +- 1e-9'
+  > done
+  $ integrate "y' = mod(t, 1); z' = frac(t); u' = ceil(t)" --initial "y=0, z=0, u=0" --until 10 | holds 'y = 5 +- 1e-9' 'z = 5 +- 1e-9' 'u = 55 +- 1e-8'
+
+Backwards and from a time that is no jump, with a period that doubles do not hold:
+
+  $ integrate "y' = mod(t, 0.1)" --initial y=0 --from 1.25 --until 0.25 | holds 'y = -0.05 +- 1e-10'
+
+A square wave drives an oscillator: x = 1 - cos(t) while it is 1. Its state at t = 2, 4, ... by rotations about (1, 0) and (-1, 0):
+
+  $ integrate "x'' + x = if(mod(t, 2) < 1, 1, -1); x(0) = 0; x'(0) = 0" --until 4 > rows.csv
+  $ holds 'a := 1 - exp(-1j)' 'b := -1 + (a + 1)*exp(-1j)' 'c := 1 + (b - 1)*exp(-1j)' 'd := -1 + (c + 1)*exp(-1j)' \
+  >       "x = re(d) +- 4e-8" "x' = im(d) +- 4e-8" < rows.csv
+
+A step, one side of a time, and the same by a condition; 1 lasts from t = 1 to 3:
+
+  $ integrate "x' = if(t > 1, 1, 0); y' = step(t - 1); z' = heaviside(3 - t)" --initial "x=0, y=0, z=0" --until 3.5 |
+  >   holds 'x = 2.5 +- 1e-9' 'y = 2.5 +- 1e-9' 'z = 3 +- 1e-9'
+  $ integrate "x' = if(t > 1 and not (t >= 3 or t < 0), 1, 0)" --initial x=0 --until 5 | holds 'x = 2 +- 1e-9'
+
+What jumps on a surface of the state
+------------------------------------
+
+A spring that pulls alone: half a swing of each of the frequencies 1 and 2:
+
+  $ integrate "x'' = -if(x > 0, 1, 4) x; x(0) = 0; x'(0) = 1" --until "3*pi/2 - 0.1" |
+  >   holds 'x = -sin(2*(pi/2 - 0.1))/2 +- 1e-8' "x' = -cos(2*(pi/2 - 0.1)) +- 1e-8"
+
+A surface that jumps itself: x falls to it, moves with it, and falls again after its jump:
+
+  $ integrate "x' = -2 if(x > mod(t, 1), 1, -1); x(0) = 0.5" --until 2.5 --at 1/6,1,4/3,2.2 | holds --each 'x = [1/2, 1/6, 1, 1/3, 0.6, 0.5] +- 1e-8'
+
+One that is crossed and jumps back, forwards and backwards:
+
+  $ cross="x' = if(x > mod(t, 1), 0.1, -0.1)"
+  $ integrate "$cross" --initial x=0.2 --until 2 --at 2/9 --every 1 | holds --each 'x = [0.2, 2/9, 13/90, 6.2/81] +- 1e-8'
+  $ integrate "$cross" --initial x=6.2/81 --from 2 --until 0 --every 1 | holds --each 'x = [6.2/81, 13/90, 0.2] +- 1e-8'
+
+Numbers of time are expressions
+-------------------------------
+
+  $ swing() { integrate "x'' = -w^2 x; w = 2; x(0) = 1; x'(0) = 0" "$@"; }
+  $ swing --from 0 --until "2 pi/w" --every pi/8 > rows.csv
+  $ holds --each 't = i*pi/8 +- 1e-15*(1+t)' 'x = cos(2*t) +- 2e-8' 'n = 9' < rows.csv
+  $ swing --set w=1 --from pi --until 2*pi --step pi/64 --method rk4 | holds 't = 2*pi +- 1e-15' 'x = -1 +- 1e-6'
+
+Rows at times that are asked for, among those at equal distances; none stands twice:
+
+  $ swing --until 1 --at 0,1/4,0.6,1 | cut -d, -f 1 | paste -s -d '|'
+  t|0|0.25|0.59999999999999998|1
+  $ swing --until 1 --every 0.2 --at '0.5,0.6,sqrt(0.5)' | holds --each 't = [0, 0.2, 0.4, 0.5, 0.6, sqrt(1/2), 0.8, 1] +- 1e-15' 'x = cos(2*t) +- 4e-9'
+  $ swing --from 1 --until 0 --at 0.25,0.75 | holds --each 't = [1, 0.75, 0.25, 0]'
+
+What is refused
+---------------
+
+  $ equation() { refused integrators integrate --until 1 --equation "$@"; }
+  $ equation "x' = arctan(x)" --initial x=1
+  integrators: --equation:1:6: arctan is not a function here; atan is
+    x' = arctan(x)
+         ^^^^^^
+  $ equation "x' = x(t-1)" --initial x=1
+  integrators: --equation:1:6: x at another time: delays are not supported; for a product write x*(...), or a blank before the bracket
+    x' = x(t-1)
+         ^
+  $ equation "x' = floor(x)" --initial x=1
+  integrators: --equation:1:12: floor is known of numbers and of a t + b with numbers a and b alone; where a state or another function of time reaches a known value c, write step(... - c)
+    x' = floor(x)
+               ^
+  $ equation "x' = mod(t, 1e-9)" --initial x=1
+  integrators: --until 1: the equations jump more than a million times before, by floor, ceil, frac or mod; give an earlier end, or longer periods
+  $ refused integrators integrate --equation "x' = -x" --initial x=1 --until 2*q
+  integrators: --until:1:3: q is not defined: it has neither a derivative (q') nor a definition (q = ...)
+    2*q
+      ^
+  $ refused integrators integrate --equation "x' = -x" --initial x=1 --until 2*x
+  integrators: --until:1:1: a time is a number, or an expression of definitions that are
+    2*x
+    ^^^
+  $ equation "x' = -x" --initial x=1 --every 1-2
+  integrators: --every 1-2: must be positive
+  $ equation "x' = -x" --initial x=1 --at 0.5,1.5
+  integrators: --at 1.5: is outside of the run, which goes from 0 to 1
+  $ equation "x' = -x" --initial x=1 --section x=0.5 --at 0.5
+  integrators: --section shows its own rows alone: give neither --event, --every nor --at with it
