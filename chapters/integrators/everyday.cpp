@@ -1,0 +1,96 @@
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "nlmech/comparison/commands/runs.hpp"
+#include "nlmech/scene/program/csv.hpp"
+#include "nlmech/scene/program/typed.hpp"
+#include "nlmech/scene/scene.hpp"
+
+namespace nlmech::chapters::integrators::everyday {
+namespace {
+
+/// A run as `integrate` prints it.
+struct Printed {
+  std::vector<double> t, x;         ///< of all rows, those before and after a change too
+  std::vector<std::string> events;  ///< at each row; may be empty
+};
+
+/// @param options equations and what is asked of them
+Printed printed(const comparison::TypedOptions& options) {
+  const comparison::UserProblem problem = comparison::problem_of(options)({});
+  const comparison::RunOptions run =
+      comparison::run_options(options, problem, problem.initial_state(options.initial));
+  const comparison::Trajectory found =
+      comparison::trajectory(problem, run, comparison::method_of(options, problem, run));
+  Printed all;
+  for (const std::string& line : scene::split(found.rows, '\n')) {
+    const std::vector<std::string> cells = scene::split(line, ',');
+    double t = 0, x = 0;
+    if (cells.size() < 3 || !scene::parse_number(cells[0], t) || !scene::parse_number(cells[1], x)) continue;
+    all.t.push_back(t);
+    all.x.push_back(x);
+    all.events.push_back(cells.back());
+  }
+  return all;
+}
+
+/// The time of the last event of that name.
+double last_time(const Printed& run, const std::string& name) {
+  double t = std::nan("");
+  for (std::size_t i = 0; i < run.t.size(); ++i) {
+    if (run.events[i] == name) t = run.t[i];
+  }
+  return t;
+}
+
+struct Runs {
+  Printed ball, dose, rectifier;
+};
+
+constexpr double restitution = 0.8, gravity = 9.81, rate = 0.1;
+
+Runs runs() {
+  Runs all;
+  all.ball = printed({.equation = "y'' = -9.81; y(0) = 1; y'(0) = 0; when y = 0 falling: y' -> -0.8 y'",
+                      .until = "3.4",
+                      .every = "0.01"});
+  all.dose = printed(
+      {.equation = "c' = -0.1 c; c(0) = 0; at t = 0:12:60: c -> c + 5", .until = "72", .every = "0.25"});
+  all.rectifier = printed({.equation = "v' = (max(sin(t), 0) - v)/3; v(0) = 0",
+                           .until = "30",
+                           .every = "0.05",
+                           .events = {"peak: v' = 0"}});
+  return all;
+}
+
+void put(const Runs& all, scene::Show& show) {
+  scene::Plot& plot = show.plots("Events and switches: a bouncing ball, doses, a rectifier");
+  plot.panel("time, s", "height, m").curve("", all.ball.t, all.ball.x);
+  plot.panel("time, h", "amount, mg").curve("", all.dose.t, all.dose.x);
+  plot.panel("time", "voltage").curve("", all.rectifier.t, all.rectifier.x);
+  plot.size(960, 320);
+
+  const double first = std::sqrt(2 / gravity);
+  double bounce = first;
+  for (int k = 1; k <= 7; ++k) bounce += 2 * first * std::pow(restitution, k);
+  show.at_most("time of the eighth bounce", std::abs(last_time(all.ball, "y = 0 falling") - bounce), 1e-8,
+               "closed form: flights of twice 0.8^k of the first fall");
+  const double kept = std::exp(-12 * rate);
+  const double dose = 5 * kept * (1 - std::pow(kept, 6)) / (1 - kept);
+  show.at_most("amount at the end", std::abs(all.dose.x.back() - dose), 1e-7,
+               "closed form: a geometric series");
+}
+
+}  // namespace
+
+std::vector<scene::Scene> scenes() {
+  const scene::Result result("events", "typed equations with events and switches, tolerance 1e-9",
+                             [](bool) { return runs(); });
+  return {{.name = "events",
+           .title = "Events that change the state, and switches of time",
+           .content = scene::Content(put, result)}};
+}
+
+}  // namespace nlmech::chapters::integrators::everyday
