@@ -4,7 +4,10 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <cmath>
 #include <numbers>
+#include <span>
+#include <vector>
 
 #include "nlmech/ivp/runge_kutta/explicit_runge_kutta.hpp"
 #include "nlmech/ivp/series/series.hpp"
@@ -33,7 +36,7 @@ RC_GTEST_PROP(Events, AreThoseOfTheCosine, ()) {
   const bool backwards = *rc::gen::arbitrary<bool>();
   const double t1 = backwards ? -10.1 : 10.1;
   const auto [end, hits, open] = integrate_with_events(System(testing::Oscillator{.frequency = frequency}),
-                                                 State{1, 0}, 0, t1, accurate, {passes(level)});
+                                                       State{1, 0}, 0, t1, accurate, {passes(level)});
   RC_ASSERT(end.status.ok());
   std::vector<double> truth;
   const double turn = 2 * std::numbers::pi, angle = std::acos(level);
@@ -78,7 +81,7 @@ TEST(Events, ThatEndTheIntegrationAllowToGoOn) {
   State x{0.5, 0};
   for (int bounce = 0; bounce < 20; ++bounce) {
     const auto [end, hits, open] = integrate_with_events(system, x, t, t + 10, accurate,
-                                                   {passes(0, Crossing::falling, true), passes(10)});
+                                                         {passes(0, Crossing::falling, true), passes(10)});
     ASSERT_TRUE(end.status.ok()) << end.status.text();
     ASSERT_EQ(hits.size(), 1U);
     expected += bounce == 0 ? 1 : 2 * speed;
@@ -104,6 +107,65 @@ TEST(Events, OfOtherMethodsAreAsAccurateAsTheirDenseOutput) {
   const auto [end, hits, open] = integrate_with_events(system, State{1, 0}, 0, 3, Ode45{}, {passes(0)});
   ASSERT_EQ(hits.size(), 1U);
   EXPECT_NEAR(hits[0].t, std::numbers::pi / 2, 1e-2);  // ode45's own tolerance is 1e-3
+}
+
+// One step from 0 to 10, and a function of time with 63 zeros: bounds show all of them, signs at 8 places
+// not.
+TEST(Events, WithBoundsNoZeroIsPassedOver) {
+  Event event{[](double t, const State&) { return std::sin(20 * t); }};
+  const auto count = [&] {
+    const Series one_step{.order = 4, .step = 10};
+    return integrate_with_events(falling(), State{0, 0}, 0, 10, one_step, {event}).hits;
+  };
+  EXPECT_LT(count().size(), 10U);
+  event.bounds = [](const program::Interval& t, std::span<const program::Interval>) {
+    return Enclosure{sin(20 * t), 20 * cos(20 * t)};
+  };
+  const std::vector<Hit> hits = count();
+  ASSERT_EQ(hits.size(), 63U);
+  for (std::size_t k = 0; k < hits.size(); ++k) {
+    EXPECT_NEAR(hits[k].t, static_cast<double>(k + 1) * std::numbers::pi / 20, 4 * eps * 10);
+    EXPECT_EQ(hits[k].direction, k % 2 == 0 ? -1 : 1);
+  }
+}
+
+// x = 1 - t^2/2 is 0 at sqrt 2, and x^2 touches zero there.
+TEST(Events, DoubleZerosAreHitsWithoutDirection) {
+  Event square{[](double, const State& x) { return x[0] * x[0]; }};
+  square.bounds = [](const program::Interval&, std::span<const program::Interval> x) {
+    return Enclosure{program::square(x[0]), 2 * (x[0] * x[1])};
+  };
+  const auto found = [&] { return integrate_with_events(falling(), State{1, 0}, 0, 3, Series{}, {square}); };
+  const EventSolution either = found();
+  ASSERT_EQ(either.hits.size(), 1U);
+  EXPECT_EQ(either.hits[0].direction, 0);
+  EXPECT_NEAR(either.hits[0].t, std::sqrt(2), 1e-8);
+  square.crossing = Crossing::falling;
+  EXPECT_TRUE(found().hits.empty());
+  EXPECT_EQ(found().open.size(), 1U);  // and is reported
+}
+
+// The ball of above without an end: each flight takes half of the time of the one before, and all of them
+// together end at 3 after the first fall of 1.
+TEST(Events, ChangeTheState) {
+  Event ground = passes(0, Crossing::falling);
+  ground.change = [](double, State& x) { x[1] = -x[1] / 2; };
+  const auto to = [&](double t1) {
+    return integrate_with_events(falling(), State{0.5, 0}, 0, t1, accurate, {ground});
+  };
+  const EventSolution some = to(2.9);
+  ASSERT_TRUE(some.solution.status.ok()) << some.solution.status.text();
+  ASSERT_EQ(some.hits.size(), 5U);  // at 1, 2, 2.5, 2.75, 2.875
+  EXPECT_NEAR(some.hits[4].t, 2.875, 32 * eps * 3);
+  EXPECT_NEAR(some.hits[4].after[1], 1. / 32, 64 * eps);
+  EXPECT_NEAR(some.solution.x[0], 0.025 / 32 - 0.025 * 0.025 / 2, 64 * eps);
+  const EventSolution all = to(4);
+  EXPECT_EQ(all.solution.status.outcome(), Outcome::outside_validity);
+  EXPECT_NEAR(all.solution.t, 3, 1e-9);
+  // The third one ends it.
+  ground.ends = 3;
+  EXPECT_NEAR(to(4).solution.t, 2.5, 32 * eps * 3);
+  EXPECT_EQ(to(4).hits.size(), 3U);
 }
 
 TEST(Events, MistakesAndFunctionsWithoutValue) {
@@ -132,7 +194,7 @@ TEST(Events, NoValueOnTheWayToTheZero) {
 TEST(Events, TheObserverStillEndsTheIntegration) {
   const System system(testing::Oscillator{});
   const auto [end, hits, open] = integrate_with_events(system, State{1, 0}, 0, 30, Series{}, {passes(0)},
-                                                 [](const Step& step) { return step.t1 < 2; });
+                                                       [](const Step& step) { return step.t1 < 2; });
   EXPECT_EQ(end.status.outcome(), Outcome::interrupted);
   EXPECT_EQ(hits.size(), end.t > 1.5 * std::numbers::pi ? 2U : 1U);
 }
