@@ -149,6 +149,9 @@ TEST(Events, DoubleZerosAreHitsWithoutDirection) {
 // together end at 3 after the first fall of 1.
 TEST(Events, ChangeTheState) {
   Event ground = passes(0, Crossing::falling);
+  ground.bounds = [](const program::Interval&, std::span<const program::Interval> x) {
+    return Enclosure{x[0], x[1]};
+  };
   ground.change = [](double, State& x) { x[1] = -x[1] / 2; };
   const auto to = [&](double t1) {
     return integrate_with_events(falling(), State{0.5, 0}, 0, t1, accurate, {ground});

@@ -56,7 +56,7 @@ const char* const texts[] = {"x + t - 2",
                              "abs(t)^x",
                              "x/3 - 2 x^5",
                              "asinh(x) + acosh(2 + t)",
-                             "floor(x) mod(t, 3)"};
+                             "floor(t) mod(t, 3) x"};
 
 // Any interval, and any numbers in it: the value in long double, which is as good as exact here, is among the
 // bounds.
