@@ -19,42 +19,34 @@ bool same(const Extremal& a, const Extremal& b, double tolerance) {
 
 }  // namespace
 
-Multistart multistart(const ExtremalProblem& problem, std::span<const Start> starts,
-                      const std::function<Extremal(const Start&)>& solve_one,
-                      const MultistartOptions& options) {
+Multistart multistart(const ExtremalProblem& problem, std::span<const Start> starts, const Options& options,
+                      const MultistartOptions& many) {
   const Stopwatch watch;
   Multistart result;
-  for (std::size_t k = 0; k < starts.size() && watch.seconds() <= options.seconds; ++k) {
-    Extremal extremal = solve_one(starts[k]);
+  for (std::size_t k = 0; k < starts.size() && watch.seconds() <= many.seconds; ++k) {
+    Extremal extremal = solve_extremal(problem, starts[k], options);
     result.statistics += extremal.solution.statistics;
     if (!extremal.solution.status.ok()) {
       ++(extremal.solution.status.outcome() == Outcome::spurious_root ? result.spurious : result.failed);
       continue;
     }
     ++result.good;
-    if (extremal.cost > options.highest_cost) continue;
     const auto known = std::find_if(result.found.begin(), result.found.end(), [&](const Found& f) {
-      return same(f.extremal, extremal, options.distinct);
+      return same(f.extremal, extremal, many.distinct);
     });
     if (known != result.found.end()) {
       ++known->hits;
       continue;
     }
-    if (options.second_order_pieces > 0) {
-      extremal.second_order = second_order(problem, extremal.solution, options.second_order_pieces);
+    if (many.second_order_pieces > 0) {
+      extremal.second_order = second_order(problem, extremal.solution, many.second_order_pieces);
     }
-    result.found.push_back({std::move(extremal), 1, k});
+    result.found.push_back({std::move(extremal), 1});
   }
   std::sort(result.found.begin(), result.found.end(),
             [](const Found& a, const Found& b) { return a.extremal.cost < b.extremal.cost; });
   result.statistics.seconds = watch.seconds();
   return result;
-}
-
-Multistart multistart(const ExtremalProblem& problem, std::span<const Start> starts, const Options& options,
-                      const MultistartOptions& many) {
-  const auto solve_one = [&](const Start& start) { return solve_extremal(problem, start, options); };
-  return multistart(problem, starts, solve_one, many);
 }
 
 }  // namespace nlmech::bvp

@@ -59,17 +59,17 @@ class DualControl final : public ControlModel {
     if (j.cols() == 2 * n)
       set_jacobian<2 * n>(t, z, mu, c, j);
     else
-      set_jacobian<2 * n + 2>(t, z, mu, c, j);
+      set_jacobian<2 * n + 1>(t, z, mu, c, j);
   }
 
   /// See ControlModel.
   [[nodiscard]] double hamiltonian(double t, const Eigen::VectorXd& z, double mu, const Constraints& c,
                                    Eigen::VectorXd& gradient) const override {
-    constexpr int variables = 2 * n + 2;
+    constexpr int variables = 2 * n + 1;
     Vector<Dual<double, variables>, 2 * n> f;
     const auto h = dual_flow<variables>(t, z, mu, c, f);
-    gradient.resize(2 * n + 2);
-    for (int k = 0; k < 2 * n + 2; ++k) gradient[k] = h.partial[static_cast<std::size_t>(k)];
+    gradient.resize(variables);
+    for (int k = 0; k < variables; ++k) gradient[k] = h.partial[static_cast<std::size_t>(k)];
     return h.value;
   }
 
@@ -79,10 +79,7 @@ class DualControl final : public ControlModel {
                                             const Constraints& c) const override {
     using First = Dual<double, n + q>;
     using Second = Dual<First, n + q>;
-    const auto seed = [](double value, int k) {
-      Second s = Second::variable(First::variable(value, k), k);
-      return s;
-    };
+    const auto seed = [](double value, int k) { return Second::variable(First::variable(value, k), k); };
     Vector<Second, n> at, g;
     Vector<Second, q> v;
     for (int i = 0; i < n; ++i) at[i] = seed(x[i], i);
@@ -275,7 +272,7 @@ class DualControl final : public ControlModel {
     return h.value;
   }
 
-  /// The flow with its derivatives by z, and where there are two variables more by mu and t.
+  /// The flow with its derivatives by z, and by t if there is a variable more.
   template <int variables>
   Dual<double, variables> dual_flow(double t, const Eigen::VectorXd& z, double mu, const Constraints& c,
                                     Vector<Dual<double, variables>, 2 * n>& f) const {
@@ -288,7 +285,7 @@ class DualControl final : public ControlModel {
     if constexpr (variables == 2 * n)
       return flow(D(t), x, lambda, D(mu), c, f);
     else
-      return flow(D::variable(t, 2 * n + 1), x, lambda, D::variable(mu, 2 * n), c, f);
+      return flow(D::variable(t, 2 * n), x, lambda, D(mu), c, f);
   }
   template <int variables>
   void set_jacobian(double t, const Eigen::VectorXd& z, double mu, const Constraints& c,

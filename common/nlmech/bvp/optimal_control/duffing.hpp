@@ -11,7 +11,7 @@
 namespace nlmech::bvp {
 
 /// x1' = x2, x2' = -omega^2 x1 - beta x1^3 + f with J = (x(T) - x_F)^T S (x(T) - x_F)/2 + integral f^2/2
-/// (Eqs 5.18 to 5.20; L is the integrand alone, against the print of 5.19). The continued number mu is beta.
+/// (Eqs 5.18 to 5.20; L is the integrand alone, against the print of 5.19). mu is beta.
 struct ControlledDuffing {
   static constexpr int states = 2;    ///< position, velocity
   static constexpr int controls = 1;  ///< f
@@ -65,19 +65,18 @@ enum class DuffingCase : std::uint8_t {
 
 /// One problem with the values of Table 5.2; T = 2 and S = I are readings.
 struct DuffingSettings {
-  DuffingCase which = DuffingCase::free;     ///< what is prescribed
-  double final_time = 2;                     ///< T
-  double beta = 0.9;                         ///< nonlinearity
-  double frequency = 1;                      ///< omega_n
-  Eigen::Vector2d begin{0, 0};               ///< x(0) where prescribed
-  Eigen::Vector2d target{5, 2};              ///< x_F; ignored by harmonic
-  Eigen::Vector2d weights{1, 1};             ///< s_11, s_22
-  Eigen::Vector3d amplitudes{1.5, 2, 3};     ///< a_1, a_2, a_3 of the harmonic state
-  double harmonic_frequency = 3;             ///< omega of the harmonic state
-  Constraints constraints = {};              ///< bounds, see solve_bounded
-  std::vector<Waypoint> waypoints = {};      ///< prescribed states between
-  bool free_final_time = false;              ///< T is a first guess only
-  Continued continued = Continued::nothing;  ///< see ControlTask
+  DuffingCase which = DuffingCase::free;  ///< what is prescribed
+  double final_time = 2;                  ///< T
+  double beta = 0.9;                      ///< nonlinearity
+  double frequency = 1;                   ///< omega_n
+  Eigen::Vector2d begin{0, 0};            ///< x(0) where prescribed
+  Eigen::Vector2d target{5, 2};           ///< x_F; ignored by harmonic
+  Eigen::Vector2d weights{1, 1};          ///< s_11, s_22
+  Eigen::Vector3d amplitudes{1.5, 2, 3};  ///< a_1, a_2, a_3 of the harmonic state
+  double harmonic_frequency = 3;          ///< omega of the harmonic state
+  Constraints constraints = {};           ///< bounds, see solve_bounded
+  std::vector<Waypoint> waypoints = {};   ///< prescribed states between
+  bool free_final_time = false;           ///< T is a first guess only
 };
 
 /// x_F; for the harmonic case by Eq. 5.34.
