@@ -8,7 +8,6 @@
 #include <limits>
 #include <vector>
 
-#include "nlmech/algebraic/homotopies/first_scalar_homotopy.hpp"
 #include "nlmech/algebraic/homotopies/scalar_homotopy.hpp"
 #include "nlmech/algebraic/homotopies/vector_homotopy.hpp"
 #include "tests/algebraic/classics.hpp"

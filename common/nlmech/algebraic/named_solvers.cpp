@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "nlmech/algebraic/homotopies/continuous_newton.hpp"
-#include "nlmech/algebraic/homotopies/first_scalar_homotopy.hpp"
 #include "nlmech/algebraic/homotopies/scalar_homotopy.hpp"
 #include "nlmech/algebraic/homotopies/vector_homotopy.hpp"
 #include "nlmech/algebraic/newton/broyden.hpp"

@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
-#include "nlmech/algebraic/newton/potential.hpp"
+#include "nlmech/algebraic/equations.hpp"
 #include "nlmech/frames/loaded_frame.hpp"
 
 namespace nlmech::frames {
