@@ -10,8 +10,8 @@
 #include <stdexcept>
 
 #include "nlmech/ivp/ensemble/integrate_all.hpp"
-#include "nlmech/orbit/acceleration.hpp"
-#include "nlmech/orbit/kernels/ensemble.hpp"
+#include "nlmech/orbit/gravity.hpp"
+#include "nlmech/orbit/kernels/kernel.hpp"
 #include "nlmech/orbit/scaled.hpp"
 #include "nlmech/support/doubles.hpp"
 #include "nlmech/support/sentences.hpp"

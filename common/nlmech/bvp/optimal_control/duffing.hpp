@@ -4,8 +4,8 @@
 
 #include <string_view>
 
-#include "nlmech/bvp/multistart.hpp"
 #include "nlmech/bvp/optimal_control/direct_start.hpp"
+#include "nlmech/bvp/optimal_control/extremal.hpp"
 #include "nlmech/program/vector.hpp"
 
 namespace nlmech::bvp {

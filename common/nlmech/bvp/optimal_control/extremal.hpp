@@ -2,8 +2,11 @@
 /// Optimal control as a boundary value problem: the Euler-Lagrange equations with their end conditions.
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "nlmech/bvp/optimal_control/control_model.hpp"
 #include "nlmech/bvp/solve.hpp"
@@ -167,5 +170,33 @@ using ConstraintPath = std::function<Constraints(double s)>;
 /// Constraints for bounded states: the weight of the penalty grows from 1 to @p weight, the smoothing falls
 /// from 0.1 to 1/sqrt(weight).
 [[nodiscard]] ConstraintPath state_bound_path(std::vector<StateBound> bounds, double weight = 1e4);
+
+/// Options of multistart().
+struct MultistartOptions {
+  /// Two extremals are the same if their initial values and parameters differ by at most this much, relative
+  /// to 1 + their size.
+  double distinct = 1e-5;
+  int second_order_pieces = 0;  ///< of the second-order test of each extremal kept; 0: none
+  double seconds = std::numeric_limits<double>::infinity();  ///< no further start after so much time
+};
+
+/// An extremal and how often it was found.
+struct Found {
+  Extremal extremal;  ///< with its second-order test, if that was asked
+  int hits = 0;       ///< how many starts led to it
+};
+
+/// What many starts led to.
+struct Multistart {
+  std::vector<Found> found;  ///< distinct, cheapest first
+  int good = 0;              ///< starts that led to a solution
+  int spurious = 0;          ///< starts that led to a root that cannot be integrated
+  int failed = 0;            ///< all other starts begun
+  Statistics statistics;     ///< of all of them
+};
+
+/// Calls solve_extremal() for one start after the other.
+[[nodiscard]] Multistart multistart(const ExtremalProblem& problem, std::span<const Start> starts,
+                                    const Options& options = {}, const MultistartOptions& many = {});
 
 }  // namespace nlmech::bvp
