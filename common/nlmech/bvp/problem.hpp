@@ -17,11 +17,6 @@ namespace nlmech::bvp {
 /// by hand derive from this class.
 class Problem {
  public:
-  Problem() = default;
-  /// Copies.
-  Problem(const Problem&) = default;
-  /// Copies.
-  Problem& operator=(const Problem&) = default;
   virtual ~Problem() = default;
 
   /// n >= 1.

@@ -16,11 +16,6 @@ using LongVector = Eigen::Matrix<long double, Eigen::Dynamic, 1>;
 /// potential for every load, unless is_symmetric() says otherwise.
 class Loaded {
  public:
-  Loaded() = default;
-  /// Copies.
-  Loaded(const Loaded&) = default;
-  /// Copies.
-  Loaded& operator=(const Loaded&) = default;
   virtual ~Loaded() = default;
 
   /// n, of unknowns and equations.

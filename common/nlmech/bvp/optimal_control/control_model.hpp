@@ -54,11 +54,6 @@ struct EndCost {
 /// components. DualControl makes a model of functions written once.
 class ControlModel {
  public:
-  ControlModel() = default;
-  /// Copies.
-  ControlModel(const ControlModel&) = default;
-  /// Copies.
-  ControlModel& operator=(const ControlModel&) = default;
   virtual ~ControlModel() = default;
 
   /// n.

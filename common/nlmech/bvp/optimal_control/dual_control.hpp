@@ -32,19 +32,15 @@ class DualControl final : public ControlModel {
 
   /// The functions.
   [[nodiscard]] const P& problem() const { return problem_; }
-  /// See ControlModel.
   [[nodiscard]] int states() const override { return n; }
-  /// See ControlModel.
   [[nodiscard]] int controls() const override { return q; }
 
-  /// See ControlModel.
   void control(double t, const Eigen::VectorXd& z, double mu, const Constraints& c,
                Eigen::VectorXd& u) const override {
     const Vector<double, n> x = z.head<n>(), lambda = z.tail<n>();
     u = eliminated(t, x, lambda, mu, c);
   }
 
-  /// See ControlModel.
   void extremal(double t, const Eigen::VectorXd& z, double mu, const Constraints& c,
                 Eigen::VectorXd& dzdt) const override {
     const Vector<double, n> x = z.head<n>(), lambda = z.tail<n>();
@@ -53,7 +49,6 @@ class DualControl final : public ControlModel {
     dzdt = f;
   }
 
-  /// See ControlModel.
   void extremal_jacobian(double t, const Eigen::VectorXd& z, double mu, const Constraints& c,
                          Eigen::MatrixXd& j) const override {
     if (j.cols() == 2 * n)
@@ -62,7 +57,6 @@ class DualControl final : public ControlModel {
       set_jacobian<2 * n + 1>(t, z, mu, c, j);
   }
 
-  /// See ControlModel.
   [[nodiscard]] double hamiltonian(double t, const Eigen::VectorXd& z, double mu, const Constraints& c,
                                    Eigen::VectorXd& gradient) const override {
     constexpr int variables = 2 * n + 1;
@@ -73,7 +67,6 @@ class DualControl final : public ControlModel {
     return h.value;
   }
 
-  /// See ControlModel.
   [[nodiscard]] HamiltonianExpansion expand(double t, const Eigen::VectorXd& x, const Eigen::VectorXd& u,
                                             const Eigen::VectorXd& lambda, double mu,
                                             const Constraints& c) const override {
@@ -101,7 +94,6 @@ class DualControl final : public ControlModel {
     return e;
   }
 
-  /// See ControlModel.
   void linearise(double t, const Eigen::VectorXd& x, const Eigen::VectorXd& u, double mu,
                  LinearDynamics& linear) const override {
     using First = Dual<double, n + q>;
@@ -113,7 +105,6 @@ class DualControl final : public ControlModel {
     read_off([&](int i) { return g[i]; }, linear);
   }
 
-  /// See ControlModel.
   double dynamics(double t, const Eigen::VectorXd& x, const Eigen::VectorXd& u, double mu,
                   Eigen::VectorXd& g) const override {
     const Vector<double, n> at = x;
@@ -124,7 +115,6 @@ class DualControl final : public ControlModel {
     return problem_.running_cost(t, at, v, mu);
   }
 
-  /// See ControlModel.
   [[nodiscard]] EndCost end_cost(const Eigen::VectorXd& x0, const Eigen::VectorXd& xF,
                                  double tF) const override {
     constexpr int size = 2 * n + 1;

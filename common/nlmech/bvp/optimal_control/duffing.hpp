@@ -106,11 +106,8 @@ struct DuffingStarts {
   int direct = 12;        ///< direct_start from zero, constant, pumping and unforced guesses
   int random = 12;        ///< random_start
   unsigned seed = 1;      ///< of the random ones
-  int direct_pieces = 0;  ///< of direct_start; 0: by the number of oscillations
   /// direct_start from pump_start of strengths 1 to 1.08, where T holds four swings or more; 20 ms a swing.
   int driven = 6;
-  /// Penalty of a miss as large as the target, over the expected cost, of these; less for very many swings.
-  double driven_weight = 2000;
 };
 
 /// The program's own starts: nothing but the settings goes in.

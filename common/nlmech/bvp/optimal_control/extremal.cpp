@@ -296,14 +296,8 @@ ConstraintPath state_bound_path(std::vector<StateBound> bounds, double weight) {
 
 namespace {
 
-bool close(const Eigen::VectorXd& a, const Eigen::VectorXd& b, double tolerance) {
-  if (a.size() == 0) return true;
-  return ((a - b).array().abs() / (1 + b.array().abs())).maxCoeff() <= tolerance;
-}
-
-bool same(const Extremal& a, const Extremal& b, double tolerance) {
-  return close(a.solution.first(), b.solution.first(), tolerance) &&
-         close(a.solution.parameters(), b.solution.parameters(), tolerance);
+bool close(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
+  return a.size() == 0 || ((a - b).array().abs() / (1 + b.array().abs())).maxCoeff() <= 1e-5;
 }
 
 }  // namespace
@@ -321,7 +315,8 @@ Multistart multistart(const ExtremalProblem& problem, std::span<const Start> sta
     }
     ++result.good;
     const auto known = std::find_if(result.found.begin(), result.found.end(), [&](const Found& f) {
-      return same(f.extremal, extremal, many.distinct);
+      const Solution &a = f.extremal.solution, &b = extremal.solution;
+      return close(a.first(), b.first()) && close(a.parameters(), b.parameters());
     });
     if (known != result.found.end()) {
       ++known->hits;

@@ -59,19 +59,14 @@ class ExtremalProblem final : public Problem {
 
   /// 2 n.
   [[nodiscard]] int states() const override { return 2 * n_; }
-  /// See Problem.
   [[nodiscard]] int parameters() const override { return task_.free_final_time ? 1 : 0; }
-  /// See Problem.
   [[nodiscard]] std::vector<double> points() const override { return points_; }
-  /// See Problem.
   void rhs(double t, const Eigen::VectorXd& z, const Eigen::VectorXd& p,
            Eigen::VectorXd& dzdt) const override;
-  /// See Problem.
   void jacobian(double t, const Eigen::VectorXd& z, const Eigen::VectorXd& p, Eigen::MatrixXd& by_state,
                 Eigen::MatrixXd& by_parameter) const override;
   /// See Problem. The order: start and end by component, waypoints, t_F.
   void conditions(const Eigen::MatrixXd& ends, const Eigen::VectorXd& p, Eigen::VectorXd& r) const override;
-  /// See Problem.
   void condition_jacobian(const Eigen::MatrixXd& ends, const Eigen::VectorXd& p, Eigen::MatrixXd& by_ends,
                           Eigen::MatrixXd& by_parameter) const override;
 
@@ -173,9 +168,6 @@ using ConstraintPath = std::function<Constraints(double s)>;
 
 /// Options of multistart().
 struct MultistartOptions {
-  /// Two extremals are the same if their initial values and parameters differ by at most this much, relative
-  /// to 1 + their size.
-  double distinct = 1e-5;
   int second_order_pieces = 0;  ///< of the second-order test of each extremal kept; 0: none
   double seconds = std::numeric_limits<double>::infinity();  ///< no further start after so much time
 };
@@ -195,7 +187,8 @@ struct Multistart {
   Statistics statistics;     ///< of all of them
 };
 
-/// Calls solve_extremal() for one start after the other.
+/// Calls solve_extremal() for one start after the other. Two extremals are the same if their initial values
+/// and parameters differ by at most 1e-5, relative to 1 + their size.
 [[nodiscard]] Multistart multistart(const ExtremalProblem& problem, std::span<const Start> starts,
                                     const Options& options = {}, const MultistartOptions& many = {});
 

@@ -67,19 +67,13 @@ class GlobalCollocation final : public algebraic::Equations {
   /// Residuals of the end conditions in their order: what Table 5.3 prints.
   [[nodiscard]] Eigen::VectorXd condition_residuals(const Eigen::VectorXd& unknowns) const;
 
-  /// See Equations.
   [[nodiscard]] Eigen::Index size() const override { return n_ * nodes_; }
-  /// See Equations.
   void residual(const Eigen::VectorXd& x, Eigen::VectorXd& f) override;
-  /// See Equations.
   void linearise(const Eigen::VectorXd& x) override;
-  /// See Equations.
   void apply(const Eigen::VectorXd& v, Eigen::VectorXd& out) const override { out = matrix_ * v; }
-  /// See Equations.
   void apply_transposed(const Eigen::VectorXd& v, Eigen::VectorXd& out) const override {
     out = matrix_.transpose() * v;
   }
-  /// See Equations.
   void matrix(Eigen::MatrixXd& b) const override { b = matrix_; }
 
  private:
@@ -112,21 +106,14 @@ class CondensedCollocation final : public algebraic::Equations {
   /// All unknowns, the eliminated ones from the others.
   [[nodiscard]] Eigen::VectorXd expanded(const Eigen::VectorXd& some) const;
 
-  /// See Equations.
   [[nodiscard]] Eigen::Index size() const override { return static_cast<Eigen::Index>(kept_.size()); }
-  /// See Equations.
   void residual(const Eigen::VectorXd& x, Eigen::VectorXd& f) override;
-  /// See Equations.
   void linearise(const Eigen::VectorXd& x) override;
-  /// See Equations.
   void apply(const Eigen::VectorXd& v, Eigen::VectorXd& out) const override { out = matrix_ * v; }
-  /// See Equations.
   void apply_transposed(const Eigen::VectorXd& v, Eigen::VectorXd& out) const override {
     out = matrix_.transpose() * v;
   }
-  /// See Equations.
   void matrix(Eigen::MatrixXd& b) const override { b = matrix_; }
-  /// See Equations.
   [[nodiscard]] Status status() const override { return equations_.status(); }
 
  private:
