@@ -104,7 +104,6 @@ void check(const ScalarHomotopy& method) {
   require(method.turn >= 0 && std::isfinite(method.turn), "turn", method.turn, "0 or positive");
   require(method.longest > 0 && std::isfinite(method.longest), "longest", method.longest, "positive");
   require(method.tolerance >= 0, "tolerance", method.tolerance, "0 or positive");
-  require(method.power > 0 && std::isfinite(method.power), "power", method.power, "positive");
   require(method.steps >= 0, "steps", static_cast<double>(method.steps), "0 or positive");
 }
 
@@ -122,7 +121,6 @@ class HomotopyFlow {
         equations_(equations),
         origin_(x),
         gradient_(x.size()),
-        drive_(x.size()),
         now_(x.size()),
         next_(x.size()) {
     now_.x = x;
@@ -159,34 +157,22 @@ class HomotopyFlow {
   }
 
   //! [scalar homotopy flow]
-  // Eq. 2.14 with |F|^2/2 Q'/Q for dh/dt, its value on h = 0; u = w = dh/dx unless another one is chosen.
+  // Eq. 2.14 with |F|^2/2 for dh/dt, its value on h = 0, and u = w = dh/dx.
   Outcome velocity(Point& p, double t) {
-    const bool is_power = method_.growth == ScalarHomotopy::Growth::power;
     equations_.linearise(p.x);
     ++report_.statistics.jacobians;
     equations_.apply_transposed(p.f, gradient_);
-    if (method_.drive == ScalarHomotopy::Drive::transposed_residual) drive_ = gradient_;
-    if (method_.drive == ScalarHomotopy::Drive::residual) drive_ = p.f;
     if (method_.function == ScalarHomotopy::Function::fixed_point)
-      gradient_ -= (is_power ? std::pow(1 + t, -method_.power) : std::exp(-t)) * (p.x - origin_);
-    const double slope = gradient_.norm(), rate = is_power ? method_.power / (1 + t) : 1;
+      gradient_ -= std::exp(-t) * (p.x - origin_);
+    const double slope = gradient_.norm();
     if (!std::isfinite(slope)) return Outcome::non_finite;
     if (slope == 0) return Outcome::singular_matrix;
     // In this order no square can over- or underflow.
     gradient_ /= slope;
-    p.velocity = (-0.5 * rate * p.norm / slope * p.norm) * gradient_;
-    return method_.drive == ScalarHomotopy::Drive::gradient ? Outcome::success : turn_velocity(p);
+    p.velocity = (-0.5 * p.norm / slope * p.norm) * gradient_;
+    return Outcome::success;
   }
   //! [scalar homotopy flow]
-
-  // Another u: the velocity keeps its component along w.
-  Outcome turn_velocity(Point& p) {
-    drive_ /= drive_.norm();
-    const double cosine = gradient_.dot(drive_);
-    if (!(std::abs(cosine) > 0)) return Outcome::singular_matrix;
-    p.velocity = p.velocity.dot(gradient_) / cosine * drive_;
-    return p.velocity.allFinite() ? Outcome::success : Outcome::singular_matrix;
-  }
 
   // Euler's rule, and F and the velocity at its end.
   Outcome advance(double step) {
@@ -256,7 +242,7 @@ class HomotopyFlow {
   const ScalarHomotopy& method_;
   Equations& equations_;
   const Eigen::VectorXd origin_;
-  Eigen::VectorXd gradient_, drive_;
+  Eigen::VectorXd gradient_;
   Point now_, next_;
   Report report_;
 };

@@ -56,8 +56,8 @@ struct FirstScalarHomotopy {
 /// B^T F = 0 and F is not, at a minimum of |F|; Euler's rule with a fixed step mostly jumps over it, and
 /// wanders if no root is near.
 ///
-/// Tests hold the flow to the exact one in one variable and its invariant to first order (ratio of errors
-/// within 0.1 of 2), the first step to Newton's times dt/2, and the path to be the same in turned coordinates
+/// Tests compare the flow with the exact one in one variable, its invariant to first order (ratio of errors
+/// within 0.1 of 2), the first step with Newton's times dt/2, and the path with that in turned coordinates
 /// (1e-11).
 struct ScalarHomotopy {
   /// Which h.
@@ -65,36 +65,21 @@ struct ScalarHomotopy {
     fixed_point,  ///< Eqs 2.12 and 2.15
     newton        ///< Eqs 2.13 and 2.16
   };
-  /// Driving vector u of Eq. 2.14, dx/dt = -(Q'/Q) |F|^2/2 u/(w.u): the direction of the flow. What the exact
-  /// flow keeps does not depend on it. A flow along another vector than dh/dx has no direction where w.u = 0.
-  enum class Drive : std::uint8_t {
-    gradient,            ///< u = w = dh/dx
-    residual,            ///< u = F
-    transposed_residual  ///< u = B^T F, the gradient of |F|^2/2: that of the fixed point for Q = infinity
-  };
-  /// Q(t) of Eqs 2.12 and 2.13, by which |F|^2 falls like 1/Q.
-  enum class Growth : std::uint8_t {
-    exponential,  ///< e^t
-    power         ///< (1 + t)^m: Euler's steps of equal length become shorter ones, like m/(1 + t)
-  };
   Function function = Function::fixed_point;  ///< which h
   double step = 1;  ///< of fictitious time by Euler's rule, positive; the first one if they are chosen
   /// 0: all steps are equal. Else steps are chosen, up to `longest`, so that the estimated error of each is
   /// at most this fraction of the length |dx| of the step itself: |x'_1 - x'_0| <= 2 turn |x'_0| for the
   /// velocities at its ends. In one variable, near the root, that is a step of 4 turn.
   double turn = 0;
-  double longest = 2;                   ///< no chosen step is longer; positive
-  double tolerance = 1e-10;             ///< done when |F|, Euclidean, is no greater; not negative
-  std::int64_t steps = 100'000;         ///< at most so many steps, rejected ones included; else `step_limit`
-  Drive drive = Drive::gradient;        ///< u
-  Growth growth = Growth::exponential;  ///< Q
-  double power = 1;                     ///< m of (1 + t)^m, positive
+  double longest = 2;            ///< no chosen step is longer; positive
+  double tolerance = 1e-10;      ///< done when |F|, Euclidean, is no greater; not negative
+  std::int64_t steps = 100'000;  ///< at most so many steps, rejected ones included; else `step_limit`
 };
 
-/// Runs the flow. Outcomes besides success: `singular_matrix` where w.u (u = w: w) vanishes and F
-/// does not; `non_finite` if F or B^T F is not finite, with chosen steps only at the start; `step_underflow`
-/// if a chosen step falls below 1e-12, as it does on the way to a minimum of |F| that is no root;
-/// `step_limit`; `interrupted`. statistics: rejected steps cost F and B once each, as accepted ones do.
+/// Runs the flow. Outcomes besides success: `singular_matrix` where w vanishes and F does not; `non_finite`
+/// if F or B^T F is not finite, with chosen steps only at the start; `step_underflow` if a chosen step falls
+/// below 1e-12, as it does on the way to a minimum of |F| that is no root; `step_limit`; `interrupted`.
+/// statistics: rejected steps cost F and B once each, as accepted ones do.
 /// @throws std::invalid_argument if an option is out of range, or x has another size than the equations
 [[nodiscard]] Report find_root(const ScalarHomotopy& method, Equations& equations, Eigen::VectorXd& x,
                                const Observer& observer = {});
