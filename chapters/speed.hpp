@@ -19,7 +19,6 @@
 #include <utility>
 #include <vector>
 
-#include "nlmech/scene/evidence/bench.hpp"
 #include "nlmech/scene/evidence/ratios.hpp"
 #include "nlmech/support/stopwatch.hpp"
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "nlmech/algebraic/named_solvers.hpp"
-#include "nlmech/algebraic/newton/potential.hpp"
+#include "nlmech/algebraic/equations.hpp"
 #include "nlmech/peers/algebraic/kinsol.hpp"
 #include "nlmech/program/dual.hpp"
 #include "tests/adversary/adversary.hpp"

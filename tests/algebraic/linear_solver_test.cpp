@@ -15,7 +15,7 @@
 #include <type_traits>
 
 #include "nlmech/algebraic/dense_lu.hpp"
-#include "nlmech/algebraic/newton/trust_region_step.hpp"
+#include "nlmech/algebraic/newton/energy_trust_region.hpp"
 #include "nlmech/algebraic/symmetric_solver.hpp"
 #include "tests/algebraic/classics.hpp"
 

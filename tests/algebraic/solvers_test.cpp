@@ -7,8 +7,8 @@
 #include <limits>
 #include <set>
 
+#include "nlmech/algebraic/equations.hpp"
 #include "nlmech/algebraic/named_solvers.hpp"
-#include "nlmech/algebraic/newton/potential.hpp"
 #include "tests/algebraic/classics.hpp"
 #include "tests/thrown.hpp"
 

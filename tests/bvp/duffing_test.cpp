@@ -213,6 +213,23 @@ TEST(Duffing, InteriorPointMakesTheCostateJump) {
   EXPECT_NEAR(e.solution.at(1, Side::after)[2], 61.831273, 1e-6);
 }
 
+TEST(Duffing, BoundedForceMatchesShooting) {
+  // |f| <= 15 of the fixed case at T = 2, d = 1e-4, polished by shooting with steps of 0.01.
+  DuffingSettings settings;
+  settings.which = DuffingCase::fixed;
+  const ExtremalProblem problem = duffing_problem(settings);
+  const Multistart m =
+      duffing_extremals(settings, {.unforced = 0, .pumps = 2, .direct = 4, .random = 0}, {}, {});
+  ASSERT_FALSE(m.found.empty());
+  const Extremal e =
+      tighten(problem, start_from(m.found[0].extremal.solution), control_bound_path(16.42, 15, 1e-4));
+  ASSERT_TRUE(e.solution.status.ok()) << e.solution.status.text();
+  EXPECT_NEAR(e.cost, 122.3004593, 1e-7);
+  EXPECT_NEAR(e.solution.first()[2], -21.30021353, 1e-7);
+  EXPECT_NEAR(e.solution.first()[3], 0.9462278952, 1e-7);
+  EXPECT_LE(e.miss, 1e-9);
+}
+
 TEST(Duffing, NamesAndTargets) {
   EXPECT_EQ(to_string(DuffingCase::final_only), "final-only");
   EXPECT_EQ(duffing_cases().size(), 8U);

@@ -4,7 +4,6 @@
 
 #include <memory>
 
-#include "nlmech/bvp/continuation.hpp"
 #include "nlmech/bvp/optimal_control/direct_start.hpp"
 #include "nlmech/bvp/optimal_control/dual_control.hpp"
 #include "nlmech/bvp/optimal_control/duffing.hpp"
@@ -153,6 +152,8 @@ TEST(Extremal, RefusesWhatCannotBeMeant) {
   task = rest_to_rest(2);
   task.constraints.control_limit = -1;
   EXPECT_THROW((void)mass(task), std::invalid_argument);
+  EXPECT_THROW((void)control_bound_path(0, 1), std::invalid_argument);
+  EXPECT_THROW((void)state_bound_path({}, 0.5), std::invalid_argument);
 }
 
 }  // namespace

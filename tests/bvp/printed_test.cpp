@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include "nlmech/algebraic/homotopies/scalar_homotopy.hpp"
-#include "nlmech/bvp/newton/condensed.hpp"
 #include "nlmech/bvp/optimal_control/duffing.hpp"
 #include "tests/errata/erratum.hpp"
 

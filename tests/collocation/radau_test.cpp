@@ -11,9 +11,7 @@
 #include <limits>
 #include <numbers>
 
-#include "nlmech/collocation/radau/radau_defect.hpp"
 #include "nlmech/collocation/radau/radau_transform.hpp"
-#include "nlmech/collocation/radial/gaussian_radau.hpp"
 #include "nlmech/collocation/radial/stable_gaussian.hpp"
 #include "nlmech/support/extended_real.hpp"
 

@@ -1,5 +1,4 @@
 /// The choice of a shape: leaving one out, the rule of thumb, and the least error of a known slope.
-#include "nlmech/collocation/radial/shape.hpp"
 
 #include <gtest/gtest.h>
 

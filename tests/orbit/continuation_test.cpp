@@ -10,7 +10,6 @@
 
 #include "nlmech/orbit/convergence.hpp"
 #include "nlmech/orbit/expansion.hpp"
-#include "nlmech/orbit/extended.hpp"
 #include "nlmech/orbit/kepler.hpp"
 #include "tests/orbit/oracle.hpp"
 #include "tests/thrown.hpp"

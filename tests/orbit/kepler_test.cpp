@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "nlmech/orbit/stumpff.hpp"
+#include "nlmech/orbit/universal.hpp"
 #include "tests/orbit/oracle.hpp"
 #include "tests/thrown.hpp"
 

@@ -8,7 +8,7 @@
 
 #include "nlmech/orbit/continuation.hpp"
 #include "nlmech/orbit/ensemble.hpp"
-#include "nlmech/orbit/extended.hpp"
+#include "nlmech/orbit/expansion.hpp"
 #include "nlmech/program/dual.hpp"
 #include "nlmech/support/extended_real.hpp"
 #include "tests/orbit/oracle.hpp"

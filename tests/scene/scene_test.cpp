@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "nlmech/scene/build_info.hpp"
-#include "nlmech/scene/provenance.hpp"
+#include "nlmech/scene/publish.hpp"
 #include "nlmech/scene/show.hpp"
 #include "nlmech/support/errors.hpp"
 #include "tests/places.hpp"

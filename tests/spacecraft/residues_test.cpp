@@ -9,7 +9,6 @@
 #include <stdexcept>
 
 #include "nlmech/spacecraft/plant/roots.hpp"
-#include "nlmech/spacecraft/plant/zero_cluster.hpp"
 
 namespace nlmech::spacecraft::residues_test {
 namespace {

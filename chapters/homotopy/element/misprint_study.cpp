@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "chapters/homotopy/solvers/iterations.hpp"
-#include "nlmech/scene/evidence/printed.hpp"
+#include "nlmech/scene/evidence/published.hpp"
 #include "nlmech/scene/scene.hpp"
 
 namespace nlmech::chapters::homotopy::misprint_study {

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "nlmech/algebraic/homotopies/scalar_homotopy.hpp"
-#include "nlmech/scene/evidence/printed.hpp"
+#include "nlmech/scene/evidence/published.hpp"
 
 namespace nlmech::chapters::homotopy {
 namespace {

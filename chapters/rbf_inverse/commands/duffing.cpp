@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "chapters/rbf_inverse/commands/commands.hpp"
-#include "nlmech/bvp/continuation.hpp"
 #include "nlmech/bvp/optimal_control/duffing.hpp"
 #include "nlmech/support/errors.hpp"
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "chapters/rbf_inverse/control/duffing_runs.hpp"
-#include "nlmech/bvp/continuation.hpp"
+#include "nlmech/bvp/optimal_control/extremal.hpp"
 #include "nlmech/support/errors.hpp"
 
 namespace nlmech::chapters::rbf_inverse::constraints {

@@ -74,8 +74,7 @@ void one_interval(const Subject& s, const char* method, DerivativeMatrix derivat
 void refined_intervals(const Subject& s) {
   s.begin(refined, many);
   for (int power = 3; power <= 12; power += s.quick ? 3 : 1) {
-    const bvp::Options options{
-        .family = bvp::Family::lobatto, .nodes = 6, .intervals = 3, .tolerance = std::pow(10, -power)};
+    const bvp::Options options{.nodes = 6, .intervals = 3, .tolerance = std::pow(10, -power)};
     s.add(fmt::format("tolerance 1e-{}", power),
           [&] { return answer_of(solve_extremal(s.problem, s.start, options).solution); });
   }

@@ -9,7 +9,7 @@
 
 #include "chapters/rbf_ivp/shapes/arcs.hpp"
 #include "nlmech/collocation/differentiation.hpp"
-#include "nlmech/collocation/radial/shape.hpp"
+#include "nlmech/collocation/radial/shape_choice.hpp"
 #include "nlmech/problems/duffing.hpp"
 #include "nlmech/scene/scene.hpp"
 

@@ -12,7 +12,7 @@
 #include "nlmech/ivp/runge_kutta/rkn1210.hpp"
 #include "nlmech/orbit/continuation.hpp"
 #include "nlmech/orbit/elements.hpp"
-#include "nlmech/orbit/extended.hpp"
+#include "nlmech/orbit/expansion.hpp"
 #include "nlmech/orbit/kepler.hpp"
 #include "nlmech/program/dual.hpp"
 #include "nlmech/scene/scene.hpp"

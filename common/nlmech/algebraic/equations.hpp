@@ -30,11 +30,6 @@ namespace nlmech::algebraic {
 /// n equations F(x) = 0 for n unknowns, and their derivative B = dF/dx.
 class Equations {
  public:
-  Equations() = default;
-  /// Copies.
-  Equations(const Equations&) = default;
-  /// Copies.
-  Equations& operator=(const Equations&) = default;
   virtual ~Equations() = default;
 
   /// n, of unknowns and equations.
@@ -58,6 +53,16 @@ class Equations {
   [[nodiscard]] virtual Status status() const { return {}; }
 };
 
+/// F = dV/dx: the roots are stationary points of V, and B, its Hessian, is symmetric.
+///
+/// Past a limit point |F| has minima that are no roots, and a method that only lets |F| fall ends there. V
+/// has none of that kind: where V is bounded below, a minimum of V is a root, and a stable equilibrium.
+class Potential : public Equations {
+ public:
+  /// V(x); not finite where V does not exist.
+  [[nodiscard]] virtual double energy(const Eigen::VectorXd& x) = 0;
+};
+
 /// Equations from two functions.
 class DenseEquations : public Equations {
  public:
@@ -72,17 +77,11 @@ class DenseEquations : public Equations {
   /// @throws std::invalid_argument if n is below 1 or a function is empty
   DenseEquations(Eigen::Index n, Residual residual, Derivative derivative);
 
-  /// See Equations.
   [[nodiscard]] Eigen::Index size() const override { return b_.rows(); }
-  /// See Equations.
   void residual(const Eigen::VectorXd& x, Eigen::VectorXd& f) override { residual_(x, f); }
-  /// See Equations.
   void linearise(const Eigen::VectorXd& x) override { derivative_(x, b_); }
-  /// See Equations.
   void apply(const Eigen::VectorXd& v, Eigen::VectorXd& out) const override;
-  /// See Equations.
   void apply_transposed(const Eigen::VectorXd& v, Eigen::VectorXd& out) const override;
-  /// See Equations.
   void matrix(Eigen::MatrixXd& b) const override { b = b_; }
 
  private:

@@ -9,12 +9,10 @@
 #include <utility>
 
 #include "nlmech/algebraic/homotopies/continuous_newton.hpp"
-#include "nlmech/algebraic/homotopies/first_scalar_homotopy.hpp"
 #include "nlmech/algebraic/homotopies/scalar_homotopy.hpp"
 #include "nlmech/algebraic/homotopies/vector_homotopy.hpp"
 #include "nlmech/algebraic/newton/broyden.hpp"
 #include "nlmech/algebraic/newton/descent.hpp"
-#include "nlmech/algebraic/newton/dogleg.hpp"
 #include "nlmech/algebraic/newton/energy_trust_region.hpp"
 #include "nlmech/algebraic/newton/least_squares.hpp"
 #include "nlmech/algebraic/paths/path_solvers.hpp"

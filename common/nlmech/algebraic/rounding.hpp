@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "nlmech/algebraic/newton/potential.hpp"
+#include "nlmech/algebraic/equations.hpp"
 
 namespace nlmech::algebraic {
 

@@ -1,5 +1,5 @@
 /// @file
-/// What a boundary value problem is: x' = f(t, x, p) with conditions at both ends and at points between.
+/// A boundary value problem: x' = f(t, x, p) with conditions at both ends and at points between.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,15 +13,10 @@ namespace nlmech::bvp {
 /// own, and n K + m conditions r(ends, p) = 0 determine the solution: prescribed values, the continuity of
 /// what does not jump, and whatever else holds at the points. Sizes are run-time values.
 ///
-/// DualProblem makes one of equations written once, with derivatives by dual numbers; who has derivatives of
-/// his own derives from this class.
+/// DualProblem makes a problem of equations written once, with derivatives by dual numbers. For derivatives
+/// by hand derive from this class.
 class Problem {
  public:
-  Problem() = default;
-  /// Copies.
-  Problem(const Problem&) = default;
-  /// Copies.
-  Problem& operator=(const Problem&) = default;
   virtual ~Problem() = default;
 
   /// n >= 1.
@@ -30,8 +25,6 @@ class Problem {
   [[nodiscard]] virtual int parameters() const { return 0; }
   /// t_0 < t_1 < ... < t_K, finite; K >= 1.
   [[nodiscard]] virtual std::vector<double> points() const = 0;
-  /// How many conditions there are; anything but n K + m is refused by solve().
-  [[nodiscard]] virtual int condition_count() const;
 
   /// dxdt = f(t, x, p), which has n components already.
   virtual void rhs(double t, const Eigen::VectorXd& x, const Eigen::VectorXd& p,
@@ -39,7 +32,7 @@ class Problem {
   /// by_state = df/dx, n by n, and by_parameter = df/dp, n by m, which have these sizes already.
   virtual void jacobian(double t, const Eigen::VectorXd& x, const Eigen::VectorXd& p,
                         Eigen::MatrixXd& by_state, Eigen::MatrixXd& by_parameter) const = 0;
-  /// r(ends, p). Columns 2k and 2k + 1 of @p ends are x at the begin and at the end of phase k.
+  /// r(ends, p). Columns 2k and 2k + 1 of @p ends are x at the start and at the end of phase k.
   virtual void conditions(const Eigen::MatrixXd& ends, const Eigen::VectorXd& p,
                           Eigen::VectorXd& r) const = 0;
   /// dr/d(ends), its columns in the order of ends.reshaped(), and dr/dp; sizes are set already.
@@ -48,13 +41,15 @@ class Problem {
 
   /// K.
   [[nodiscard]] int phases() const { return static_cast<int>(points().size()) - 1; }
+  /// n K + m.
+  [[nodiscard]] int condition_count() const { return states() * phases() + parameters(); }
 };
 
-/// Where Newton's iteration begins: a function of time, and the unknown constants.
+/// Start of Newton's iteration: a function of time, and the unknown constants.
 struct Start {
   std::function<void(double t, Eigen::VectorXd& x)> states;  ///< writes x(t); x has n components already
   Eigen::VectorXd parameters = {};                           ///< m of them
-  std::vector<double> mesh = {};  ///< times to begin with, ascending, both ends and all points among them;
+  std::vector<double> mesh = {};  ///< first mesh: ascending times, both ends and all points among them;
                                   ///< empty: equal intervals
 };
 

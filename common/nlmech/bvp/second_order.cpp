@@ -1,10 +1,12 @@
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
+#include <Eigen/QR>
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
 
 #include "nlmech/bvp/optimal_control/extremal.hpp"
-#include "nlmech/bvp/optimal_control/second_variation.hpp"
 
 namespace nlmech::bvp {
 namespace {
@@ -14,6 +16,30 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr int substeps = 8;  // of the implicit midpoint rule, on each piece of the control
+
+/// By the eigenvalues of the Hessian of the cost on the directions v with r v = 0 for every row r of @p held,
+/// which are linearly independent.
+SecondOrder classify(const MatrixXd& hessian, const std::vector<Eigen::RowVectorXd>& held) {
+  const auto count = static_cast<Index>(held.size());
+  MatrixXd reduced = hessian;
+  if (count > 0) {
+    MatrixXd rows(count, hessian.rows());
+    for (Index i = 0; i < count; ++i) rows.row(i) = held[static_cast<std::size_t>(i)];
+    const MatrixXd q = Eigen::HouseholderQR<MatrixXd>(rows.transpose()).householderQ();
+    const MatrixXd null = q.rightCols(hessian.rows() - count);
+    reduced = null.transpose() * hessian * null;
+  }
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(reduced, Eigen::EigenvaluesOnly);
+  const VectorXd& values = eigen.eigenvalues();
+  SecondOrder result;
+  result.least = values.minCoeff();
+  result.tolerance = 1e-6 * std::max(1.0, values.maxCoeff());
+  result.negative = static_cast<int>((values.array() < -result.tolerance).count());
+  result.kind = result.negative > 0               ? Kind::saddle
+                : result.least > result.tolerance ? Kind::minimum
+                                                  : Kind::degenerate;
+  return result;
+}
 
 /// Linearised trajectories dx = S v and the Hessian of the cost in v: the free components of dx(t_0), then
 /// the controls, scaled so that |v|^2 is the integral of |du|^2.
@@ -67,7 +93,7 @@ class Variation {
     const VectorXd& p = solution_.parameters();
     const VectorXd z = solution_.at(t), u = control_at(problem_, solution_, t);
     const Constraints& c = problem_.task().constraints;
-    const auto e = model_.expand(problem_.true_time(t, p), z.head(n_), u, z.tail(n_), problem_.mu(p), c);
+    const auto e = model_.expand(problem_.true_time(t, p), z.head(n_), u, z.tail(n_), problem_.task().mu, c);
     // Later controls change nothing yet: only the first columns of S. v of this piece are rows of du.
     const Index live = static_cast<Index>(free_.size()) + Index{piece + 1} * q_;
     MatrixXd du = MatrixXd::Zero(q_, live);

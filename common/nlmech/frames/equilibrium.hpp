@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
-#include "nlmech/algebraic/newton/potential.hpp"
+#include "nlmech/algebraic/equations.hpp"
 #include "nlmech/frames/loaded_frame.hpp"
 
 namespace nlmech::frames {
@@ -30,27 +30,20 @@ class Equilibrium : public algebraic::Potential {
   /// The structure.
   [[nodiscard]] const Frame& frame() const { return loaded_.frame(); }
 
-  /// See Equations.
   [[nodiscard]] Eigen::Index size() const override { return loaded_.size(); }
   /// See Equations; also not finite where the frame's own status is a failure, `wrong_branch` excepted.
   void residual(const Eigen::VectorXd& x, Eigen::VectorXd& f) override;
-  /// See Equations.
   void linearise(const Eigen::VectorXd& x) override;
-  /// See Equations.
   void apply(const Eigen::VectorXd& v, Eigen::VectorXd& out) const override {
     out.noalias() = *loaded_.sparse() * v;
   }
-  /// See Equations.
   void apply_transposed(const Eigen::VectorXd& v, Eigen::VectorXd& out) const override {
     out.noalias() = loaded_.sparse()->transpose() * v;
   }
-  /// See Equations.
   void matrix(Eigen::MatrixXd& b) const override { loaded_.matrix(b); }
-  /// See Equations.
   [[nodiscard]] const Eigen::SparseMatrix<double>* sparse() const override { return loaded_.sparse(); }
   /// What the frame said last.
   [[nodiscard]] Status status() const override { return status_; }
-  /// See Potential.
   [[nodiscard]] double energy(const Eigen::VectorXd& x) override;
 
  private:
@@ -75,17 +68,12 @@ class WilliamsEquilibrium : public algebraic::Potential {
 
   /// 1
   [[nodiscard]] Eigen::Index size() const override { return 1; }
-  /// See Equations.
   void residual(const Eigen::VectorXd& x, Eigen::VectorXd& f) override;
-  /// See Equations.
   void linearise(const Eigen::VectorXd& x) override { loaded_.linearise(x, load_); }
-  /// See Equations.
   void apply(const Eigen::VectorXd& v, Eigen::VectorXd& out) const override { out = loaded_.slope() * v; }
-  /// See Equations.
   void apply_transposed(const Eigen::VectorXd& v, Eigen::VectorXd& out) const override {
     out = loaded_.slope() * v;
   }
-  /// See Equations.
   void matrix(Eigen::MatrixXd& b) const override { loaded_.matrix(b); }
   /// Says where the equation ends.
   [[nodiscard]] Status status() const override { return status_; }

@@ -58,23 +58,16 @@ class LoadedFrame : public algebraic::Loaded {
   /// The beam-column that has lost most of its length. @param x free unknowns
   [[nodiscard]] ShortestMember shortest(const Eigen::VectorXd& x, double load) const;
 
-  /// See Loaded.
   [[nodiscard]] Eigen::Index size() const override { return size_; }
   /// See Loaded; also not finite where the frame's own status is a failure, `wrong_branch` excepted.
   void residual(const Eigen::VectorXd& x, double load, Eigen::VectorXd& f) override;
-  /// See Loaded.
   void linearise(const Eigen::VectorXd& x, double load) override;
   /// -q; with given motions K d - q of the free unknowns, d being the given displacements.
   void load_vector(Eigen::VectorXd& q) const override { q = column_; }
-  /// See Loaded.
   void matrix(Eigen::MatrixXd& k) const override { k = tangent_; }
-  /// See Loaded.
   [[nodiscard]] const Eigen::SparseMatrix<double>* sparse() const override { return &tangent_; }
-  /// See Loaded.
   bool long_matrix(const algebraic::LongVector& x, double load, Eigen::SparseMatrix<long double>& k) override;
-  /// See Loaded.
   bool long_residual(const algebraic::LongVector& x, double load, Eigen::VectorXd& f) override;
-  /// See Frame.
   [[nodiscard]] double data_rounding(const Eigen::VectorXd& v) const override {
     return frame_.data_rounding(shape(v));
   }
@@ -110,13 +103,10 @@ class LoadedWilliams : public algebraic::Loaded {
   [[nodiscard]] const Williams& toggle() const { return toggle_; }
   /// dF/ddelta of linearise().
   [[nodiscard]] double slope() const { return slope_; }
-  /// See Loaded.
   void residual(const Eigen::VectorXd& x, double load, Eigen::VectorXd& f) override;
-  /// See Loaded.
   void linearise(const Eigen::VectorXd& x, double load) override;
   /// -1/2.
   void load_vector(Eigen::VectorXd& q) const override { q.setConstant(1, -0.5); }
-  /// See Loaded.
   void matrix(Eigen::MatrixXd& k) const override { k.setConstant(1, 1, slope_); }
 
  private:

@@ -8,7 +8,10 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "nlmech/orbit/walk.hpp"
+#include "nlmech/orbit/expansion.hpp"
+#include "nlmech/orbit/kernels/kernel.hpp"
+#include "nlmech/support/sentences.hpp"
+#include "nlmech/support/stopwatch.hpp"
 
 namespace nlmech::orbit {
 namespace {
@@ -25,6 +28,283 @@ void check_task(const State& start, double t0, double t1, const Gravity& gravity
   check(gravity);
   if (!std::isfinite(t0) || !std::isfinite(t1) || !std::isfinite(t1 - t0))
     throw std::invalid_argument(fmt::format("propagate: the times must be finite, not {} and {}", t0, t1));
+}
+
+/// Settings that both methods share.
+struct Settings {
+  std::string_view name;                       ///< of the method, in sentences
+  int most_order;                              ///< largest degree that it will ask for
+  bool compensated;                            ///< carry rounding errors
+  bool kernel;                                 ///< may the unrolled kernels be used?
+  bool true_division;                          ///< see FixedContinuation
+  std::optional<InstructionSet> instructions;  ///< of the kernels
+};
+
+/// State, time and series of one propagation. All numbers are in units 2^a of length and 2^b of time, which
+/// follow the body where its time scale changes by much: powers of two change no digit.
+class Propagation : public BasicDenseOutput<State> {
+ public:
+  Propagation(const State& start, double t0, double t1, const Gravity& gravity, const Settings& options,
+              const Observer& observer, const Limits& limits);
+
+  /// The series about the state, to degree @p order.
+  void expand(int order);
+  /// Moves by @p h in its units, by the series of position and velocity to these degrees.
+  void advance(double h, int position_degree, int velocity_degree);
+  /// Ends the step: time, observer, limits. @p h in its units.
+  [[nodiscard]] Status finish(double h, bool last);
+  /// A step's length in user's units.
+  [[nodiscard]] double in_time(double h) const { return h * time_unit_; }
+  /// Distance to the end in its units, with sign.
+  [[nodiscard]] double remaining() const { return ((t1_ - t_) - t_low_) / time_unit_; }
+  /// Is a step this short lost in the time?
+  [[nodiscard]] bool is_lost(double h) const {
+    const double scale = std::max({std::abs(t_), std::abs(t1_), std::abs(t1_ - t0_)});
+    return !(std::abs(in_time(h)) > std::numeric_limits<double>::epsilon() * scale);
+  }
+  /// The failure for it: a collision, if the body is on its way into the centre.
+  [[nodiscard]] Status lost(double h) const;
+  /// |r_k|^2 of the latest series.
+  [[nodiscard]] double square_of(int k) const { return square(series_.row[k]); }
+  /// Square of the larger of |v| and the circular speed.
+  [[nodiscard]] double speed_square() const {
+    return std::max(square(body_.velocity), mu_ / std::sqrt(square(body_.position)));
+  }
+  /// Is the body so fast that gravity hardly shows in the series? Then it says nothing of its convergence.
+  [[nodiscard]] bool is_fast() const {
+    return square(body_.velocity) > 1e3 * (mu_ / std::sqrt(square(body_.position)));
+  }
+  /// Chooses units anew if the last step, @p h, says that the time scale is no longer theirs.
+  void follow_units(double h) {
+    if (!(std::abs(h) < most_drift && std::abs(h) > 1 / most_drift)) choose_units();
+  }
+  /// Exponent of the cost in the order: by how many per cent work grows when the order grows by one per cent.
+  [[nodiscard]] double cost_exponent() const;
+  /// Has it arrived?
+  [[nodiscard]] bool arrived() const { return t_ == t1_; }
+  /// The result.
+  [[nodiscard]] Solution result(Status status) const;
+
+  /// By the latest series; beyond the step too, as far as it converges.
+  void at(double t, State& x) const override;
+
+ private:
+  /// To the 200th power, in a square of the last coefficient, it stays within doubles.
+  static constexpr double most_drift = 16;
+
+  static double square(const double* x) { return x[0] * x[0] + x[1] * x[1] + x[2] * x[2]; }
+  void choose_units();
+  [[nodiscard]] bool unrolled(int order) const;
+  [[nodiscard]] State user_state() const;
+
+  Settings options_;
+  const Observer& observer_;
+  const Limits& limits_;
+  Gravity gravity_;  ///< in the user's units
+  const kernels::Kernel* kernel_;
+  kernels::Body body_{};
+  kernels::Coefficients series_{};
+  std::optional<Expansion<double>> expansion_;  ///< made when it is needed
+  double t_, t_low_ = 0, t1_, t0_, start_radius_;
+  int length_exponent_ = 0, time_exponent_ = 0;
+  double length_unit_ = 1, time_unit_ = 1, mu_ = 1;
+  int order_ = 0, position_degree_ = 0, velocity_degree_ = 0;
+  double step_begin_ = 0;
+  State before_;
+  Statistics statistics_;
+  Stopwatch watch_;
+};
+
+const kernels::Kernel& kernel_for(InstructionSet set) {
+  require_available(set);
+#if defined(__x86_64__)
+  if (set == InstructionSet::avx512) return kernels::avx512_kernel;
+  if (set == InstructionSet::avx2) return kernels::avx2_kernel;
+#endif
+  return kernels::baseline_kernel;
+}
+
+void times_power_of_two(double* x, int exponent) {
+  for (int i = 0; i < 3; ++i) x[i] = std::ldexp(x[i], exponent);
+}
+
+Propagation::Propagation(const State& start, double t0, double t1, const Gravity& gravity,
+                         const Settings& options, const Observer& observer, const Limits& limits)
+    : options_(options),
+      observer_(observer),
+      limits_(limits),
+      gravity_(gravity),
+      kernel_(&kernel_for(options.instructions.value_or(best_instruction_set()))),
+      t_(t0),
+      t1_(t1),
+      t0_(t0),
+      start_radius_(start.position.stableNorm()) {
+  for (int i = 0; i < 3; ++i) {
+    body_.position[i] = start.position[i];
+    body_.velocity[i] = start.velocity[i];
+  }
+  mu_ = gravity.mu;
+  choose_units();
+}
+
+void Propagation::choose_units() {
+  const double r = Vector3<double>(body_.position[0], body_.position[1], body_.position[2]).stableNorm();
+  const int length = std::ilogb(r);
+  // The shorter of (r^3/mu)^(1/2) and r/|v|, in its units; the exponents are added in
+  // integers, which cannot overflow.
+  const double v = Vector3<double>(body_.velocity[0], body_.velocity[1], body_.velocity[2]).stableNorm();
+  int time = (3 * length - std::ilogb(mu_)) / 2;
+  if (v > 0) time = std::min(time, length - std::ilogb(v));
+  length_exponent_ += length;
+  time_exponent_ += time;
+  for (double* x : {body_.position, body_.position_low}) times_power_of_two(x, -length);
+  for (double* x : {body_.velocity, body_.velocity_low}) times_power_of_two(x, time - length);
+  length_unit_ = std::ldexp(1, length_exponent_);
+  time_unit_ = std::ldexp(1, time_exponent_);
+  mu_ = std::ldexp(gravity_.mu, 2 * time_exponent_ - 3 * length_exponent_);
+  if (expansion_) expansion_->set_units(mu_, gravity_.radius / length_unit_);
+}
+
+bool Propagation::unrolled(int order) const {
+  return options_.kernel && order >= kernels::least_unrolled && order <= kernels::most_unrolled;
+}
+
+// By code path: loops, the baseline kernel, the kernels with fused multiply-adds.
+double Propagation::cost_exponent() const {
+  if (!options_.kernel) return 1.8;
+  return kernel_ == &kernels::baseline_kernel ? 1.4 : 1.0;
+}
+
+void Propagation::expand(int order) {
+  order_ = order;
+  if (unrolled(order)) {
+    std::copy_n(body_.position, 4, series_.row[0]);
+    std::copy_n(body_.velocity, 4, series_.row[1]);
+    kernel_->expand(mu_, order, series_);
+    return;
+  }
+  if (!expansion_) {
+    Gravity scaled = gravity_;
+    scaled.mu = mu_;
+    scaled.radius = gravity_.radius / length_unit_;
+    expansion_.emplace(scaled, options_.most_order, options_.true_division);
+  }
+  expansion_->expand({{body_.position[0], body_.position[1], body_.position[2]},
+                      {body_.velocity[0], body_.velocity[1], body_.velocity[2]}},
+                     order);
+  for (int k = 0; k <= order; ++k) {
+    const Vector3<double> c = expansion_->coefficient(k);
+    for (int i = 0; i < 3; ++i) series_.row[k][i] = c[i];
+    series_.row[k][3] = 0;
+  }
+}
+
+void Propagation::advance(double h, int position_degree, int velocity_degree) {
+  if (observer_) before_ = user_state();
+  position_degree_ = position_degree;
+  velocity_degree_ = velocity_degree;
+  if (velocity_degree == position_degree - 1) {
+    kernel_->advance(series_, position_degree, h, options_.compensated, body_);
+    return;
+  }
+  // Positions first; then back to the velocities of before, with a series of their own.
+  kernels::Body other = body_;
+  kernel_->advance(series_, position_degree, h, options_.compensated, body_);
+  kernel_->advance(series_, velocity_degree + 1, h, options_.compensated, other);
+  std::copy_n(other.velocity, 4, body_.velocity);
+  std::copy_n(other.velocity_low, 4, body_.velocity_low);
+}
+
+Status Propagation::finish(double h, bool last) {
+  step_begin_ = t_;
+  if (last) {
+    t_ = t1_;
+    t_low_ = 0;
+  } else {
+    const double change = t_low_ + in_time(h), sum = t_ + change, part = sum - t_;
+    t_low_ = (t_ - (sum - part)) + (change - part);
+    t_ = sum;
+  }
+  ++statistics_.steps;
+  statistics_.right_hand_sides += position_degree_;
+  if (!std::isfinite(square(body_.position) + square(body_.velocity))) {
+    return failed_with(Outcome::non_finite,
+                       "{}: the step of {:.6g} from t = {:.17g} leads to a state that is not finite; take a "
+                       "shorter step or a smaller tolerance",
+                       options_.name, in_time(h), step_begin_);
+  }
+  if (observer_) {
+    const State after = user_state();
+    const std::span states(&after, 1);
+    if (!observer_({statistics_.steps, step_begin_, t_, before_, after, std::span(&t_, 1), states, *this})) {
+      return failed_with(Outcome::interrupted, "{}: stopped by the observer at t = {:.17g}", options_.name,
+                         t_);
+    }
+  }
+  if (last) return {};
+  if (statistics_.steps >= limits_.steps) {
+    return failed_with(Outcome::step_limit,
+                       "{}: {} steps were used up at t = {:.17g}; allow more, or a larger tolerance",
+                       options_.name, limits_.steps, t_);
+  }
+  if (std::isfinite(limits_.seconds) && watch_.seconds() > limits_.seconds) {
+    return failed_with(Outcome::time_limit,
+                       "{}: {} seconds were used up at t = {:.17g}; allow more, or a larger tolerance",
+                       options_.name, limits_.seconds, t_);
+  }
+  return {};
+}
+
+Status Propagation::lost(double h) const {
+  const double r = std::sqrt(square(body_.position)) * length_unit_;
+  double inwards = 0;
+  for (int i = 0; i < 3; ++i) inwards -= body_.position[i] * body_.velocity[i];
+  if (inwards * h > 0 && r < 1e-6 * start_radius_) {
+    return failed_with(Outcome::collision,
+                       "{}: the body falls into the centre of attraction at t = {:.17g}{}", options_.name, t_,
+                       gravity_.degree() > 0 ? ", where the zonal field has no bound; end before that time"
+                                             : "; Kepler's solution (method kepler) goes through, a series "
+                                               "cannot");
+  }
+  return failed_with(Outcome::step_underflow,
+                     "{}: at t = {:.17g} the step {:.3g} is lost in the time; the distance {:.6g} is too "
+                     "small for the asked interval",
+                     options_.name, t_, in_time(h), r);
+}
+
+State Propagation::user_state() const {
+  State s;
+  for (int i = 0; i < 3; ++i) {
+    s.position[i] = std::ldexp(body_.position[i], length_exponent_);
+    s.velocity[i] = std::ldexp(body_.velocity[i], length_exponent_ - time_exponent_);
+  }
+  return s;
+}
+
+void Propagation::at(double t, State& x) const {
+  const double h = (t - step_begin_) / time_unit_;
+  double position[4], velocity[4], unused[4];
+  kernel_->increments(series_, position_degree_, h, position, velocity);
+  if (velocity_degree_ != position_degree_ - 1)
+    kernel_->increments(series_, velocity_degree_ + 1, h, unused, velocity);
+  for (int i = 0; i < 3; ++i) {
+    x.position[i] = std::ldexp(series_.row[0][i] + position[i], length_exponent_);
+    x.velocity[i] = std::ldexp(series_.row[1][i] + velocity[i], length_exponent_ - time_exponent_);
+  }
+}
+
+Solution Propagation::result(Status status) const {
+  Solution c{t_, user_state(), std::move(status), statistics_};
+  if (c.status.outcome() == Outcome::non_finite) {
+    // The last good step: the one that the series starts from.
+    c.t = step_begin_;
+    for (int i = 0; i < 3; ++i) {
+      c.x.position[i] = std::ldexp(series_.row[0][i], length_exponent_);
+      c.x.velocity[i] = std::ldexp(series_.row[1][i], length_exponent_ - time_exponent_);
+    }
+  }
+  c.statistics.seconds = watch_.seconds();
+  return c;
 }
 
 /// log2 and exp2 to 1e-4, which is plenty for a step: exponent and a cubic in the fraction. Zeros, infinities
@@ -76,22 +356,22 @@ class Control {
   }
   [[nodiscard]] int order() const { return order_; }
   /// Length of the step by the series just made; then the order of the next.
-  double step(const detail::Walk& walk) {
+  double step(const Propagation& motion) {
     static const StepOfTerm of_term;
-    const double speed_square = walk.speed_square(), wanted = wanted_ + rough_log2(speed_square);
-    const double last = of_term(wanted, walk.square_of(order_), order_);
-    const double before = of_term(wanted, walk.square_of(order_ - 1), order_ - 1);
+    const double speed_square = motion.speed_square(), wanted = wanted_ + rough_log2(speed_square);
+    const double last = of_term(wanted, motion.square_of(order_), order_);
+    const double before = of_term(wanted, motion.square_of(order_ - 1), order_ - 1);
     const int used = order_;
     if (chooses_) {
       // d ln(step)/d ln(order) against d ln(work)/d ln(order).
-      const double earlier = of_term(wanted, walk.square_of(order_ - 2), order_ - 2);
+      const double earlier = of_term(wanted, motion.square_of(order_ - 2), order_ - 2);
       const double gain = 0.5 * std::log(2.0) * (last - earlier) * order_;
       if (gain > 1.1 * cost_exponent_) order_ = bounded(order_ + 1);
       if (gain < 0.9 * cost_exponent_) order_ = bounded(order_ - 1);
     }
     const double step = rough_exp2(std::min(last, before)),
                  // The series of a straight line ends, but that of the motion converges to |r|/|v| alone.
-        most = (walk.is_fast() ? 0.5 : most_) * std::sqrt(walk.square_of(0) / speed_square);
+        most = (motion.is_fast() ? 0.5 : most_) * std::sqrt(motion.square_of(0) / speed_square);
     if (step <= most) return step;
     if (chooses_) order_ = bounded(used - 1);
     return most;
@@ -115,26 +395,26 @@ Solution propagate(const State& start, double t0, double t1, const Gravity& grav
   require_within(method.name, "largest_step", method.largest_step, std::numeric_limits<double>::min(),
                  std::numeric_limits<double>::infinity());
   const int most_order = method.order != 0 ? method.order : kernels::most_unrolled;
-  detail::Walk walk(
+  Propagation motion(
       start, t0, t1, gravity,
       {method.name, most_order, method.compensated, gravity.degree() == 0, true, method.instructions},
       observer, limits);
-  Control control(method, walk.cost_exponent());
+  Control control(method, motion.cost_exponent());
   const double direction = t1 < t0 ? -1 : 1;
-  while (!walk.arrived()) {
+  while (!motion.arrived()) {
     const int order = control.order();
-    walk.expand(order);
-    double h = control.step(walk);
-    if (walk.in_time(h) > method.largest_step) h *= method.largest_step / walk.in_time(h);
-    if (walk.is_lost(h)) return walk.result(walk.lost(direction * h));
-    const double remaining = std::abs(walk.remaining());
+    motion.expand(order);
+    double h = control.step(motion);
+    if (motion.in_time(h) > method.largest_step) h *= method.largest_step / motion.in_time(h);
+    if (motion.is_lost(h)) return motion.result(motion.lost(direction * h));
+    const double remaining = std::abs(motion.remaining());
     const bool last = h >= remaining;
     const double taken = direction * (last ? remaining : 2 * h > remaining ? remaining / 2 : h);
-    walk.advance(taken, order, order - 1);
-    if (Status status = walk.finish(taken, last); !status.ok()) return walk.result(std::move(status));
-    walk.follow_units(h);
+    motion.advance(taken, order, order - 1);
+    if (Status status = motion.finish(taken, last); !status.ok()) return motion.result(std::move(status));
+    motion.follow_units(h);
   }
-  return walk.result({});
+  return motion.result({});
 }
 
 Solution propagate(const State& start, double t0, double t1, const Gravity& gravity,
@@ -146,23 +426,23 @@ Solution propagate(const State& start, double t0, double t1, const Gravity& grav
   const int velocity_degree = method.velocity_degree != 0 ? method.velocity_degree : method.order - 1;
   require_within(method.name, "velocity_degree", velocity_degree, 1, kernels::most - 1);
   const int order = std::max(method.order, velocity_degree + 1);
-  detail::Walk walk(start, t0, t1, gravity,
-                    {method.name, order, method.compensated, gravity.degree() == 0 && method.true_division,
-                     method.true_division, method.instructions},
-                    observer, limits);
+  Propagation motion(start, t0, t1, gravity,
+                     {method.name, order, method.compensated, gravity.degree() == 0 && method.true_division,
+                      method.true_division, method.instructions},
+                     observer, limits);
   const double direction = t1 < t0 ? -1 : 1;
-  while (!walk.arrived()) {
-    const double h = method.step / walk.in_time(1), remaining = std::abs(walk.remaining());
-    if (walk.is_lost(h)) return walk.result(walk.lost(direction * h));
+  while (!motion.arrived()) {
+    const double h = method.step / motion.in_time(1), remaining = std::abs(motion.remaining());
+    if (motion.is_lost(h)) return motion.result(motion.lost(direction * h));
     // An interval of n steps, rounded, is n steps.
     const bool last = h * (1 + 1e-9) >= remaining;
     const double taken = direction * (last ? remaining : h);
-    walk.expand(order);
-    walk.advance(taken, method.order, velocity_degree);
-    if (Status status = walk.finish(taken, last); !status.ok()) return walk.result(std::move(status));
-    walk.follow_units(h);
+    motion.expand(order);
+    motion.advance(taken, method.order, velocity_degree);
+    if (Status status = motion.finish(taken, last); !status.ok()) return motion.result(std::move(status));
+    motion.follow_units(h);
   }
-  return walk.result({});
+  return motion.result({});
 }
 
 }  // namespace nlmech::orbit

@@ -10,8 +10,8 @@
 #include <stdexcept>
 
 #include "nlmech/ivp/ensemble/integrate_all.hpp"
-#include "nlmech/orbit/acceleration.hpp"
-#include "nlmech/orbit/kernels/ensemble.hpp"
+#include "nlmech/orbit/gravity.hpp"
+#include "nlmech/orbit/kernels/kernel.hpp"
 #include "nlmech/orbit/scaled.hpp"
 #include "nlmech/support/doubles.hpp"
 #include "nlmech/support/sentences.hpp"
@@ -189,7 +189,7 @@ class Lanes {
     block_.remaining.lane[lane] = block_.next_row.lane[lane] = never;
     block_.remaining_low.lane[lane] = block_.least_step.lane[lane] = 0;
   }
-  /// The shorter of (r^3/mu)^(1/2) and r/|v| becomes a time near 1, as in Walk.
+  /// The shorter of (r^3/mu)^(1/2) and r/|v| becomes a time near 1, as in Propagation of continuation.cpp.
   void choose_units(int i) {
     Lane& lane = lanes_[static_cast<std::size_t>(i)];
     const double v = vector_at(block_.velocity, i).stableNorm();
@@ -387,8 +387,8 @@ class Leg {
   const InnerRows& rows_;
   const std::function<bool()>& out_of_time_;
   detail::PowerUnits units_;
-  /// Of the time, without its sign, in own units; bounded, since the walk needs a number: every step is lost
-  /// in the largest one.
+  /// Of the time, without its sign, in own units; bounded, since the integration needs a number: every step
+  /// is lost in the largest one.
   double end_;
   ivp::System system_;
   std::int64_t next_row_ = 1, steps_ = 0;
@@ -396,8 +396,8 @@ class Leg {
 
 /// Moves flights about bodies with zonal harmonics, whose starts and fields are checked and which have
 /// somewhere to go, by ivp::integrate_all() in units that are powers of two. What it does not bring to its
-/// end keeps its failure, with a time in those units. A step that is lost in the time, as Walk and Lanes
-/// understand it, is one: `interrupted`.
+/// end keeps its failure, with a time in those units. A step that is lost in the time, as Propagation and
+/// Lanes understand it, is one: `interrupted`.
 /// @param which the numbers of these flights
 /// @param steps of each flight
 /// @param out_of_time asked by all threads; what is under way then is `interrupted`, too

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "nlmech/scene/scene.hpp"
@@ -24,5 +25,14 @@ struct Publishing {
 /// @throws Failure naming the figure that was not drawn and why, or the file that could not be written
 std::vector<std::filesystem::path> publish(const Chapter& chapter, const Scene& scene,
                                            const Performance& performance, bool quick, const Publishing& how);
+
+/// Provenance of one scene: chapter, scene, title, place; version, commit, dirty flag, compiler, flags,
+/// processor, libraries; the command that makes it again; effort; runs with their readings; quantities with
+/// their ranges. Holds no time and no date, so that it is the same byte for byte from run to run.
+[[nodiscard]] std::string provenance(const Chapter& chapter, const Scene& scene,
+                                     const Performance& performance, bool quick);
+
+/// The processor's own name for itself, or "unknown".
+[[nodiscard]] std::string processor_name();
 
 }  // namespace nlmech::scene

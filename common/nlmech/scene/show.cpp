@@ -4,8 +4,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "nlmech/scene/program/files.hpp"
-
 namespace nlmech::scene {
 
 void Show::refuse_second(bool there, const char* what) const {
@@ -36,12 +34,8 @@ void Show::draw(Figure figure) {
 }
 
 double Show::printed(const std::string& name) {
-  if (printed_.empty()) {
-    for (const PublishedValue& value : read_published(data_folder())) printed_[value.name()] = value.value;
-  }
-  const auto found = printed_.find(name);
-  if (found == printed_.end()) throw std::logic_error("no source prints " + name);
-  return found->second;
+  if (!printed_) printed_.emplace();
+  return (*printed_)[name];
 }
 
 void Show::table(Table table) {

@@ -151,7 +151,7 @@ class Show {
 
   bool quick_;
   std::optional<Plot> plot_;
-  std::map<std::string, double> printed_;  // read when it is first asked for
+  std::optional<Printed> printed_;  // read at the first call of printed()
   Showing showing_;
 };
 

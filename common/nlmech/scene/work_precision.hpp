@@ -8,7 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "nlmech/scene/cost/leads.hpp"
 #include "nlmech/scene/cost/lines.hpp"
 #include "nlmech/scene/show.hpp"
 #include "nlmech/support/status.hpp"

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "nlmech/spacecraft/plant/poles.hpp"
-#include "nlmech/spacecraft/plant/zero_cluster.hpp"
+#include "nlmech/spacecraft/plant/roots.hpp"
 #include "nlmech/support/sentences.hpp"
 
 namespace nlmech::spacecraft {

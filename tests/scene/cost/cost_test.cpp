@@ -1,5 +1,4 @@
 /// Digits against cost: fronts of runs, who is fastest and what is in colour, labels that are moved apart.
-#include "nlmech/scene/cost/leads.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -13,7 +12,7 @@
 #include <vector>
 
 #include "nlmech/scene/cost/lines.hpp"
-#include "nlmech/scene/cost/spread.hpp"
+#include "nlmech/scene/cost/drawing.hpp"
 
 namespace nlmech::scene::cost_test {
 namespace {

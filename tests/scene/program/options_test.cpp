@@ -14,7 +14,6 @@
 #include <vector>
 
 #include "nlmech/scene/program/command.hpp"
-#include "nlmech/scene/program/manual.hpp"
 #include "nlmech/scene/program/process.hpp"
 #include "nlmech/scene/program/terminal.hpp"
 #include "nlmech/scene/program/typed.hpp"

@@ -18,7 +18,7 @@
 #include "nlmech/scene/program/machine.hpp"
 #include "nlmech/scene/program/this_process.hpp"
 #include "nlmech/scene/program/time_limit.hpp"
-#include "nlmech/scene/run.hpp"
+#include "nlmech/scene/scene.hpp"
 #include "nlmech/support/errors.hpp"
 #include "tests/scene/temporary_folder.hpp"
 

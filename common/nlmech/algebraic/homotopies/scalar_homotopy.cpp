@@ -4,10 +4,91 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
+#include "nlmech/algebraic/solver_run.hpp"
 #include "nlmech/support/sentences.hpp"
 
 namespace nlmech::algebraic {
+namespace {
+
+using Eigen::VectorXd;
+
+constexpr const char* first_homotopy = "scalar-homotopy";
+
+class Pass {
+ public:
+  Pass(const FirstScalarHomotopy& method, SolverRun& run)
+      : method_(method), run_(run), origin_(run.x), way_(run.x.size()), w_(run.x.size()), f_(run.x.size()) {}
+
+  Outcome step() {
+    const double h = std::numbers::pi / 2 / method_.steps, phi = h * taken_;
+    if (taken_ == 0) begin();
+    Outcome outcome = velocity(run_.x, phi, run_.f, run_.norm);
+    if (outcome != Outcome::success) return outcome;
+    run_.trial = run_.x + h / 2 * w_;
+    const double norm = run_.evaluate(run_.trial, f_);
+    if (!(norm < HUGE_VAL)) return Outcome::non_finite;
+    outcome = velocity(run_.trial, phi + h / 2, f_, norm);
+    if (outcome != Outcome::success) return outcome;
+    run_.trial = run_.x + h * w_;
+    run_.evaluate_trial();
+    if (!(run_.trial_norm < HUGE_VAL)) return Outcome::non_finite;
+    taken_ = (taken_ + 1) % method_.steps;
+    return run_.accept(taken_ == 0 ? 1 : std::pow(std::sin(h * taken_), 2));
+  }
+
+ private:
+  void begin() {
+    origin_ = run_.x;
+    if (method_.weight > 0) return;
+    run_.linearise(run_.x);
+    run_.equations().apply_transposed(run_.f, w_);
+    run_.equations().apply(w_, way_);
+    weight_ = w_.norm() / way_.norm();
+  }
+
+  // dx/dphi = dx/dt 2 sin phi cos phi, into w_.
+  Outcome velocity(const VectorXd& x, double phi, const VectorXd& f, double norm) {
+    const double s = std::sin(phi), c = std::cos(phi);
+    run_.linearise(x);
+    run_.equations().apply_transposed(f, w_);
+    if (phi > 0) {
+      way_ = x - origin_;
+      w_ = s * s * weight_ * weight_ * w_ - c * c * way_;
+    }
+    const double slope = w_.norm();
+    if (!std::isfinite(slope)) return Outcome::non_finite;
+    if (slope == 0) return Outcome::singular_matrix;
+    if (phi > 0) {
+      const double length = std::hypot(weight_ * norm, way_.norm());
+      w_ *= -s * c * (length / slope) * (length / slope);
+    } else {
+      w_ *= -weight_ * norm / slope;  // the limit for a path that starts along -B^T F
+    }
+    return w_.allFinite() ? Outcome::success : Outcome::singular_matrix;
+  }
+
+  const FirstScalarHomotopy& method_;
+  SolverRun& run_;
+  VectorXd origin_, way_, w_, f_;
+  double weight_ = method_.weight;
+  int taken_ = 0;  // steps of this pass
+};
+
+}  // namespace
+
+Report find_root(const FirstScalarHomotopy& method, Equations& equations, VectorXd& x,
+                 const Observer& observer) {
+  require_option(first_homotopy, method.steps >= 1, "steps", method.steps, "at least 1");
+  require_option(first_homotopy, method.weight >= 0 && std::isfinite(method.weight), "weight", method.weight,
+                 "0 or positive");
+  return iterate<Pass>(
+      first_homotopy, method, equations, x, observer,
+      {Outcome::singular_matrix,
+       "the flow has no direction: dh/dx is 0, as where |F| is stationary; start elsewhere"});
+}
+
 namespace {
 
 const char* name_of(const ScalarHomotopy& method) {
@@ -17,13 +98,12 @@ const char* name_of(const ScalarHomotopy& method) {
 
 void check(const ScalarHomotopy& method) {
   const auto require = [&](bool good, const char* option, double value, const char* range) {
-    if (!good) throw invalid_argument("{}: {} = {}; it must be {}", name_of(method), option, value, range);
+    require_option(name_of(method), good, option, value, range);
   };
   require(method.step > 0 && std::isfinite(method.step), "step", method.step, "positive");
   require(method.turn >= 0 && std::isfinite(method.turn), "turn", method.turn, "0 or positive");
   require(method.longest > 0 && std::isfinite(method.longest), "longest", method.longest, "positive");
   require(method.tolerance >= 0, "tolerance", method.tolerance, "0 or positive");
-  require(method.power > 0 && std::isfinite(method.power), "power", method.power, "positive");
   require(method.steps >= 0, "steps", static_cast<double>(method.steps), "0 or positive");
 }
 
@@ -41,7 +121,6 @@ class HomotopyFlow {
         equations_(equations),
         origin_(x),
         gradient_(x.size()),
-        drive_(x.size()),
         now_(x.size()),
         next_(x.size()) {
     now_.x = x;
@@ -78,34 +157,22 @@ class HomotopyFlow {
   }
 
   //! [scalar homotopy flow]
-  // Eq. 2.14 with |F|^2/2 Q'/Q for dh/dt, its value on h = 0; u = w = dh/dx unless another one is chosen.
+  // Eq. 2.14 with |F|^2/2 for dh/dt, its value on h = 0, and u = w = dh/dx.
   Outcome velocity(Point& p, double t) {
-    const bool is_power = method_.growth == ScalarHomotopy::Growth::power;
     equations_.linearise(p.x);
     ++report_.statistics.jacobians;
     equations_.apply_transposed(p.f, gradient_);
-    if (method_.drive == ScalarHomotopy::Drive::transposed_residual) drive_ = gradient_;
-    if (method_.drive == ScalarHomotopy::Drive::residual) drive_ = p.f;
     if (method_.function == ScalarHomotopy::Function::fixed_point)
-      gradient_ -= (is_power ? std::pow(1 + t, -method_.power) : std::exp(-t)) * (p.x - origin_);
-    const double slope = gradient_.norm(), rate = is_power ? method_.power / (1 + t) : 1;
+      gradient_ -= std::exp(-t) * (p.x - origin_);
+    const double slope = gradient_.norm();
     if (!std::isfinite(slope)) return Outcome::non_finite;
     if (slope == 0) return Outcome::singular_matrix;
     // In this order no square can over- or underflow.
     gradient_ /= slope;
-    p.velocity = (-0.5 * rate * p.norm / slope * p.norm) * gradient_;
-    return method_.drive == ScalarHomotopy::Drive::gradient ? Outcome::success : turn_velocity(p);
+    p.velocity = (-0.5 * p.norm / slope * p.norm) * gradient_;
+    return Outcome::success;
   }
   //! [scalar homotopy flow]
-
-  // Another u: the velocity keeps its component along w.
-  Outcome turn_velocity(Point& p) {
-    drive_ /= drive_.norm();
-    const double cosine = gradient_.dot(drive_);
-    if (!(std::abs(cosine) > 0)) return Outcome::singular_matrix;
-    p.velocity = p.velocity.dot(gradient_) / cosine * drive_;
-    return p.velocity.allFinite() ? Outcome::success : Outcome::singular_matrix;
-  }
 
   // Euler's rule, and F and the velocity at its end.
   Outcome advance(double step) {
@@ -175,7 +242,7 @@ class HomotopyFlow {
   const ScalarHomotopy& method_;
   Equations& equations_;
   const Eigen::VectorXd origin_;
-  Eigen::VectorXd gradient_, drive_;
+  Eigen::VectorXd gradient_;
   Point now_, next_;
   Report report_;
 };

@@ -1,5 +1,5 @@
 /// @file
-/// Scalar homotopy: F(x) = 0 as the end of a flow that never solves a system with dF/dx.
+/// Scalar homotopies: F(x) = 0 as the end of a flow that never solves a system with dF/dx.
 #pragma once
 
 #include <cstdint>
@@ -7,6 +7,36 @@
 #include "nlmech/algebraic/equations.hpp"
 
 namespace nlmech::algebraic {
+
+/// Follows h(x, t) = (t |G|^2 - (1 - t) |x - x(0)|^2)/2 = 0, G = c F, from t = 0 to 1 (Elgohary 2015,
+/// Eq. 2.11, with c = 1; Liu, Yeih, Kuo and Atluri 2009) along u = dh/dx:
+///
+///     dx/dt = -(|G|^2 + |x - x(0)|^2)/2 w/|w|^2,   w = dh/dx = t c B^T G - (1 - t)(x - x(0))
+///
+/// In t the flow starts and ends with an infinite velocity, like t^-1/2 and (1 - t)^-1/2, and at the start,
+/// where w = 0, its direction is free. In the angle phi with t = sin^2 phi, for which h = 0 says
+/// tan phi = |x - x(0)|/|G|, the velocity is finite: the flow is taken in phi from 0 to pi/2, by the midpoint
+/// rule, and starts along -B^T F. Its way in x is about as long as |G|, so the units of F matter; hence c.
+///
+/// At t = 1 the rule's error is left of |F|. The homotopy then begins anew from there: every pass shortens
+/// |F| by about the error of the rule, of order 2 in one variable, as long as the matrix is well conditioned.
+///
+/// Tests hold its function to stay zero to second order of the step (ratio of errors within 0.5 of 4).
+struct FirstScalarHomotopy {
+  /// c, positive; 0: |B^T F|/|B B^T F| at the start of each pass, which is |B^-1| for one unknown and makes
+  /// the flow independent of the units of F.
+  double weight = 0;
+  int steps = 20;                    ///< of equal length in phi in a pass; at least 1
+  double tolerance = 1e-10;          ///< done when |F|, Euclidean, is no greater; not negative
+  std::int64_t iterations = 20'000;  ///< at most so many steps, in all passes
+};
+
+/// Products with B and B^T are all it needs; two evaluations of F and B a step. Report::time is t of the pass
+/// under way. Outcomes besides success: `singular_matrix` where w vanishes, as on the way to a minimum of
+/// |F|; `non_finite`; `step_limit`; `interrupted`.
+/// @throws std::invalid_argument if an option is out of range or x has another size than the equations
+[[nodiscard]] Report find_root(const FirstScalarHomotopy& method, Equations& equations, Eigen::VectorXd& x,
+                               const Observer& observer = {});
 
 /// Follows x(t) in a fictitious time t along which a scalar function h(x, t) stays zero (Elgohary 2015,
 /// section 2.2; Eq. 2.14). With B = dF/dx, the driving vector u = dh/dx and Q = e^t:
@@ -26,8 +56,8 @@ namespace nlmech::algebraic {
 /// B^T F = 0 and F is not, at a minimum of |F|; Euler's rule with a fixed step mostly jumps over it, and
 /// wanders if no root is near.
 ///
-/// Tests hold the flow to the exact one in one variable and its invariant to first order (ratio of errors
-/// within 0.1 of 2), the first step to Newton's times dt/2, and the path to be the same in turned coordinates
+/// Tests compare the flow with the exact one in one variable, its invariant to first order (ratio of errors
+/// within 0.1 of 2), the first step with Newton's times dt/2, and the path with that in turned coordinates
 /// (1e-11).
 struct ScalarHomotopy {
   /// Which h.
@@ -35,36 +65,21 @@ struct ScalarHomotopy {
     fixed_point,  ///< Eqs 2.12 and 2.15
     newton        ///< Eqs 2.13 and 2.16
   };
-  /// Driving vector u of Eq. 2.14, dx/dt = -(Q'/Q) |F|^2/2 u/(w.u): the direction of the flow. What the exact
-  /// flow keeps does not depend on it. A flow along another vector than dh/dx has no direction where w.u = 0.
-  enum class Drive : std::uint8_t {
-    gradient,            ///< u = w = dh/dx
-    residual,            ///< u = F
-    transposed_residual  ///< u = B^T F, the gradient of |F|^2/2: that of the fixed point for Q = infinity
-  };
-  /// Q(t) of Eqs 2.12 and 2.13, by which |F|^2 falls like 1/Q.
-  enum class Growth : std::uint8_t {
-    exponential,  ///< e^t
-    power         ///< (1 + t)^m: Euler's steps of equal length become shorter ones, like m/(1 + t)
-  };
   Function function = Function::fixed_point;  ///< which h
   double step = 1;  ///< of fictitious time by Euler's rule, positive; the first one if they are chosen
   /// 0: all steps are equal. Else steps are chosen, up to `longest`, so that the estimated error of each is
   /// at most this fraction of the length |dx| of the step itself: |x'_1 - x'_0| <= 2 turn |x'_0| for the
   /// velocities at its ends. In one variable, near the root, that is a step of 4 turn.
   double turn = 0;
-  double longest = 2;                   ///< no chosen step is longer; positive
-  double tolerance = 1e-10;             ///< done when |F|, Euclidean, is no greater; not negative
-  std::int64_t steps = 100'000;         ///< at most so many steps, rejected ones included; else `step_limit`
-  Drive drive = Drive::gradient;        ///< u
-  Growth growth = Growth::exponential;  ///< Q
-  double power = 1;                     ///< m of (1 + t)^m, positive
+  double longest = 2;            ///< no chosen step is longer; positive
+  double tolerance = 1e-10;      ///< done when |F|, Euclidean, is no greater; not negative
+  std::int64_t steps = 100'000;  ///< at most so many steps, rejected ones included; else `step_limit`
 };
 
-/// Runs the flow. Outcomes besides success: `singular_matrix` where w.u (u = w: w) vanishes and F
-/// does not; `non_finite` if F or B^T F is not finite, with chosen steps only at the start; `step_underflow`
-/// if a chosen step falls below 1e-12, as it does on the way to a minimum of |F| that is no root;
-/// `step_limit`; `interrupted`. statistics: rejected steps cost F and B once each, as accepted ones do.
+/// Runs the flow. Outcomes besides success: `singular_matrix` where w vanishes and F does not; `non_finite`
+/// if F or B^T F is not finite, with chosen steps only at the start; `step_underflow` if a chosen step falls
+/// below 1e-12, as it does on the way to a minimum of |F| that is no root; `step_limit`; `interrupted`.
+/// statistics: rejected steps cost F and B once each, as accepted ones do.
 /// @throws std::invalid_argument if an option is out of range, or x has another size than the equations
 [[nodiscard]] Report find_root(const ScalarHomotopy& method, Equations& equations, Eigen::VectorXd& x,
                                const Observer& observer = {});

@@ -1,4 +1,4 @@
-#include "nlmech/algebraic/newton/dogleg.hpp"
+#include "nlmech/algebraic/newton/least_squares.hpp"
 
 #include <algorithm>
 #include <cmath>

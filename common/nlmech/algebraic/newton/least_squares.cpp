@@ -29,12 +29,12 @@ class GaussNewton {
     run_.equations().apply(update_, image_);  // its length is that of F's part in the range of B
     const double cosine = image_.norm() / run_.norm;
     if (!(cosine * cosine >= least_cosine_squared)) return Outcome::not_converged;
-    return method_.damped ? search(cosine * cosine) : take(1);
+    run_.trial = run_.x - update_;
+    run_.evaluate_trial();
+    return run_.trial_norm < HUGE_VAL ? run_.accept() : Outcome::non_finite;
   }
 
  private:
-  static constexpr int halvings_ = 60;
-
   // The update, to be subtracted.
   Outcome solve() {
     const SparseMatrix* const sparse = run_.equations().sparse();
@@ -61,24 +61,6 @@ class GaussNewton {
     decomposition_.compute(matrix_);
     update_ = decomposition_.solve(run_.f);
     return update_.allFinite() ? Outcome::success : Outcome::non_finite;
-  }
-
-  Outcome take(double part) {
-    run_.trial = run_.x - part * update_;
-    run_.evaluate_trial();
-    return run_.trial_norm < HUGE_VAL ? run_.accept() : Outcome::non_finite;
-  }
-
-  Outcome search(double reach) {
-    double part = 1;
-    for (int k = 0; k < halvings_; ++k, part /= 2) {
-      run_.trial = run_.x - part * update_;
-      run_.evaluate_trial();
-      if (run_.trial_norm <= (1 - 1e-4 * part * reach) * run_.norm) return run_.accept();
-      run_.reject();
-      if (run_.is_spent()) return Outcome::step_limit;
-    }
-    return std::isfinite(run_.trial_norm) ? Outcome::not_converged : Outcome::non_finite;
   }
 
   const LeastSquares& method_;

@@ -1,7 +1,11 @@
 #include "nlmech/algebraic/paths/fold.hpp"
 
+#include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "nlmech/algebraic/rounding.hpp"
 #include "nlmech/support/doubles.hpp"
 
 namespace nlmech::algebraic {
@@ -58,6 +62,144 @@ Outcome refine_fold(PathSystem& system, PathVector& at, Eigen::VectorXd& directi
     before = length;
   }
   return Outcome::not_converged;
+}
+
+namespace {
+
+/// mu as a function of s and the load.
+class Reduced {
+ public:
+  Reduced(PathSystem& system, Eigen::VectorXd border)
+      : system_(system), row_{std::move(border), 0}, zero_(Eigen::VectorXd::Zero(system.size())) {}
+
+  /// Solves for x and mu at the s and the load of a place near.
+  Outcome correct(PathVector& at) {
+    PathVector step;
+    double before = HUGE_VAL;
+    for (int k = 0; k < 12; ++k) {
+      if (!system_.residual(at) || !system_.linearise(at)) return Outcome::non_finite;
+      const Eigen::VectorXd rest = -system_.f() - mu * row_.y;
+      if (!system_.solve_bordered(row_.y, row_, rest, 0, step)) return Outcome::singular_matrix;
+      ++system_.statistics.newton_iterations;
+      const double length = step.y.norm();
+      mu += step.m;
+      step.m = 0;
+      system_.move(at, step);
+      const double size = at.norm();
+      if (length <= 4 * eps * size) return Outcome::success;
+      // Steps that no longer shrink are those of rounding, which are long in a frame of many slender members.
+      if (k > 1 && length > before / 2)
+        return length <= 1e-6 * size ? Outcome::success : Outcome::not_converged;
+      before = length;
+    }
+    return Outcome::not_converged;
+  }
+  /// The derivatives by s and the load, with those of x along them.
+  Outcome derive(const PathVector& at) {
+    if (!system_.linearise(at)) return Outcome::non_finite;
+    system_.certify();
+    const bool is_solved = system_.solve_bordered(row_.y, row_, zero_, 1, along) &&
+                           system_.solve_bordered(row_.y, row_, -system_.load_vector(), 0, under);
+    slope = {along.m, under.m};
+    return is_solved ? Outcome::success : Outcome::singular_matrix;
+  }
+
+  /// How much mu may change by the last digits of x and of the equations' data.
+  double rounding(const PathVector& at) {
+    double most = system_.equations().data_rounding(system_.unscaled(row_.y));
+    if (!system_.residual(at)) return most;
+    const double here = row_.y.dot(system_.f());
+    PathVector shaken{{}, at.m};
+    double changes = 0;
+    for (std::uint64_t sequence = 0; sequence < 4; ++sequence) {
+      shake(at.y, sequence, shaken.y);
+      if (system_.residual(shaken)) changes = std::max(changes, std::abs(row_.y.dot(system_.f()) - here));
+    }
+    return most + changes;
+  }
+
+  double mu = 0;
+  PathVector along, under;
+  Eigen::Vector2d slope{0, 0};
+
+ private:
+  PathSystem& system_;
+  PathVector row_;
+  Eigen::VectorXd zero_;
+};
+
+/// How the derivatives of mu change.
+struct Bend {
+  Eigen::Matrix2d by;          ///< second derivatives by s and the load
+  Eigen::Index negative[2]{};  ///< negative eigenvalues under less load and more
+};
+
+/// By central differences over @p change of s and of the load, from a place that derive() has been asked of.
+Outcome bend_at(PathSystem& system, const Reduced& reduced, const PathVector& at,
+                const Eigen::Vector2d& change, Bend& bend) {
+  for (const int i : {0, 1}) {
+    Eigen::Vector2d ends[2];
+    for (const int side : {0, 1}) {
+      const double way = side == 0 ? -change[i] : change[i];
+      PathVector place = at;
+      place.y += way * (i == 0 ? reduced.along.y : reduced.under.y);
+      if (i == 1) place.m += way;
+      Reduced there = reduced;
+      Outcome outcome = there.correct(place);
+      if (outcome == Outcome::success) outcome = there.derive(place);
+      if (outcome != Outcome::success) return outcome;
+      ends[side] = there.slope;
+      // Under more load and less, the eigenvalue that vanishes has both signs; next to zero its own is that
+      // of rounding.
+      if (i == 1) bend.negative[side] = system.inertia().negative;
+    }
+    bend.by.col(i) = (ends[1] - ends[0]) / (2 * change[i]);
+  }
+  return Outcome::success;
+}
+
+}  // namespace
+
+Outcome refine_fork(PathSystem& system, Fork& fork, double reach, double load) {
+  constexpr double near = 1e-3;  // of the reach: from there second derivatives are those of the place before
+  if (!system.linearise(fork.at)) return Outcome::non_finite;
+  Reduced reduced(system, null_direction(system));
+  PathVector& at = fork.at;
+  const PathVector start = at;
+  Bend bend;
+  double before = HUGE_VAL;
+  Outcome outcome = reduced.correct(at);
+  for (int k = 0; k < 20 && outcome == Outcome::success; ++k) {
+    outcome = reduced.derive(at);
+    if (outcome == Outcome::success && before > near)
+      outcome = bend_at(system, reduced, at, {0.01 * reach, 0.01 * load}, bend);
+    if (outcome != Outcome::success) break;
+    const double mixed = (bend.by(0, 1) + bend.by(1, 0)) / 2;
+    const Eigen::Vector2d step = bend.by.partialPivLu().solve(-reduced.slope);
+    const double length = std::max(std::abs(step[0]) / reach, std::abs(step[1]) / load);
+    if (!(length <= 1)) return Outcome::not_converged;
+    at.y += step[0] * reduced.along.y + step[1] * reduced.under.y;
+    at.m += step[1];
+    outcome = reduced.correct(at);
+    const PathVector gone{at.y - start.y, 0};
+    if (!(gone.norm() <= reach)) return Outcome::not_converged;
+    const bool is_done = length <= 1e-14 || (length <= 1e-6 && length > before / 2);
+    before = length;
+    if (!is_done) continue;
+    if (outcome == Outcome::success) outcome = reduced.derive(at);
+    if (outcome != Outcome::success) break;
+    // Next to a bifurcation that a small force parts, mu is that force.
+    if (!(std::abs(reduced.mu) <= 16 * reduced.rounding(at))) return Outcome::wrong_branch;
+    fork.null = reduced.along.y.normalized();
+    fork.negative = std::min(bend.negative[0], bend.negative[1]);
+    // Of the second derivatives: 2 mixed ds dload + by(1, 1) dload^2 = 0 along it.
+    const double share = mixed != 0 ? -bend.by(1, 1) / (2 * mixed) : 0;
+    fork.across = {reduced.under.y + share * reduced.along.y, 1};
+    const double size = fork.across.norm();
+    fork.across = {fork.across.y / size, 1 / size};
+    return Outcome::success;
+  }
+  return outcome == Outcome::success ? Outcome::not_converged : outcome;
 }
 
 }  // namespace nlmech::algebraic

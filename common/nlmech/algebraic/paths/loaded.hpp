@@ -6,7 +6,6 @@
 #include <Eigen/SparseCore>
 
 #include "nlmech/algebraic/equations.hpp"
-#include "nlmech/algebraic/newton/potential.hpp"
 
 namespace nlmech::algebraic {
 
@@ -17,11 +16,6 @@ using LongVector = Eigen::Matrix<long double, Eigen::Dynamic, 1>;
 /// potential for every load, unless is_symmetric() says otherwise.
 class Loaded {
  public:
-  Loaded() = default;
-  /// Copies.
-  Loaded(const Loaded&) = default;
-  /// Copies.
-  Loaded& operator=(const Loaded&) = default;
   virtual ~Loaded() = default;
 
   /// n, of unknowns and equations.
@@ -59,40 +53,6 @@ class Loaded {
   [[nodiscard]] virtual bool is_symmetric() const { return true; }
   /// Why F or K did not exist where it was asked for last, if the equations know.
   [[nodiscard]] virtual Status status() const { return {}; }
-};
-
-/// F(x) - (1 - load) F(x0): solved by x0 for a load of 0, and by the roots of F for a load of 1. From the
-/// rest of a structure under dead load it is that structure under the load's part `load`.
-class NewtonEmbedding final : public Loaded {
- public:
-  /// @param equations F, with a matrix; must outlive this object
-  /// @param x0 any place where F exists
-  /// @throws std::invalid_argument if x0 has another size than F
-  NewtonEmbedding(Equations& equations, const Eigen::VectorXd& x0);
-
-  /// F(x0), which is not finite if F does not exist there.
-  [[nodiscard]] const Eigen::VectorXd& start() const { return f0_; }
-  /// See Loaded.
-  [[nodiscard]] Eigen::Index size() const override { return f0_.size(); }
-  /// See Loaded.
-  void residual(const Eigen::VectorXd& x, double load, Eigen::VectorXd& f) override;
-  /// See Loaded.
-  void linearise(const Eigen::VectorXd& x, double load) override;
-  /// F(x0).
-  void load_vector(Eigen::VectorXd& q) const override { q = f0_; }
-  /// See Loaded.
-  void matrix(Eigen::MatrixXd& k) const override { equations_.matrix(k); }
-  /// See Loaded.
-  [[nodiscard]] const Eigen::SparseMatrix<double>* sparse() const override { return equations_.sparse(); }
-  /// Is F the gradient of a Potential?
-  [[nodiscard]] bool is_symmetric() const override { return is_symmetric_; }
-  /// See Loaded.
-  [[nodiscard]] Status status() const override { return equations_.status(); }
-
- private:
-  Equations& equations_;
-  Eigen::VectorXd f0_;
-  bool is_symmetric_;
 };
 
 }  // namespace nlmech::algebraic

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "nlmech/algebraic/paths/fork.hpp"
+#include "nlmech/algebraic/paths/fold.hpp"
 #include "nlmech/algebraic/paths/path_step.hpp"
 #include "nlmech/support/sentences.hpp"
 

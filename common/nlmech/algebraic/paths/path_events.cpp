@@ -2,7 +2,6 @@
 #include <cmath>
 
 #include "nlmech/algebraic/paths/fold.hpp"
-#include "nlmech/algebraic/paths/golden_section.hpp"
 #include "nlmech/algebraic/paths/path_step.hpp"
 #include "nlmech/algebraic/rounding.hpp"
 #include "nlmech/support/doubles.hpp"

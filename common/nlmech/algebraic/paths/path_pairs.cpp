@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "nlmech/algebraic/paths/golden_section.hpp"
 #include "nlmech/algebraic/paths/path_step.hpp"
 
 namespace nlmech::algebraic {

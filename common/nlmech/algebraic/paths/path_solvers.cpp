@@ -18,6 +18,37 @@ const char* name_of(const PathMethod& method) {
   }
 }
 
+/// F(x) - (1 - load) F(x0): solved by x0 for a load of 0, and by the roots of F for a load of 1. From the
+/// rest of a structure under dead load it is that structure under the load's part `load`.
+class NewtonEmbedding final : public Loaded {
+ public:
+  NewtonEmbedding(Equations& equations, const Eigen::VectorXd& x0)
+      : equations_(equations),
+        f0_(x0.size()),
+        is_symmetric_(dynamic_cast<const Potential*>(&equations) != nullptr) {
+    equations_.residual(x0, f0_);
+  }
+
+  /// F(x0), which is not finite if F does not exist there.
+  [[nodiscard]] const Eigen::VectorXd& start() const { return f0_; }
+  [[nodiscard]] Eigen::Index size() const override { return f0_.size(); }
+  void residual(const Eigen::VectorXd& x, double load, Eigen::VectorXd& f) override {
+    equations_.residual(x, f);
+    f -= (1 - load) * f0_;
+  }
+  void linearise(const Eigen::VectorXd& x, double /*load*/) override { equations_.linearise(x); }
+  void load_vector(Eigen::VectorXd& q) const override { q = f0_; }
+  void matrix(Eigen::MatrixXd& k) const override { equations_.matrix(k); }
+  [[nodiscard]] const Eigen::SparseMatrix<double>* sparse() const override { return equations_.sparse(); }
+  [[nodiscard]] bool is_symmetric() const override { return is_symmetric_; }
+  [[nodiscard]] Status status() const override { return equations_.status(); }
+
+ private:
+  Equations& equations_;
+  Eigen::VectorXd f0_;
+  bool is_symmetric_;
+};
+
 class Search {
  public:
   Search(const ArcLength& method, Equations& equations, const Eigen::VectorXd& x, const Observer& observer)

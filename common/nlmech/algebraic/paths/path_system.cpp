@@ -1,5 +1,6 @@
 #include "nlmech/algebraic/paths/path_system.hpp"
 
+#include <Eigen/SparseCholesky>
 #include <cmath>
 #include <stdexcept>
 
@@ -16,6 +17,24 @@ namespace {
 constexpr double enough_digits = 1e-7;
 
 }  // namespace
+
+/// L D L^T in long double (64 bits on x86-64, 113 on aarch64), where factors in double do not tell the sign
+/// of an eigenvalue.
+struct PathSystem::LongFactors {
+  Eigen::SimplicialLDLT<Eigen::SparseMatrix<long double>> ldlt;
+
+  /// Factorises S^-1 B S^-1, which overwrites @p b. @return false if a pivot is zero or not finite
+  bool factorise(Eigen::SparseMatrix<long double>& b, const Eigen::VectorXd& scale) {
+    for (Eigen::Index j = 0; j < b.cols(); ++j) {
+      for (Eigen::SparseMatrix<long double>::InnerIterator i(b, j); i; ++i)
+        i.valueRef() /= static_cast<long double>(scale[i.row()]) * scale[j];
+    }
+    ldlt.compute(b);
+    return ldlt.info() == Eigen::Success && ldlt.vectorD().allFinite();
+  }
+};
+
+PathSystem::~PathSystem() = default;
 
 PathSystem::PathSystem(Loaded& equations, const Eigen::VectorXd& x, double load, const Eigen::VectorXd& scale)
     : equations_(equations), scale_(scale) {
@@ -145,8 +164,9 @@ bool PathSystem::factorise_symmetric() {
 bool PathSystem::factorise_long() {
   if (!equations_.long_matrix(long_x(place_), place_.m / load_scale_, long_matrix_))
     long_matrix_ = sparse_.cast<long double>();
-  is_long_ = long_.factorise(long_matrix_, scale_.cwiseQuotient(balance_));
-  if (is_long_) inertia_ = long_.inertia();
+  if (!long_) long_ = std::make_unique<LongFactors>();
+  is_long_ = long_->factorise(long_matrix_, scale_.cwiseQuotient(balance_));
+  if (is_long_) inertia_ = {.negative = (long_->ldlt.vectorD().array() < 0).count()};
   return is_long_;
 }
 
@@ -185,7 +205,7 @@ void PathSystem::solve(const Eigen::VectorXd& b, Eigen::VectorXd& x) const {
   }
   balanced_ = b.cwiseProduct(balance_);
   if (is_long_)
-    long_.solve(balanced_, x);
+    x = long_->ldlt.solve(balanced_.cast<long double>()).cast<double>();
   else
     symmetric_.solve(balanced_, x);
   x = x.cwiseProduct(balance_);

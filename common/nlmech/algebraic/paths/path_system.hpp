@@ -5,9 +5,9 @@
 #include <Eigen/Core>
 #include <Eigen/LU>
 #include <cmath>
+#include <memory>
 
 #include "nlmech/algebraic/paths/loaded.hpp"
-#include "nlmech/algebraic/paths/long_factors.hpp"
 #include "nlmech/algebraic/symmetric_solver.hpp"
 #include "nlmech/support/statistics.hpp"
 
@@ -36,6 +36,7 @@ class PathSystem {
   /// @param load where the scales are taken
   /// @param scale diagonal of S, positive; empty: chosen
   PathSystem(Loaded& equations, const Eigen::VectorXd& x, double load, const Eigen::VectorXd& scale);
+  ~PathSystem();
 
   /// (x, load) in scaled unknowns.
   [[nodiscard]] PathVector scaled(const Eigen::VectorXd& x, double load) const;
@@ -117,7 +118,8 @@ class PathSystem {
   PathVector place_;         // of linearise()
   Eigen::VectorXd balance_;  // S by the scales of the factors
   SymmetricSolver symmetric_;
-  LongFactors long_;
+  struct LongFactors;
+  std::unique_ptr<LongFactors> long_;  // made when they are needed
   bool is_long_ = false, is_rounded_ = false, is_stiff_ = false;
   Eigen::SparseMatrix<double> sparse_;
   Eigen::SparseMatrix<long double> long_matrix_;

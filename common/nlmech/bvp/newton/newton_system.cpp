@@ -43,8 +43,8 @@ bool NewtonSystem::residual(Unknowns& y) {
       interval.slopes.col(j) = f;
     }
     evaluations_ += nodes;
-    const MatrixXd r = interval.values * scheme_.value.transpose() -
-                       interval.h * (interval.slopes * scheme_.slope.transpose());
+    const MatrixXd change = interval.values.rightCols(nodes - 1).colwise() - interval.values.col(0);
+    const MatrixXd r = change - interval.h * (interval.slopes * scheme_.slope.transpose());
     parts_[k].r = r.reshaped();
     finite = parts_[k].r.allFinite();
   }
@@ -72,8 +72,9 @@ void NewtonSystem::condense(const Interval& interval, Condensed& c) {
         block.middleRows(i * n_, n_) = by_slope * by_state;
         if (m_ > 0) edges.block(i * n_, 2L * n_, n_, m_) += by_slope * by_parameter;
       }
-      block.middleRows(i * n_, n_).diagonal().array() += scheme_.value(i, j);
     }
+    for (Index i = 0; j == 0 && i + 1 < nodes; ++i) block.middleRows(i * n_, n_).diagonal().array() -= 1;
+    if (j > 0) block.middleRows((j - 1) * n_, n_).diagonal().array() += 1;
   }
   c.has_inner = inner > 0;
   if (c.has_inner) {

@@ -12,7 +12,7 @@ namespace nlmech::bvp {
 
 /// One interval of a mesh with its unknowns. Values at the ends are those of the neighbours too.
 struct Interval {
-  double t0 = 0;           ///< begin
+  double t0 = 0;           ///< start
   double h = 0;            ///< length
   int phase = 0;           ///< from 0
   Eigen::MatrixXd values;  ///< n by N: x at the nodes
@@ -51,8 +51,7 @@ class NewtonSystem {
   /// Smallest over largest pivot of the remaining system, its rows and columns scaled to 1: of the order of
   /// the reciprocal condition.
   [[nodiscard]] double pivot_ratio() const { return pivot_ratio_; }
-  /// How many of the conditions are independent of each other, by their derivatives alone, and how many there
-  /// are.
+  /// How many of the conditions are independent of each other, by their derivatives alone.
   [[nodiscard]] Eigen::Index independent_conditions() const { return independent_; }
   /// The part of the conditions' residual that no change of ends and parameters can remove, to first order;
   /// relative to the largest of the residuals. 0 if they are independent.
@@ -63,12 +62,12 @@ class NewtonSystem {
  private:
   struct Condensed {
     Eigen::HouseholderQR<Eigen::MatrixXd> inner;  // of the columns of the nodes between
-    Eigen::MatrixXd top, bottom;                  // after Q^T: columns begin, end, parameters
+    Eigen::MatrixXd top, bottom;                  // after Q^T: columns start, end, parameters
     Eigen::VectorXd r;                            // residual of the interval's equations
     Eigen::VectorXd r_top, r_bottom;
     // Elimination of the interval's left end, unless it begins a phase.
     Eigen::HouseholderQR<Eigen::MatrixXd> left;
-    Eigen::MatrixXd left_top;  // columns begin of phase, right end, parameters
+    Eigen::MatrixXd left_top;  // columns start of phase, right end, parameters
     Eigen::VectorXd r_left;
     bool has_inner = false, has_left = false;
   };
@@ -83,7 +82,7 @@ class NewtonSystem {
   int n_, m_, phases_;
   std::vector<Condensed> parts_;
   std::vector<int> phase_of_;
-  std::vector<Eigen::MatrixXd> phase_rows_;  // begin, end, parameters: n rows for each phase
+  std::vector<Eigen::MatrixXd> phase_rows_;  // start, end, parameters: n rows for each phase
   Eigen::VectorXd conditions_, row_scale_, column_scale_;
   Eigen::ColPivHouseholderQR<Eigen::MatrixXd> rest_;
   Eigen::VectorXd rest_r_, rest_x_;

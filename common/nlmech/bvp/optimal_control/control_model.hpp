@@ -50,15 +50,10 @@ struct EndCost {
 };
 
 /// Minimise phi(x(t_0), x(t_F), t_F) + integral L(t, x, u) dt subject to dx/dt = g(t, x, u) (Eq. 5.2), n
-/// states and q controls. All functions may depend on one more number, mu, in which solutions are continued.
-/// z = (x, lambda) has 2 n components. DualControl makes one of functions written once.
+/// states and q controls. All functions may depend on one more number, mu. z = (x, lambda) has 2 n
+/// components. DualControl makes a model of functions written once.
 class ControlModel {
  public:
-  ControlModel() = default;
-  /// Copies.
-  ControlModel(const ControlModel&) = default;
-  /// Copies.
-  ControlModel& operator=(const ControlModel&) = default;
   virtual ~ControlModel() = default;
 
   /// n.
@@ -71,10 +66,10 @@ class ControlModel {
   /// dz/dt of extremals (Eq. 5.7).
   virtual void extremal(double t, const Eigen::VectorXd& z, double mu, const Constraints& constraints,
                         Eigen::VectorXd& dzdt) const = 0;
-  /// Its derivatives by z, mu and t, in 2 n + 2 columns; by z alone in a @p j of 2 n.
+  /// Its derivatives by z and t, in 2 n + 1 columns; by z alone in a @p j of 2 n.
   virtual void extremal_jacobian(double t, const Eigen::VectorXd& z, double mu,
                                  const Constraints& constraints, Eigen::MatrixXd& j) const = 0;
-  /// H along an extremal, and its gradient by z, mu and t.
+  /// H along an extremal, and its gradient by z and t.
   [[nodiscard]] virtual double hamiltonian(double t, const Eigen::VectorXd& z, double mu,
                                            const Constraints& constraints,
                                            Eigen::VectorXd& gradient) const = 0;

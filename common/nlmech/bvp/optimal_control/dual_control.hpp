@@ -32,19 +32,15 @@ class DualControl final : public ControlModel {
 
   /// The functions.
   [[nodiscard]] const P& problem() const { return problem_; }
-  /// See ControlModel.
   [[nodiscard]] int states() const override { return n; }
-  /// See ControlModel.
   [[nodiscard]] int controls() const override { return q; }
 
-  /// See ControlModel.
   void control(double t, const Eigen::VectorXd& z, double mu, const Constraints& c,
                Eigen::VectorXd& u) const override {
     const Vector<double, n> x = z.head<n>(), lambda = z.tail<n>();
     u = eliminated(t, x, lambda, mu, c);
   }
 
-  /// See ControlModel.
   void extremal(double t, const Eigen::VectorXd& z, double mu, const Constraints& c,
                 Eigen::VectorXd& dzdt) const override {
     const Vector<double, n> x = z.head<n>(), lambda = z.tail<n>();
@@ -53,36 +49,30 @@ class DualControl final : public ControlModel {
     dzdt = f;
   }
 
-  /// See ControlModel.
   void extremal_jacobian(double t, const Eigen::VectorXd& z, double mu, const Constraints& c,
                          Eigen::MatrixXd& j) const override {
     if (j.cols() == 2 * n)
       set_jacobian<2 * n>(t, z, mu, c, j);
     else
-      set_jacobian<2 * n + 2>(t, z, mu, c, j);
+      set_jacobian<2 * n + 1>(t, z, mu, c, j);
   }
 
-  /// See ControlModel.
   [[nodiscard]] double hamiltonian(double t, const Eigen::VectorXd& z, double mu, const Constraints& c,
                                    Eigen::VectorXd& gradient) const override {
-    constexpr int variables = 2 * n + 2;
+    constexpr int variables = 2 * n + 1;
     Vector<Dual<double, variables>, 2 * n> f;
     const auto h = dual_flow<variables>(t, z, mu, c, f);
-    gradient.resize(2 * n + 2);
-    for (int k = 0; k < 2 * n + 2; ++k) gradient[k] = h.partial[static_cast<std::size_t>(k)];
+    gradient.resize(variables);
+    for (int k = 0; k < variables; ++k) gradient[k] = h.partial[static_cast<std::size_t>(k)];
     return h.value;
   }
 
-  /// See ControlModel.
   [[nodiscard]] HamiltonianExpansion expand(double t, const Eigen::VectorXd& x, const Eigen::VectorXd& u,
                                             const Eigen::VectorXd& lambda, double mu,
                                             const Constraints& c) const override {
     using First = Dual<double, n + q>;
     using Second = Dual<First, n + q>;
-    const auto seed = [](double value, int k) {
-      Second s = Second::variable(First::variable(value, k), k);
-      return s;
-    };
+    const auto seed = [](double value, int k) { return Second::variable(First::variable(value, k), k); };
     Vector<Second, n> at, g;
     Vector<Second, q> v;
     for (int i = 0; i < n; ++i) at[i] = seed(x[i], i);
@@ -104,7 +94,6 @@ class DualControl final : public ControlModel {
     return e;
   }
 
-  /// See ControlModel.
   void linearise(double t, const Eigen::VectorXd& x, const Eigen::VectorXd& u, double mu,
                  LinearDynamics& linear) const override {
     using First = Dual<double, n + q>;
@@ -116,7 +105,6 @@ class DualControl final : public ControlModel {
     read_off([&](int i) { return g[i]; }, linear);
   }
 
-  /// See ControlModel.
   double dynamics(double t, const Eigen::VectorXd& x, const Eigen::VectorXd& u, double mu,
                   Eigen::VectorXd& g) const override {
     const Vector<double, n> at = x;
@@ -127,7 +115,6 @@ class DualControl final : public ControlModel {
     return problem_.running_cost(t, at, v, mu);
   }
 
-  /// See ControlModel.
   [[nodiscard]] EndCost end_cost(const Eigen::VectorXd& x0, const Eigen::VectorXd& xF,
                                  double tF) const override {
     constexpr int size = 2 * n + 1;
@@ -275,7 +262,7 @@ class DualControl final : public ControlModel {
     return h.value;
   }
 
-  /// The flow with its derivatives by z, and where there are two variables more by mu and t.
+  /// The flow with its derivatives by z, and by t if there is a variable more.
   template <int variables>
   Dual<double, variables> dual_flow(double t, const Eigen::VectorXd& z, double mu, const Constraints& c,
                                     Vector<Dual<double, variables>, 2 * n>& f) const {
@@ -288,7 +275,7 @@ class DualControl final : public ControlModel {
     if constexpr (variables == 2 * n)
       return flow(D(t), x, lambda, D(mu), c, f);
     else
-      return flow(D::variable(t, 2 * n + 1), x, lambda, D::variable(mu, 2 * n), c, f);
+      return flow(D::variable(t, 2 * n), x, lambda, D(mu), c, f);
   }
   template <int variables>
   void set_jacobian(double t, const Eigen::VectorXd& z, double mu, const Constraints& c,

@@ -29,14 +29,10 @@ class DualProblem final : public Problem {
 
   /// The equations.
   [[nodiscard]] const E& equations() const { return equations_; }
-  /// See Problem.
   [[nodiscard]] int states() const override { return n; }
-  /// See Problem.
   [[nodiscard]] int parameters() const override { return m; }
-  /// See Problem.
   [[nodiscard]] std::vector<double> points() const override { return equations_.points(); }
 
-  /// See Problem.
   void rhs(double t, const Eigen::VectorXd& x, const Eigen::VectorXd& p,
            Eigen::VectorXd& dxdt) const override {
     Vector<double, n> f;
@@ -44,7 +40,6 @@ class DualProblem final : public Problem {
     dxdt = f;
   }
 
-  /// See Problem.
   void jacobian(double t, const Eigen::VectorXd& x, const Eigen::VectorXd& p, Eigen::MatrixXd& by_state,
                 Eigen::MatrixXd& by_parameter) const override {
     using D = Dual<double, n + m>;
@@ -61,7 +56,6 @@ class DualProblem final : public Problem {
     }
   }
 
-  /// See Problem.
   void conditions(const Eigen::MatrixXd& ends, const Eigen::VectorXd& p, Eigen::VectorXd& r) const override {
     equations_.conditions(Matrix<double, n, Eigen::Dynamic>(ends), Vector<double, m>(p), r);
   }

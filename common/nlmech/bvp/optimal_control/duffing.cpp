@@ -60,7 +60,6 @@ ExtremalProblem duffing_problem(const DuffingSettings& s) {
   task.free_final_time = s.free_final_time;
   task.mu = s.beta;
   task.constraints = s.constraints;
-  task.continued = s.continued;
   return {std::move(model), std::move(task)};
 }
 

@@ -4,14 +4,14 @@
 
 #include <string_view>
 
-#include "nlmech/bvp/multistart.hpp"
 #include "nlmech/bvp/optimal_control/direct_start.hpp"
+#include "nlmech/bvp/optimal_control/extremal.hpp"
 #include "nlmech/program/vector.hpp"
 
 namespace nlmech::bvp {
 
 /// x1' = x2, x2' = -omega^2 x1 - beta x1^3 + f with J = (x(T) - x_F)^T S (x(T) - x_F)/2 + integral f^2/2
-/// (Eqs 5.18 to 5.20; L is the integrand alone, against the print of 5.19). The continued number mu is beta.
+/// (Eqs 5.18 to 5.20; L is the integrand alone, against the print of 5.19). mu is beta.
 struct ControlledDuffing {
   static constexpr int states = 2;    ///< position, velocity
   static constexpr int controls = 1;  ///< f
@@ -65,19 +65,18 @@ enum class DuffingCase : std::uint8_t {
 
 /// One problem with the values of Table 5.2; T = 2 and S = I are readings.
 struct DuffingSettings {
-  DuffingCase which = DuffingCase::free;     ///< what is prescribed
-  double final_time = 2;                     ///< T
-  double beta = 0.9;                         ///< nonlinearity
-  double frequency = 1;                      ///< omega_n
-  Eigen::Vector2d begin{0, 0};               ///< x(0) where prescribed
-  Eigen::Vector2d target{5, 2};              ///< x_F; ignored by harmonic
-  Eigen::Vector2d weights{1, 1};             ///< s_11, s_22
-  Eigen::Vector3d amplitudes{1.5, 2, 3};     ///< a_1, a_2, a_3 of the harmonic state
-  double harmonic_frequency = 3;             ///< omega of the harmonic state
-  Constraints constraints = {};              ///< bounds, see solve_bounded
-  std::vector<Waypoint> waypoints = {};      ///< prescribed states between
-  bool free_final_time = false;              ///< T is a first guess only
-  Continued continued = Continued::nothing;  ///< see ControlTask
+  DuffingCase which = DuffingCase::free;  ///< what is prescribed
+  double final_time = 2;                  ///< T
+  double beta = 0.9;                      ///< nonlinearity
+  double frequency = 1;                   ///< omega_n
+  Eigen::Vector2d begin{0, 0};            ///< x(0) where prescribed
+  Eigen::Vector2d target{5, 2};           ///< x_F; ignored by harmonic
+  Eigen::Vector2d weights{1, 1};          ///< s_11, s_22
+  Eigen::Vector3d amplitudes{1.5, 2, 3};  ///< a_1, a_2, a_3 of the harmonic state
+  double harmonic_frequency = 3;          ///< omega of the harmonic state
+  Constraints constraints = {};           ///< bounds, see solve_bounded
+  std::vector<Waypoint> waypoints = {};   ///< prescribed states between
+  bool free_final_time = false;           ///< T is a first guess only
 };
 
 /// x_F; for the harmonic case by Eq. 5.34.
@@ -107,11 +106,8 @@ struct DuffingStarts {
   int direct = 12;        ///< direct_start from zero, constant, pumping and unforced guesses
   int random = 12;        ///< random_start
   unsigned seed = 1;      ///< of the random ones
-  int direct_pieces = 0;  ///< of direct_start; 0: by the number of oscillations
   /// direct_start from pump_start of strengths 1 to 1.08, where T holds four swings or more; 20 ms a swing.
   int driven = 6;
-  /// Penalty of a miss as large as the target, over the expected cost, of these; less for very many swings.
-  double driven_weight = 2000;
 };
 
 /// The program's own starts: nothing but the settings goes in.

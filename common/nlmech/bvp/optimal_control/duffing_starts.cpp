@@ -168,11 +168,11 @@ std::vector<Vector2d> begins(const DuffingSettings& s, int count) {
 
 void add_direct(const DuffingSettings& s, const DuffingStarts& which, std::vector<Start>& starts) {
   const ExtremalProblem problem = duffing_problem(s);
-  const double cycles = swings(s);
   // The neighbourhood of a minimum is enough.
-  DirectOptions options{.weight_growth = 40, .rounds = 4, .tolerance = 1e-4};
-  options.pieces = which.direct_pieces > 0 ? which.direct_pieces
-                                           : std::clamp(static_cast<int>(std::lround(60 * cycles)), 80, 2000);
+  const DirectOptions options{.pieces = std::clamp(static_cast<int>(std::lround(60 * swings(s))), 80, 2000),
+                              .weight_growth = 40,
+                              .rounds = 4,
+                              .tolerance = 1e-4};
   const auto forces = forces_in_time(s, which.direct);
   const auto from = begins(s, which.direct);
   const bool begin_is_free = !problem.task().begin[0] || !problem.task().begin[1];
@@ -195,7 +195,7 @@ void add_driven(const DuffingSettings& s, const DuffingStarts& which, std::vecto
   const Vector2d target = duffing_target(s);
   const double cost = 1.5 * energy(s, target) / s.final_time;
   DirectOptions options{.pieces = std::clamp(static_cast<int>(std::lround(60 * cycles)), 80, 4000),
-                        .first_weight = which.driven_weight * cost / target.squaredNorm(),
+                        .first_weight = 2000 * cost / target.squaredNorm(),
                         .rounds = 1};
   for (int k = 0; k < which.driven; ++k) {
     const double strength = 1 + 0.016 * k;

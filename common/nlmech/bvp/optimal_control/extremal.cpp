@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "nlmech/support/sentences.hpp"
+#include "nlmech/support/stopwatch.hpp"
 
 namespace nlmech::bvp {
 
@@ -44,9 +45,6 @@ ExtremalProblem::ExtremalProblem(std::shared_ptr<const ControlModel> model, Cont
     throw invalid_argument("optimal control: the final time {} is not after the begin {}", task_.final_time,
                            task_.begin_time);
   }
-  if (task_.free_final_time && task_.continued == Continued::final_time) {
-    throw std::invalid_argument("optimal control: a free final time cannot be continued too");
-  }
   check_constraints(task_.constraints, n_);
   points_ = {task_.begin_time, task_.final_time};
   for (const Waypoint& w : task_.waypoints) {
@@ -65,33 +63,16 @@ ExtremalProblem::ExtremalProblem(std::shared_ptr<const ControlModel> model, Cont
   points_.erase(std::unique(points_.begin(), points_.end()), points_.end());
 }
 
-bool ExtremalProblem::time_is_unknown() const {
-  return task_.free_final_time || task_.continued == Continued::final_time;
-}
-
-int ExtremalProblem::parameters() const {
-  return (time_is_unknown() ? 1 : 0) + (task_.continued == Continued::parameter ? 1 : 0);
-}
-
-int ExtremalProblem::condition_count() const { return 2 * n_ * phases() + (task_.free_final_time ? 1 : 0); }
-
 double ExtremalProblem::final_time(const VectorXd& p) const {
-  return time_is_unknown() ? p[0] : task_.final_time;
-}
-
-double ExtremalProblem::mu(const VectorXd& p) const {
-  return task_.continued == Continued::parameter ? p[p.size() - 1] : task_.mu;
+  return task_.free_final_time ? p[0] : task_.final_time;
 }
 
 VectorXd ExtremalProblem::own_parameters() const {
-  VectorXd p(parameters());
-  if (time_is_unknown()) p[0] = task_.final_time;
-  if (task_.continued == Continued::parameter) p[p.size() - 1] = task_.mu;
-  return p;
+  return VectorXd::Constant(parameters(), task_.final_time);
 }
 
 double ExtremalProblem::true_time(double t, const VectorXd& p) const {
-  if (!time_is_unknown()) return t;
+  if (!task_.free_final_time) return t;
   const double t0 = task_.begin_time;
   return t0 + (t - t0) * (p[0] - t0) / (task_.final_time - t0);
 }
@@ -104,31 +85,27 @@ std::optional<double> ExtremalProblem::waypoint(std::size_t point, int component
 }
 
 void ExtremalProblem::rhs(double t, const VectorXd& z, const VectorXd& p, VectorXd& dzdt) const {
-  model_->extremal(true_time(t, p), z, mu(p), task_.constraints, dzdt);
-  if (time_is_unknown()) {
+  model_->extremal(true_time(t, p), z, task_.mu, task_.constraints, dzdt);
+  if (task_.free_final_time) {
     dzdt *= (p[0] - task_.begin_time) / (task_.final_time - task_.begin_time);
   }
 }
 
 void ExtremalProblem::jacobian(double t, const VectorXd& z, const VectorXd& p, MatrixXd& by_state,
                                MatrixXd& by_parameter) const {
-  if (parameters() == 0) {
+  if (!task_.free_final_time) {
     by_state.resize(2L * n_, 2L * n_);
     model_->extremal_jacobian(t, z, task_.mu, task_.constraints, by_state);
     return;
   }
-  MatrixXd j(2 * n_, 2 * n_ + 2);
-  model_->extremal_jacobian(true_time(t, p), z, mu(p), task_.constraints, j);
-  by_state = j.leftCols(2 * n_);
-  if (task_.continued == Continued::parameter) by_parameter.rightCols(1) = j.col(2L * n_);
-  if (!time_is_unknown()) return;
+  MatrixXd j(2 * n_, 2 * n_ + 1);
+  model_->extremal_jacobian(true_time(t, p), z, task_.mu, task_.constraints, j);
   // dz/ds = c f(t_0 + c (s - t_0), z) with c = (t_F - t_0)/(length of s)
   const double length = task_.final_time - task_.begin_time, c = (p[0] - task_.begin_time) / length;
   VectorXd f(2 * n_);
-  model_->extremal(true_time(t, p), z, mu(p), task_.constraints, f);
-  by_state *= c;
-  if (task_.continued == Continued::parameter) by_parameter.rightCols(1) *= c;
-  by_parameter.col(0) = (f + c * (t - task_.begin_time) * j.col(2 * n_ + 1)) / length;
+  model_->extremal(true_time(t, p), z, task_.mu, task_.constraints, f);
+  by_state = c * j.leftCols(2 * n_);
+  by_parameter.col(0) = (f + c * (t - task_.begin_time) * j.col(2L * n_)) / length;
 }
 
 void ExtremalProblem::conditions(const MatrixXd& ends, const VectorXd& p, VectorXd& r) const {
@@ -152,7 +129,7 @@ void ExtremalProblem::conditions(const MatrixXd& ends, const VectorXd& p, Vector
   if (task_.free_final_time) {
     VectorXd gradient;
     r[row] = phi.gradient[2L * n_] +
-             model_->hamiltonian(final_time(p), ends.col(last), mu(p), task_.constraints, gradient);
+             model_->hamiltonian(final_time(p), ends.col(last), task_.mu, task_.constraints, gradient);
   }
 }
 
@@ -165,7 +142,7 @@ void ExtremalProblem::condition_jacobian(const MatrixXd& ends, const VectorXd& p
   const auto second_derivatives = [&](Index row, int k, double sign) {
     by_ends.block(row, 0, 1, n_) += sign * phi.hessian.block(k, 0, 1, n_);
     by_ends.block(row, end_column, 1, n_) += sign * phi.hessian.block(k, n_, 1, n_);
-    if (time_is_unknown()) by_parameter(row, 0) += sign * phi.hessian(k, 2L * n_);
+    if (task_.free_final_time) by_parameter(row, 0) += sign * phi.hessian(k, 2L * n_);
   };
   for (int i = 0; i < n_; ++i) {
     if (task_.begin[static_cast<std::size_t>(i)]) {
@@ -195,25 +172,24 @@ void ExtremalProblem::condition_jacobian(const MatrixXd& ends, const VectorXd& p
   }
   if (!task_.free_final_time) return;
   VectorXd gradient;
-  (void)model_->hamiltonian(final_time(p), ends.col(last), mu(p), task_.constraints, gradient);
+  (void)model_->hamiltonian(final_time(p), ends.col(last), task_.mu, task_.constraints, gradient);
   by_ends.block(row, end_column, 1, 2 * n_) = gradient.head(2 * n_).transpose();
-  if (task_.continued == Continued::parameter) by_parameter(row, by_parameter.cols() - 1) = gradient[2L * n_];
-  by_parameter(row, 0) += gradient[2 * n_ + 1];
+  by_parameter(row, 0) += gradient[2L * n_];
   second_derivatives(row, 2 * n_, 1);
 }
 
 VectorXd control_at(const ExtremalProblem& problem, const Solution& solution, double t) {
   const VectorXd& p = solution.parameters();
   VectorXd u(problem.model().controls());
-  problem.model().control(problem.true_time(t, p), solution.at(t), problem.mu(p), problem.task().constraints,
-                          u);
+  problem.model().control(problem.true_time(t, p), solution.at(t), problem.task().mu,
+                          problem.task().constraints, u);
   return u;
 }
 
 double hamiltonian_at(const ExtremalProblem& problem, const Solution& solution, double t) {
   const VectorXd& p = solution.parameters();
   VectorXd gradient;
-  return problem.model().hamiltonian(problem.true_time(t, p), solution.at(t), problem.mu(p),
+  return problem.model().hamiltonian(problem.true_time(t, p), solution.at(t), problem.task().mu,
                                      problem.task().constraints, gradient);
 }
 
@@ -226,30 +202,135 @@ double cost_of(const ExtremalProblem& problem, const Solution& solution) {
   VectorXd u(model.controls()), g(n);
   const auto running = [&](double t, const VectorXd& z) {
     const double time = problem.true_time(t, p);
-    model.control(time, z, problem.mu(p), problem.task().constraints, u);
-    return model.dynamics(time, z.head(n), u, problem.mu(p), g);
+    model.control(time, z, problem.task().mu, problem.task().constraints, u);
+    return model.dynamics(time, z.head(n), u, problem.task().mu, g);
   };
   return model.end_cost(solution.first().head(n), solution.last().head(n), tF).value +
          stretch * solution.integral(running);
 }
 
+double end_miss(const ExtremalProblem& problem, const Solution& solution) {
+  if (solution.integrated_end.size() == 0) return std::numeric_limits<double>::quiet_NaN();
+  double miss = 0;
+  for (std::size_t i = 0; i < problem.task().end.size(); ++i) {
+    const auto& value = problem.task().end[i];
+    if (value) miss = std::max(miss, std::abs(solution.integrated_end[static_cast<Index>(i)] - *value));
+  }
+  return miss;
+}
+
 Extremal solve_extremal(const ExtremalProblem& problem, const Start& start, const Options& options) {
   Extremal extremal;
   extremal.solution = solve(problem, start, options);
+  extremal.miss = end_miss(problem, extremal.solution);
   const Solution& s = extremal.solution;
-  extremal.miss = std::numeric_limits<double>::quiet_NaN();
   if (s.unknowns.intervals.empty() || !s.last().allFinite()) return extremal;
   extremal.final_time = problem.final_time(s.parameters());
-  extremal.mu = problem.mu(s.parameters());
   extremal.cost = cost_of(problem, s);
-  if (options.verification == Verification::none || s.integrated_end.size() == 0) return extremal;
-  extremal.miss = 0;
-  for (std::size_t i = 0; i < problem.task().end.size(); ++i) {
-    const auto& value = problem.task().end[i];
-    if (value)
-      extremal.miss = std::max(extremal.miss, std::abs(s.integrated_end[static_cast<Index>(i)] - *value));
-  }
   return extremal;
+}
+
+ExtremalProblem with_constraints(const ExtremalProblem& problem, const Constraints& constraints) {
+  ControlTask task = problem.task();
+  task.constraints = constraints;
+  return {problem.shared_model(), std::move(task)};
+}
+
+Extremal tighten(const ExtremalProblem& problem, const Start& start, const ConstraintPath& path,
+                 const Options& given) {
+  Options options = given;
+  // Along a bounded arc a penalty of weight w makes solutions grow like exp(sqrt(w) t): not to be integrated
+  // through.
+  if (path(1).penalty_weight > 0 && options.verification == Verification::whole)
+    options.verification = Verification::pieces;
+  Extremal last = solve_extremal(with_constraints(problem, path(0)), start, options);
+  double s = 0, step = 0.1;
+  while (last.solution.status.ok() && s < 1) {
+    const double next = std::min(1.0, s + step);
+    Extremal trial =
+        solve_extremal(with_constraints(problem, path(next)), start_from(last.solution), options);
+    if (trial.solution.status.ok()) {
+      s = next;
+      step *= 1.5;
+      trial.solution.statistics += last.solution.statistics;
+      last = std::move(trial);
+      continue;
+    }
+    step /= 2;
+    if (step >= 1e-3) continue;
+    const Constraints c = path(s);
+    last.solution.status =
+        failed_with(Outcome::infeasible,
+                    "tighten: {:.4g} of the way to the bounds (control limit {:.6g}, penalty weight {:.3g}) "
+                    "no extremal follows ({}); the bounds admit none near this one, or none at all: loosen "
+                    "them or start from another extremal",
+                    s, c.control_limit, c.penalty_weight, trial.solution.status.sentence());
+  }
+  return last;
+}
+
+ConstraintPath control_bound_path(double peak, double limit, double smoothing) {
+  if (!(peak > 0) || !(limit > 0) || !(smoothing > 0)) {
+    throw invalid_argument("control_bound_path: peak {}, limit {}, smoothing {}", peak, limit, smoothing);
+  }
+  const double easy = std::max(1.1 * peak, limit), wide = std::max(0.03 * limit, smoothing);
+  return [=](double s) {
+    Constraints c;
+    const double first = std::min(1.0, 2 * s), second = std::max(0.0, 2 * s - 1);
+    c.control_limit = easy * std::pow(limit / easy, first);
+    c.control_smoothing = wide * std::pow(smoothing / wide, second);
+    return c;
+  };
+}
+
+ConstraintPath state_bound_path(std::vector<StateBound> bounds, double weight) {
+  if (!(weight >= 1)) throw invalid_argument("state_bound_path: weight {}", weight);
+  return [bounds = std::move(bounds), weight](double s) {
+    Constraints c;
+    c.states = bounds;
+    c.penalty_weight = std::pow(weight, s);
+    c.penalty_smoothing = 0.1 * std::pow(10 / std::sqrt(weight), s);
+    return c;
+  };
+}
+
+namespace {
+
+bool close(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
+  return a.size() == 0 || ((a - b).array().abs() / (1 + b.array().abs())).maxCoeff() <= 1e-5;
+}
+
+}  // namespace
+
+Multistart multistart(const ExtremalProblem& problem, std::span<const Start> starts, const Options& options,
+                      const MultistartOptions& many) {
+  const Stopwatch watch;
+  Multistart result;
+  for (std::size_t k = 0; k < starts.size() && watch.seconds() <= many.seconds; ++k) {
+    Extremal extremal = solve_extremal(problem, starts[k], options);
+    result.statistics += extremal.solution.statistics;
+    if (!extremal.solution.status.ok()) {
+      ++(extremal.solution.status.outcome() == Outcome::spurious_root ? result.spurious : result.failed);
+      continue;
+    }
+    ++result.good;
+    const auto known = std::find_if(result.found.begin(), result.found.end(), [&](const Found& f) {
+      const Solution &a = f.extremal.solution, &b = extremal.solution;
+      return close(a.first(), b.first()) && close(a.parameters(), b.parameters());
+    });
+    if (known != result.found.end()) {
+      ++known->hits;
+      continue;
+    }
+    if (many.second_order_pieces > 0) {
+      extremal.second_order = second_order(problem, extremal.solution, many.second_order_pieces);
+    }
+    result.found.push_back({std::move(extremal), 1});
+  }
+  std::sort(result.found.begin(), result.found.end(),
+            [](const Found& a, const Found& b) { return a.extremal.cost < b.extremal.cost; });
+  result.statistics.seconds = watch.seconds();
+  return result;
 }
 
 }  // namespace nlmech::bvp

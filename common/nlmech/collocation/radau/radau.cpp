@@ -1,7 +1,10 @@
 #include "nlmech/collocation/radau/radau.hpp"
 
+#include <Eigen/LU>
+
 #include "nlmech/collocation/integration.hpp"
 #include "nlmech/collocation/nodes.hpp"
+#include "nlmech/collocation/radial/stable_gaussian.hpp"
 
 namespace nlmech::collocation {
 namespace {
@@ -48,5 +51,24 @@ template const Radau<7>& radau<7>();
 template const Radau<8>& radau<8>();
 template const Radau<12>& radau<12>();
 template const Radau<16>& radau<16>();
+
+template <int s>
+bool gaussian_radau(double shape, Radau<s>& tables) {
+  const Radau<s>& polynomials = radau<s>();
+  Eigen::VectorXd times(s + 1);
+  times << 0, polynomials.nodes;
+  const Eigen::MatrixXd derivative = StableGaussian(times, shape).differentiation_matrix();
+  const Eigen::MatrixXd integral = derivative.bottomRightCorner(s, s).partialPivLu().inverse();
+  tables.nodes = polynomials.nodes;
+  tables.legendre = polynomials.legendre;
+  tables.integral = integral;
+  tables.twice = tables.integral * tables.integral;
+  tables.left = (derivative.topRightCorner(1, s) * integral).transpose();
+  return tables.twice.allFinite() && tables.left.allFinite();
+}
+
+template bool gaussian_radau<8>(double, Radau<8>&);
+template bool gaussian_radau<12>(double, Radau<12>&);
+template bool gaussian_radau<16>(double, Radau<16>&);
 
 }  // namespace nlmech::collocation

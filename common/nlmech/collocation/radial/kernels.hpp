@@ -62,8 +62,4 @@ template <class T>
 /// As on a command line: "inverse-multiquadric".
 [[nodiscard]] std::string_view to_string(Kernel kernel);
 
-/// The kernel of that name.
-/// @throws std::invalid_argument if there is none; the text lists all names
-[[nodiscard]] Kernel kernel_from_string(std::string_view name);
-
 }  // namespace nlmech::collocation

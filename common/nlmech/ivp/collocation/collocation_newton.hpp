@@ -11,7 +11,6 @@
 #include <utility>
 
 #include "nlmech/algebraic/dense_lu.hpp"
-#include "nlmech/collocation/radau/radau_defect.hpp"
 #include "nlmech/collocation/radau/radau_transform.hpp"
 #include "nlmech/ivp/collocation/collocation_loops.hpp"
 #include "nlmech/ivp/collocation/collocation_trial.hpp"

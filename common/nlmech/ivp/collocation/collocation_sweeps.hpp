@@ -11,7 +11,6 @@
 #include <utility>
 
 #include "nlmech/collocation/radau/radau.hpp"
-#include "nlmech/collocation/radial/gaussian_radau.hpp"
 #include "nlmech/collocation/radial/stable_gaussian.hpp"
 #include "nlmech/ivp/collocation/collocation_loops.hpp"
 #include "nlmech/ivp/collocation/collocation_trial.hpp"

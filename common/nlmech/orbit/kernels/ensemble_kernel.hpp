@@ -2,7 +2,7 @@
 /// Kepler orbits by Taylor series, one in each lane, for any set of lanes. Internal to the kernels.
 #pragma once
 
-#include "nlmech/orbit/kernels/ensemble.hpp"
+#include "nlmech/orbit/kernels/kernel.hpp"
 #include "nlmech/orbit/kernels/taylor_kernel.hpp"
 #include "nlmech/support/kernels/rough_logarithm.hpp"
 

@@ -10,7 +10,7 @@
 #include "nlmech/collocation/differentiation.hpp"
 #include "nlmech/collocation/nodes.hpp"
 #include "nlmech/collocation/radial/stable_gaussian.hpp"
-#include "nlmech/orbit/acceleration.hpp"
+#include "nlmech/orbit/gravity.hpp"
 #include "nlmech/orbit/transfer/transfer.hpp"
 #include "nlmech/program/dual.hpp"
 #include "nlmech/support/sentences.hpp"

@@ -1,9 +1,14 @@
 #include "nlmech/scene/cost/lines.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <map>
 #include <stdexcept>
+#include <utility>
 
 namespace nlmech::scene {
 
@@ -57,6 +62,197 @@ std::optional<double> Front::time(double digits) const {
   const auto& [low, low_time] = *std::prev(above);
   const auto& [high, high_time] = *above;
   return low_time * std::pow(high_time / low_time, std::min((digits - low) / (high - low), 1.0));
+}
+
+namespace {
+
+using Lines = std::vector<std::size_t>;
+
+std::vector<Front> fronts_of(const ProblemLines& problem) {
+  std::vector<Front> fronts;
+  for (const MethodLine& line : problem.lines) fronts.emplace_back(line);
+  return fronts;
+}
+
+/// The line of least time among those allowed.
+template <class Allowed>
+std::optional<std::pair<std::size_t, double>> fastest(const std::vector<Front>& fronts, double digits,
+                                                      const Allowed& allowed) {
+  std::optional<std::pair<std::size_t, double>> found;
+  for (std::size_t i = 0; i < fronts.size(); ++i) {
+    if (!allowed(i)) continue;
+    const auto time = fronts[i].time(digits);
+    if (time && (!found || *time < found->second)) found = {i, *time};
+  }
+  return found;
+}
+
+/// What lines come to on all problems together.
+class Standings {
+ public:
+  Standings(const std::vector<ProblemLines>& problems, double least) : problems_(problems), least_(least) {
+    for (const ProblemLines& p : problems) fronts_.push_back(fronts_of(p));
+  }
+
+  /// How often each of these lines is the fastest of them, at each whole number of digits.
+  [[nodiscard]] std::map<std::size_t, int> wins(const Lines& of) const {
+    std::map<std::size_t, int> wins;
+    for (const auto& fronts : fronts_) {
+      for (int digits = static_cast<int>(std::floor(least_)) + 1; digits <= 16; ++digits) {
+        const auto first =
+            fastest(fronts, digits, [&](std::size_t i) { return std::ranges::count(of, i) > 0; });
+        if (first) ++wins[first->first];
+      }
+    }
+    return wins;
+  }
+
+  /// The best of these lines; nothing if none has a point.
+  [[nodiscard]] std::optional<std::size_t> best(const Lines& of) const {
+    const auto won = wins(of);
+    std::optional<std::size_t> best;
+    const auto merit = [&](std::size_t i) {
+      return std::pair(won.contains(i) ? won.at(i) : 0, -least_error(i));
+    };
+    for (const std::size_t i : of) {
+      if (drawn(i) && (!best || merit(i) > merit(*best))) best = i;
+    }
+    return best;
+  }
+
+  /// Has the line a point?
+  [[nodiscard]] bool drawn(std::size_t line) const {
+    return std::ranges::any_of(problems_, [&](const auto& p) { return p.lines[line].best() != nullptr; });
+  }
+
+ private:
+  [[nodiscard]] double least_error(std::size_t line) const {
+    double least = problems_.front().lines[line].least_error();
+    for (const ProblemLines& p : problems_) least = std::min(least, p.lines[line].least_error());
+    return least;
+  }
+
+  const std::vector<ProblemLines>& problems_;
+  double least_;
+  std::vector<std::vector<Front>> fronts_;
+};
+
+/// "3", "3 and 6", "3, 6 and 9"
+std::string listed(const std::vector<double>& digits) {
+  const auto first = digits.begin(), last = digits.end() - 1;
+  if (first == last) return fmt::format("{:g}", *last);
+  return fmt::format("{:g} and {:g}", fmt::join(first, last, ", "), *last);
+}
+
+Lines lines_where(const std::vector<MethodLine>& lines,
+                  const std::function<bool(const MethodLine&)>& wanted) {
+  Lines found;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (wanted(lines[i])) found.push_back(i);
+  }
+  return found;
+}
+
+/// The lines, the most important ones first.
+Lines ranked(const std::vector<MethodGroup>& groups, const std::vector<ProblemLines>& problems,
+             double least) {
+  const std::vector<MethodLine>& lines = problems.front().lines;
+  const Standings standings(problems, least);
+  Lines chosen;
+  const auto choose = [&](std::optional<std::size_t> line) {
+    if (line && std::ranges::count(chosen, *line) == 0) chosen.push_back(*line);
+  };
+  for (const Side side : {Side::subject, Side::floor, Side::peer}) {
+    for (std::size_t g = 0; g < groups.size(); ++g)
+      choose(
+          standings.best(lines_where(lines, [&](const auto& l) { return l.side == side && l.group == g; })));
+  }
+  for (const ProblemLines& p : problems) {
+    for (const Lead& lead : leads_of(p)) choose(lead.first);
+  }
+  const auto wins = standings.wins(
+      lines_where(lines, [](const auto& l) { return l.side == Side::ours || l.side == Side::subject; }));
+  std::vector<std::pair<int, std::size_t>> ours;
+  for (const auto& [line, count] : wins) ours.emplace_back(-count, line);
+  std::ranges::sort(ours);
+  for (const auto& [count, line] : ours) choose(line);
+  const Lines all = lines_where(
+      lines, [&](const auto& l) { return standings.drawn(static_cast<std::size_t>(&l - lines.data())); });
+  if (all.size() > method_looks.size()) return chosen;
+  for (const std::size_t line : all) choose(line);  // few enough for no grey
+  return chosen;
+}
+
+}  // namespace
+
+std::string Lead::margin(const ProblemLines& problem) const {
+  if (!first) return "nobody";
+  if (!next) return "alone";
+  const std::string& other = problem.lines[*next].method;
+  if (factor <= 1.05) return "level with " + other;
+  return fmt::format("{:.{}f} times before {}", factor, factor < 9.95 ? 1 : 0, other);
+}
+
+std::vector<Lead> leads_of(const ProblemLines& problem) {
+  const std::vector<Front> fronts = fronts_of(problem);
+  const auto competes = [&](std::size_t i) { return problem.lines[i].side != Side::floor; };
+  std::vector<Lead> leads;
+  for (const double digits : asked_digits) {
+    Lead& lead = leads.emplace_back(Lead{digits, {}, {}});
+    const auto first = fastest(fronts, digits, competes);
+    if (!first) continue;
+    lead.first = first->first;
+    lead.time = first->second;
+    const std::string family = problem.lines[first->first].family();
+    const auto next = fastest(
+        fronts, digits, [&](std::size_t i) { return competes(i) && problem.lines[i].family() != family; });
+    if (!next) continue;
+    lead.next = next->first;
+    lead.factor = next->second / lead.time;
+  }
+  return leads;
+}
+
+std::string who_leads(const ProblemLines& problem) {
+  std::vector<std::pair<std::string, std::vector<double>>> leaders;
+  for (const Lead& lead : leads_of(problem)) {
+    if (!lead.first) continue;
+    const std::string& name = problem.lines[*lead.first].method;
+    const auto known = std::ranges::find(leaders, name, &decltype(leaders)::value_type::first);
+    (known == leaders.end() ? leaders.emplace_back(name, std::vector<double>{}) : *known)
+        .second.push_back(lead.digits);
+  }
+  if (leaders.empty()) return "no method has three digits";
+  std::string text;
+  for (const auto& [name, digits] : leaders)
+    text +=
+        fmt::format(fmt::runtime(text.empty() ? "{} is fastest at {}" : ", {} at {}"), name, listed(digits));
+  return text + " digits";
+}
+
+std::vector<InColour> foreground(const std::vector<MethodGroup>& groups,
+                                 const std::vector<ProblemLines>& problems, double least) {
+  if (problems.empty()) return {};
+  std::vector<InColour> chosen;
+  std::vector<bool> taken(method_looks.size());
+  Lines waiting;
+  const auto give = [&](std::size_t line, std::size_t colour) {
+    taken[colour] = true;
+    chosen.push_back({line, colour});
+  };
+  // The colours of groups first: what has another one must not take them away.
+  Lines best = ranked(groups, problems, least);
+  best.resize(std::min(best.size(), method_looks.size()));
+  for (const std::size_t line : best) {
+    const std::size_t wanted = groups.at(problems.front().lines[line].group).colour;
+    if (taken.at(wanted))
+      waiting.push_back(line);
+    else
+      give(line, wanted);
+  }
+  for (const std::size_t line : waiting)
+    give(line, static_cast<std::size_t>(std::ranges::find(taken, false) - taken.begin()));
+  return chosen;
 }
 
 }  // namespace nlmech::scene

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <iterator>
 #include <sstream>
+#include <stdexcept>
 #include <utility>
 
 #include "nlmech/scene/program/csv.hpp"
@@ -295,6 +296,16 @@ const std::string& owner(const PublishedValue& value, const std::vector<Place>& 
 Judgement judge(const PublishedValue& value, const Measured& measured) {
   if (supports(value.expected, value, measured)) return {value.expected, true};
   return {fallback(value, measured), false};
+}
+
+Printed::Printed() {
+  for (const PublishedValue& value : read_published(data_folder())) values_[value.name()] = value.value;
+}
+
+double Printed::operator[](const std::string& name) const {
+  const auto found = values_.find(name);
+  if (found == values_.end()) throw std::logic_error("no source prints " + name);
+  return found->second;
 }
 
 }  // namespace nlmech::scene

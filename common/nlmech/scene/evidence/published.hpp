@@ -1,8 +1,9 @@
 /// @file
-/// Numbers that the sources print, and the verdict on each of them.
+/// Numbers that the sources print: read, looked up by name, and the verdict on each of them.
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -135,5 +136,17 @@ struct Judgement {
 ///  - `input` needs the printed number itself.
 /// `context` and `not stated` judge nothing.
 [[nodiscard]] Judgement judge(const PublishedValue& value, const Measured& measured);
+
+/// All numbers that the sources print.
+class Printed {
+ public:
+  /// Reads them. @throws InputError naming file, line and cell
+  Printed();
+  /// @param name as PublishedValue::name() @throws std::logic_error if no source prints it
+  [[nodiscard]] double operator[](const std::string& name) const;
+
+ private:
+  std::map<std::string, double> values_;
+};
 
 }  // namespace nlmech::scene

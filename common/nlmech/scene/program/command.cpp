@@ -13,7 +13,6 @@
 #include <vector>
 
 #include "nlmech/scene/build_info.hpp"
-#include "nlmech/scene/program/manual.hpp"
 #include "nlmech/scene/program/this_process.hpp"
 #include "nlmech/scene/program/time_limit.hpp"
 #include "nlmech/scene/program/typed.hpp"

@@ -1,4 +1,4 @@
-#include "nlmech/scene/program/manual.hpp"
+#include "nlmech/scene/program/command.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

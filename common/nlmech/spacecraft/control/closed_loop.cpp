@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "nlmech/spacecraft/plant/poles.hpp"
-#include "nlmech/spacecraft/plant/zero_cluster.hpp"
+#include "nlmech/spacecraft/plant/roots.hpp"
 #include "nlmech/support/sentences.hpp"
 
 namespace nlmech::spacecraft {
