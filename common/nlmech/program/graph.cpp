@@ -266,6 +266,26 @@ NodeId Graph::by_sign(NodeId a, NodeId positive, NodeId negative) {
   return choice(a, positive, negative);
 }
 
+NodeId Graph::table(const Table& table, bool stepped) {
+  const NodeId inside = pieces(table, stepped, 0, table.times.size() - (stepped ? 0 : 1));
+  const NodeId none = number(std::numeric_limits<double>::quiet_NaN());
+  const double behind = std::nextafter(table.times.back(), std::numeric_limits<double>::infinity());
+  const NodeId before_end = choice(sum(time(), number(-behind)), none, inside);
+  return choice(sum(time(), number(-table.times.front())), before_end, none);
+}
+// By halves, so that few choices lie above each other. Piece i begins at row i.
+NodeId Graph::pieces(const Table& table, bool stepped, std::size_t first, std::size_t last) {
+  if (last - first == 1) {
+    const double t = table.times[first], value = table.values[first];
+    if (stepped) return number(value);
+    const double slope = (table.values[last] - value) / (table.times[last] - t);
+    return sum(number(value), product(number(slope), sum(time(), number(-t))));
+  }
+  const std::size_t middle = first + (last - first) / 2;
+  const NodeId later = pieces(table, stepped, middle, last);
+  return choice(sum(time(), number(-table.times[middle])), later, pieces(table, stepped, first, middle));
+}
+
 NodeId Graph::choice(NodeId decides, NodeId yes, NodeId no) {
   if (is_number(decides))
     return std::isnan((*this)[decides].c) ? decides : (*this)[decides].c >= 0 ? yes : no;

@@ -51,6 +51,12 @@ struct Node {
   [[nodiscard]] auto key() const { return std::tuple(operation, function, a, b, decides, c); }
 };
 
+/// Values at times, which ascend; two or more.
+struct Table {
+  std::vector<double> times;   ///< of each row
+  std::vector<double> values;  ///< there
+};
+
 /// Builds nodes. Operations on numbers are carried out, and those without effect (x + 0, 1 x) left out. What
 /// is zero as a formula is the number 0, whatever the state: 0 x, 0/x, x - x; so a term with the factor 0 is
 /// not there. For the same reason x^0 is 1.
@@ -92,6 +98,10 @@ class Graph {
   /// @p yes where @p decides is not negative, else @p no; not a number where it is none.
   [[nodiscard]] NodeId choice(NodeId decides, NodeId yes, NodeId no);
 
+  /// The values of a table by the time: straight between two rows, or @p stepped, those of the row before.
+  /// Not a number outside of its times.
+  [[nodiscard]] NodeId table(const Table& table, bool stepped);
+
   /// The derivative by the time of what depends on the time alone and is linear in it between jumps: 2 t - 1,
   /// mod(t, 3). NaN of all else.
   [[nodiscard]] double drift(NodeId id) const { return drifts_[static_cast<std::size_t>(id)]; }
@@ -112,6 +122,7 @@ class Graph {
   NodeId add(Operation operation, NodeId a, NodeId b = 0, double c = 0, Function function = {},
              NodeId decides = 0);
   NodeId by_sign(NodeId a, NodeId positive, NodeId negative);
+  NodeId pieces(const Table& table, bool stepped, std::size_t first, std::size_t last);
   NodeId sign_of(NodeId a);
   NodeId rounded_down(NodeId a);
   NodeId rounded_up(NodeId a);

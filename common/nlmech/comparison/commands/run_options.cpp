@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <utility>
 
@@ -56,6 +57,9 @@ std::vector<double> times_of_rows(const std::string& typed, const UserProblem& p
 }  // namespace
 
 void RunOptions::check_rows() const {
+  if (std::min(t0, t1) < tables.first || std::max(t0, t1) > tables.second)
+    throw input_error("--until {}: the run goes from {} to {}, and the tables of the equations from {} to {}",
+                      t1, t0, t1, tables.first, tables.second);
   for (const double t : at) {
     if (!(t >= std::min(t0, t1) && t <= std::max(t0, t1)))
       throw input_error("--at {}: is outside of the run, which goes from {} to {}", t, t0, t1);
@@ -72,7 +76,10 @@ MakeProblem problem_of(const TypedOptions& typed) {
   if (typed.problem.empty()) {
     const auto text = typed.file.empty() ? program::SourceText("--equation", typed.equation)
                                          : program::SourceText(typed.file, read_equations(typed.file));
-    make = [text](const program::Settings& all) { return typed_problem(text, all); };
+    const auto tables = table_reader(std::filesystem::path(typed.file).parent_path());
+    make = [text, tables](const program::Settings& all) {
+      return typed_problem(text, all, "the equation", tables);
+    };
   } else {
     make = library_problem(typed.problem);
   }
@@ -89,6 +96,7 @@ RunOptions run_options(const TypedOptions& typed, const UserProblem& problem, iv
       .t1 = 0,
       .settings = typed.settings,
       .every = positive_of("--every", typed.every, problem),
+      .tables = problem.text.times_of_tables(),
       .order = problem.printed_order(typed.initial),
       .limits = {.seconds = typed.limit.value_or(scene::Options::usual_limit),
                  .largest_step = typed.largest_step.value_or(std::numeric_limits<double>::infinity())},
