@@ -88,6 +88,10 @@ Values by the time, straight between two rows; methods step onto the rows. The a
   >   holds --each 'x = t - sin(t) +- 1e-7' 'u = t +- 1e-15'
   $ integrate "x' = table(\"load.csv\")" --initial x=5.5 --from 4 --until 0 | holds 'x = 0 +- 1e-9'
 
+A surface made of one: x climbs to it, moves with it and cannot follow when it falls:
+
+  $ integrate 'x1 = table("load.csv"); x'"' = if(x > x1, -1, 1); x(0) = 0" --until 4 --at 1,2,2.5,3 | holds --each 'x = [0, 1, 2, 2, 2, 1] +- 1e-8'
+
 A file of equations has its tables beside it:
 
   $ mkdir folder && mv ramp.csv folder && echo "x' = table(\"ramp.csv\"); x(0) = 0" > folder/ramp.ode
@@ -133,7 +137,7 @@ What is refused
   $ printf '0,0\n1,2\n1,3\n' > bad.csv && loaded bad.csv
   integrators: table bad.csv: line 3: the time 1 does not come after 1
   $ printf '0,0,1\n' > bad.csv && loaded bad.csv
-  integrators: table bad.csv: line 1: 3 cells, and a row is a time and a value
+  integrators: table bad.csv: line 1: a row has two cells, time and value, and this one 3
   $ printf '0,0\n' > bad.csv && loaded bad.csv
   integrators: table bad.csv: fewer than two rows
   $ printf '0,0\n0.5,0\n' > short.csv && loaded short.csv

@@ -718,7 +718,7 @@ TEST(Tables, AreFunctionsOfTheTime) {
   using Times = std::vector<double>;
   const TableReader reader = [](const std::string& name) {
     EXPECT_EQ(name, "a;b.csv");
-    return Table{{0, 1, 3, 4}, {0, 2, 2, -1}};
+    return Table{.times = {0, 1, 3, 4}, .values = {0, 2, 2, -1}};
   };
   const Equations equations(SourceText("test", "x' = table(\"a;b.csv\"); y' = table(\"a;b.csv\", steps) x/x"),
                             {}, reader);

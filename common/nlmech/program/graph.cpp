@@ -80,6 +80,7 @@ double evaluate(const Node& node, double a, double b) {
     case Operation::atan2: return std::atan2(a, b);
     case Operation::choice: return a;
     case Operation::floor: return std::floor(a);
+    case Operation::table: return std::numeric_limits<double>::quiet_NaN();  // of the time alone
     case Operation::combined: return a + node.c * b;
   }
   return 0;
@@ -266,24 +267,11 @@ NodeId Graph::by_sign(NodeId a, NodeId positive, NodeId negative) {
   return choice(a, positive, negative);
 }
 
-NodeId Graph::table(const Table& table, bool stepped) {
-  const NodeId inside = pieces(table, stepped, 0, table.times.size() - (stepped ? 0 : 1));
-  const NodeId none = number(std::numeric_limits<double>::quiet_NaN());
-  const double behind = std::nextafter(table.times.back(), std::numeric_limits<double>::infinity());
-  const NodeId before_end = choice(sum(time(), number(-behind)), none, inside);
-  return choice(sum(time(), number(-table.times.front())), before_end, none);
-}
-// By halves, so that few choices lie above each other. Piece i begins at row i.
-NodeId Graph::pieces(const Table& table, bool stepped, std::size_t first, std::size_t last) {
-  if (last - first == 1) {
-    const double t = table.times[first], value = table.values[first];
-    if (stepped) return number(value);
-    const double slope = (table.values[last] - value) / (table.times[last] - t);
-    return sum(number(value), product(number(slope), sum(time(), number(-t))));
-  }
-  const std::size_t middle = first + (last - first) / 2;
-  const NodeId later = pieces(table, stepped, middle, last);
-  return choice(sum(time(), number(-table.times[middle])), later, pieces(table, stepped, first, middle));
+NodeId Graph::table(const Table& table) {
+  const auto known = std::ranges::find_if(tables_, [&](const auto& other) { return *other == table; });
+  const auto number = static_cast<double>(known - tables_.begin());
+  if (known == tables_.end()) tables_.push_back(std::make_shared<const Table>(table));
+  return add(Operation::table, time(), time(), number);
 }
 
 NodeId Graph::choice(NodeId decides, NodeId yes, NodeId no) {
@@ -311,6 +299,7 @@ NodeId Graph::again(const Node& node, NodeId a, NodeId b) {
     case Operation::atan2: return call(Function::atan2, a, b);
     case Operation::choice: return choice(node.decides, a, b);
     case Operation::floor: return add(Operation::floor, a);
+    case Operation::table: return add(Operation::table, a, a, node.c);
     case Operation::combined: return sum(a, product(number(node.c), b));
   }
   return a;

@@ -2,12 +2,17 @@
 /// Expressions of the time and the state as a graph of operations in which nothing stands twice.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <map>
+#include <memory>
 #include <tuple>
 #include <vector>
 
 #include "nlmech/program/functions.hpp"
+#include "nlmech/program/value_of.hpp"
 
 namespace nlmech::program {
 
@@ -29,6 +34,7 @@ enum class Operation : std::uint8_t {
   atan2,       ///< atan2(a, b)
   choice,      ///< a where the function of the switch is not negative, else b
   floor,       ///< greatest whole number up to a, which depends on the time alone
+  table,       ///< value of table number c at the time a
   combined     ///< a + c b; in programs alone
 };
 
@@ -51,10 +57,30 @@ struct Node {
   [[nodiscard]] auto key() const { return std::tuple(operation, function, a, b, decides, c); }
 };
 
-/// Values at times, which ascend; two or more.
+/// Values at times.
 struct Table {
-  std::vector<double> times;   ///< of each row
+  std::vector<double> times;   ///< of each row; two or more, which ascend
   std::vector<double> values;  ///< there
+  bool stepped = false;        ///< the values hold up to the next row; else straight between two rows
+
+  /// Are all members equal?
+  bool operator==(const Table&) const = default;
+  /// The value at time @p t; not a number outside of the times.
+  template <class T>
+  [[nodiscard]] T at(const T& t) const {
+    const auto now = value_of(t);
+    const auto after =
+        std::upper_bound(times.begin(), times.end(), now, [](const auto& a, double b) { return a < b; });
+    if (after == times.begin() || now > times.back()) return T(std::numeric_limits<double>::quiet_NaN());
+    const auto row = static_cast<std::size_t>(after - times.begin()) - 1;
+    if (stepped) return T(values[row]);
+    const std::size_t i = std::min(row, times.size() - 2);
+    return values[i] + slope(i) * (t - times[i]);
+  }
+  /// Between row @p i and the next.
+  [[nodiscard]] double slope(std::size_t i) const {
+    return (values[i + 1] - values[i]) / (times[i + 1] - times[i]);
+  }
 };
 
 /// Builds nodes. Operations on numbers are carried out, and those without effect (x + 0, 1 x) left out. What
@@ -98,9 +124,10 @@ class Graph {
   /// @p yes where @p decides is not negative, else @p no; not a number where it is none.
   [[nodiscard]] NodeId choice(NodeId decides, NodeId yes, NodeId no);
 
-  /// The values of a table by the time: straight between two rows, or @p stepped, those of the row before.
-  /// Not a number outside of its times.
-  [[nodiscard]] NodeId table(const Table& table, bool stepped);
+  /// The values of a table by the time.
+  [[nodiscard]] NodeId table(const Table& table);
+  /// The tables, by number.
+  [[nodiscard]] const std::vector<std::shared_ptr<const Table>>& tables() const { return tables_; }
 
   /// The derivative by the time of what depends on the time alone and is linear in it between jumps: 2 t - 1,
   /// mod(t, 3). NaN of all else.
@@ -122,7 +149,6 @@ class Graph {
   NodeId add(Operation operation, NodeId a, NodeId b = 0, double c = 0, Function function = {},
              NodeId decides = 0);
   NodeId by_sign(NodeId a, NodeId positive, NodeId negative);
-  NodeId pieces(const Table& table, bool stepped, std::size_t first, std::size_t last);
   NodeId sign_of(NodeId a);
   NodeId rounded_down(NodeId a);
   NodeId rounded_up(NodeId a);
@@ -131,6 +157,7 @@ class Graph {
   int size_;
   std::vector<Node> nodes_;
   std::vector<double> drifts_;  // of each node
+  std::vector<std::shared_ptr<const Table>> tables_;
   std::map<decltype(Node{}.key()), NodeId> known_;
 };
 

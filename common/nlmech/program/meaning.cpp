@@ -209,10 +209,11 @@ void Meaning::hold_to_domain(const Syntax& node, const std::vector<NodeId>& argu
 
 NodeId Meaning::table(const Syntax& node) {
   if (!names_.read_table) throw source_.mistake(node.place, "there are no tables here");
-  const Table table = names_.read_table(node.name);
+  Table table = names_.read_table(node.name);
+  table.stepped = node.function == Function::stepped_table;
   names_.earliest = std::max(names_.earliest, table.times.front());
   names_.latest = std::min(names_.latest, table.times.back());
-  return graph_.table(table, node.function == Function::stepped_table);
+  return graph_.table(table);
 }
 LinearForm Meaning::choose(const Syntax& node) {
   const NodeId yes = argument(node.operands[1].node), no = argument(node.operands[2].node);

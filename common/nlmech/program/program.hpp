@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <type_traits>
 #include <vector>
 
@@ -81,7 +82,7 @@ class Program {
 
   // The common operations here; the others cost more than a call.
   template <class T>
-  [[gnu::always_inline]] static void carry_out(const Instruction& i, T* place) {
+  [[gnu::always_inline]] void carry_out(const Instruction& i, T* place) const {
     const T &a = place[i.a], &b = place[i.b];
     T& r = place[i.r];
     switch (i.operation) {
@@ -96,7 +97,7 @@ class Program {
     }
   }
   template <class T>
-  [[gnu::noinline]] static T value(const Instruction& i, const T* place) {
+  [[gnu::noinline]] T value(const Instruction& i, const T* place) const {
     using std::atan2;
     using std::pow;
     const T &a = place[i.a], &b = place[i.b];
@@ -109,6 +110,7 @@ class Program {
       case Operation::atan2: return atan2(a, b);
       case Operation::choice: return chosen(place[i.decides], a, b);
       case Operation::floor: return T(rounded_down(a));
+      case Operation::table: return tables_[static_cast<std::size_t>(i.c)]->at(a);
       case Operation::number: return T(i.c);
       default: return a;
     }
@@ -178,6 +180,7 @@ class Program {
   std::size_t size_ = 0, places_ = 0;
   std::vector<Instruction> instructions_;
   std::vector<Output> outputs_;
+  std::vector<std::shared_ptr<const Table>> tables_;
 };
 
 }  // namespace nlmech::program

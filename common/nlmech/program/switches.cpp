@@ -78,6 +78,10 @@ Switches::Switches(const Graph& graph, const std::vector<NodeId>& slopes) : grap
   for (NodeId i = 0; i < graph_.nodes(); ++i) {
     if (!part[index(i)]) continue;
     if (graph_[i].operation == Operation::floor) timed_.push_back(i);
+    if (graph_[i].operation == Operation::table) {
+      const Table& table = *graph_.tables()[static_cast<std::size_t>(graph_[i].c)];
+      times_.insert(times_.end(), table.times.begin(), table.times.end());
+    }
     if (graph_[i].operation != Operation::choice) continue;
     const NodeId decides = graph_[i].decides;
     if (const std::optional<double> time = time_of(graph_, decides)) {
@@ -133,7 +137,8 @@ void Switches::add_jumps(std::size_t k, double begin, double last, std::vector<d
   const double end_value = step_value(k, last);
   double value = step_value(k, begin);
   if (!(std::abs(end_value - value) + static_cast<double>(jumps.size()) <= most))
-    throw std::invalid_argument("the equations jump more than a million times before, by floor, ceil, frac or mod");
+    throw std::invalid_argument(
+        "the equations jump more than a million times before, by floor, ceil, frac or mod");
   while (value != end_value) {
     double before = begin, after = last;
     for (;;) {

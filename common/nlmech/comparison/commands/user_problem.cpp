@@ -33,7 +33,7 @@ bool is_numeric(const std::string& text) {
 program::Table read_table(const std::filesystem::path& path) {
   const std::string name = echoed_path(path.string());
   if (!std::filesystem::is_regular_file(path)) throw input_error("table {}: there is no such file", name);
-  constexpr std::size_t most_rows = 1000;
+  constexpr std::size_t most_rows = 100'000;
   program::Table table;
   bool has_header = false;
   for (const scene::CsvRecord& record : scene::parse_csv(scene::read_whole(path), name)) {
@@ -42,7 +42,7 @@ program::Table read_table(const std::filesystem::path& path) {
     };
     if (record.cells.front().starts_with('#')) continue;
     if (record.cells.size() != 2)
-      throw refuse(fmt::format("{} cells, and a row is a time and a value", record.cells.size()));
+      throw refuse(fmt::format("a row has two cells, time and value, and this one {}", record.cells.size()));
     double t = 0, value = 0;
     const bool is_time = scene::parse_number(record.cells[0], t),
                is_value = scene::parse_number(record.cells[1], value);
