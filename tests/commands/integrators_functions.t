@@ -74,6 +74,29 @@ Rows at times that are asked for, among those at equal distances; none stands tw
   $ swing --until 1 --every 0.2 --at '0.5,0.6,sqrt(0.5)' | holds --each 't = [0, 0.2, 0.4, 0.5, 0.6, sqrt(1/2), 0.8, 1] +- 1e-15' 'x = cos(2*t) +- 4e-9'
   $ swing --from 1 --until 0 --at 0.25,0.75 | holds --each 't = [1, 0.75, 0.25, 0]'
 
+Tables
+------
+
+Values by the time, straight between two rows; methods step onto the rows. The areas below, and a ramp on an oscillator, x = t - sin(t):
+
+  $ printf 't,load\n0,0\n1,2\n3,2\n4,-1\n' > load.csv
+  $ printf '0,0\n10,10\n' > ramp.csv
+  $ for method in "" "--method ode45" "--method rk4 --step 0.3" "--method series"; do
+  >   integrate 'x1 = table("load.csv"); x'"' = x1; y' = "'table("load.csv", steps)' --initial "x=0, y=0" --until 4 $method | holds 'x = 5.5 +- 1e-9' 'y = 6 +- 1e-9'
+  > done
+  $ integrate "x'' + x = table(\"ramp.csv\"); x(0) = 0; x'(0) = 0" --until 10 --every 2.5 --columns 'u = table("ramp.csv")' |
+  >   holds --each 'x = t - sin(t) +- 1e-7' 'u = t +- 1e-15'
+  $ integrate "x' = table(\"load.csv\")" --initial x=5.5 --from 4 --until 0 | holds 'x = 0 +- 1e-9'
+
+A surface made of one: x climbs to it, moves with it and cannot follow when it falls:
+
+  $ integrate 'x1 = table("load.csv"); x'"' = if(x > x1, -1, 1); x(0) = 0" --until 4 --at 1,2,2.5,3 | holds --each 'x = [0, 1, 2, 2, 2, 1] +- 1e-8'
+
+A file of equations has its tables beside it:
+
+  $ mkdir folder && mv ramp.csv folder && echo "x' = table(\"ramp.csv\"); x(0) = 0" > folder/ramp.ode
+  $ integrators integrate --file folder/ramp.ode --until 4 | holds 'x = 8 +- 1e-8'
+
 What is refused
 ---------------
 
@@ -106,3 +129,24 @@ What is refused
   integrators: --at 1.5: is outside of the run, which goes from 0 to 1
   $ equation "x' = -x" --initial x=1 --section x=0.5 --at 0.5
   integrators: --section shows its own rows alone: give neither --event, --every nor --at with it
+  $ loaded() { equation "x' = -x + table(\"$1\")" --initial x=1; }
+  $ loaded nosuch.csv
+  integrators: table nosuch.csv: there is no such file
+  $ printf 't,load\n0,0\n1,two\n' > bad.csv && loaded bad.csv
+  integrators: table bad.csv: line 3: 'two' is not a finite number
+  $ printf '0,0\n1,2\n1,3\n' > bad.csv && loaded bad.csv
+  integrators: table bad.csv: line 3: the time 1 does not come after 1
+  $ printf '0,0,1\n' > bad.csv && loaded bad.csv
+  integrators: table bad.csv: line 1: a row has two cells, time and value, and this one 3
+  $ printf '0,0\n' > bad.csv && loaded bad.csv
+  integrators: table bad.csv: fewer than two rows
+  $ printf '0,0\n0.5,0\n' > short.csv && loaded short.csv
+  integrators: --until 1: the run goes from 0 to 1, and the tables of the equations from 0 to 0.5
+  $ equation "x' = table(load.csv)" --initial x=1
+  integrators: --equation:1:12: the name of a file stands in quotation marks: table("load.csv")
+    x' = table(load.csv)
+               ^
+  $ equation "x' = table(\"load.csv)" --initial x=1
+  integrators: --equation:1:12: the name of a file ends with a quotation mark
+    x' = table("load.csv)
+               ^

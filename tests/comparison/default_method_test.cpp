@@ -92,7 +92,7 @@ TEST(DefaultMethod, AnswersWhatIsForced) {
                              .t0 = 0,
                              .t1 = f.end,
                              .settings = {},
-                             .every = {},
+                             .order = problem.printed_order(""),
                              .limits = {.seconds = 60},
                              .verify = true};
     const ivp::MethodInfo& method = usual_method(problem, options);

@@ -713,6 +713,32 @@ TEST(KnownTimes, MoreThanAMillionAreRefused) {
                std::invalid_argument);
 }
 
+// Halves and quarters: the lines through the rows are exact.
+TEST(Tables, AreFunctionsOfTheTime) {
+  using Times = std::vector<double>;
+  const TableReader reader = [](const std::string& name) {
+    EXPECT_EQ(name, "a;b.csv");
+    return Table{.times = {0, 1, 3, 4}, .values = {0, 2, 2, -1}};
+  };
+  const Equations equations(SourceText("test", "x' = table(\"a;b.csv\"); y' = table(\"a;b.csv\", steps) x/x"),
+                            {}, reader);
+  EXPECT_EQ(equations.times_of_tables(), std::pair(0.0, 4.0));
+  const ivp::System system{Problem(equations)};
+  EXPECT_EQ(system.switches(), 0);
+  EXPECT_EQ(system.discontinuities(0, 4), (Times{1, 3}));
+  const Times at = {0, 0.5, 1, 2, 3, 3.25, 4}, lines = {0, 1, 2, 2, 2, 1.25, -1},
+              steps = {0, 0, 2, 2, 2, 2, -1};
+  ivp::State f;
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    system.rhs(at[i], ivp::State{1, 0}, f);
+    EXPECT_EQ(f, (ivp::State{lines[i], steps[i]})) << at[i];
+  }
+  for (const double outside : {-1e-300, 4.1}) {
+    system.rhs(outside, ivp::State{1, 0}, f);
+    EXPECT_TRUE(std::isnan(f[0]) && std::isnan(f[1])) << outside;
+  }
+}
+
 TEST(Columns, AreExpressionsOfTheState) {
   Equations e = read("x'' = -w^2 x + F; w = 2; F = cos(t); r = x^2");
   std::vector<Equations::Column> columns;

@@ -265,8 +265,9 @@ class EquationReader {
   std::vector<Statement> equations_;
 };
 
-Equations::Equations(SourceText source, const Settings& settings)
+Equations::Equations(SourceText source, const Settings& settings, TableReader read_table)
     : source_(std::move(source)), tree_(parse(source_)) {
+  names_.read_table = std::move(read_table);
   EquationReader reader(*this);
   reader.find_unknowns();
   reader.name_components();

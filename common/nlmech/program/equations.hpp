@@ -37,7 +37,8 @@ class Equations {
   /// @param settings replace definitions by numbers, and give those that the text leaves out
   /// @throws InputError that points at the mistake and says what was expected; for a setting that is not
   /// finite, that the text does not name, or that breaks a condition
-  explicit Equations(SourceText source, const Settings& settings = {});
+  /// @param read_table for table("load.csv"); none: tables are refused
+  explicit Equations(SourceText source, const Settings& settings = {}, TableReader read_table = {});
 
   /// Components of the state.
   [[nodiscard]] int size() const { return graph_.size(); }
@@ -67,6 +68,8 @@ class Equations {
   [[nodiscard]] std::optional<double> initial_time() const { return initial_time_; }
   /// Where it ends, if the text says so.
   [[nodiscard]] std::optional<double> final_time() const { return final_time_; }
+  /// The times between which all tables have values; infinite without tables.
+  [[nodiscard]] std::pair<double, double> times_of_tables() const { return {names_.earliest, names_.latest}; }
   /// The equations and the definitions that are no numbers, in one line.
   [[nodiscard]] const std::string& summary() const { return summary_; }
   /// The initial state, of what the text gives and @p text, which has the precedence: "x=1, x'=0". Its values

@@ -44,7 +44,9 @@ enum class Function : std::uint8_t {
   min,
   max,
   mod,
-  choose
+  choose,
+  table,
+  stepped_table
 };
 
 /// How it is written.
@@ -72,7 +74,8 @@ inline constexpr std::array functions = {
     FunctionInfo{Function::heaviside, "step", 1}, FunctionInfo{Function::min, "min", 2},
     FunctionInfo{Function::max, "max", 2},        FunctionInfo{Function::floor, "floor", 1},
     FunctionInfo{Function::ceil, "ceil", 1},      FunctionInfo{Function::frac, "frac", 1},
-    FunctionInfo{Function::mod, "mod", 2},        FunctionInfo{Function::choose, "if", 3}};
+    FunctionInfo{Function::mod, "mod", 2},        FunctionInfo{Function::choose, "if", 3},
+    FunctionInfo{Function::table, "table", 1}};
 
 /// The function of that name, if there is one.
 [[nodiscard]] constexpr std::optional<FunctionInfo> function_by_name(std::string_view name) {

@@ -80,6 +80,7 @@ double evaluate(const Node& node, double a, double b) {
     case Operation::atan2: return std::atan2(a, b);
     case Operation::choice: return a;
     case Operation::floor: return std::floor(a);
+    case Operation::table: return std::numeric_limits<double>::quiet_NaN();  // of the time alone
     case Operation::combined: return a + node.c * b;
   }
   return 0;
@@ -266,6 +267,13 @@ NodeId Graph::by_sign(NodeId a, NodeId positive, NodeId negative) {
   return choice(a, positive, negative);
 }
 
+NodeId Graph::table(const Table& table) {
+  const auto known = std::ranges::find_if(tables_, [&](const auto& other) { return *other == table; });
+  const auto number = static_cast<double>(known - tables_.begin());
+  if (known == tables_.end()) tables_.push_back(std::make_shared<const Table>(table));
+  return add(Operation::table, time(), time(), number);
+}
+
 NodeId Graph::choice(NodeId decides, NodeId yes, NodeId no) {
   if (is_number(decides))
     return std::isnan((*this)[decides].c) ? decides : (*this)[decides].c >= 0 ? yes : no;
@@ -291,6 +299,7 @@ NodeId Graph::again(const Node& node, NodeId a, NodeId b) {
     case Operation::atan2: return call(Function::atan2, a, b);
     case Operation::choice: return choice(node.decides, a, b);
     case Operation::floor: return add(Operation::floor, a);
+    case Operation::table: return add(Operation::table, a, a, node.c);
     case Operation::combined: return sum(a, product(number(node.c), b));
   }
   return a;

@@ -2,12 +2,18 @@
 /// Expressions of the time and the state as a graph of operations in which nothing stands twice.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <map>
+#include <memory>
 #include <tuple>
 #include <vector>
 
 #include "nlmech/program/functions.hpp"
+#include "nlmech/program/interval.hpp"
+#include "nlmech/program/value_of.hpp"
 
 namespace nlmech::program {
 
@@ -29,6 +35,7 @@ enum class Operation : std::uint8_t {
   atan2,       ///< atan2(a, b)
   choice,      ///< a where the function of the switch is not negative, else b
   floor,       ///< greatest whole number up to a, which depends on the time alone
+  table,       ///< value of table number c at the time a
   combined     ///< a + c b; in programs alone
 };
 
@@ -49,6 +56,44 @@ struct Node {
 
   /// For finding a node that is there already.
   [[nodiscard]] auto key() const { return std::tuple(operation, function, a, b, decides, c); }
+};
+
+/// Values at times.
+struct Table {
+  std::vector<double> times;   ///< of each row; two or more, which ascend
+  std::vector<double> values;  ///< there
+  bool stepped = false;        ///< the values hold up to the next row; else straight between two rows
+
+  /// Are all members equal?
+  bool operator==(const Table&) const = default;
+  /// The value at time @p t; not a number outside of the times.
+  template <class T>
+  [[nodiscard]] T at(const T& t) const {
+    const auto now = value_of(t);
+    const auto after =
+        std::upper_bound(times.begin(), times.end(), now, [](const auto& a, double b) { return a < b; });
+    if (after == times.begin() || now > times.back()) return T(std::numeric_limits<double>::quiet_NaN());
+    const auto row = static_cast<std::size_t>(after - times.begin()) - 1;
+    if (stepped) return T(values[row]);
+    const std::size_t i = std::min(row, times.size() - 2);
+    return values[i] + slope(i) * (t - times[i]);
+  }
+  /// Bounds on the values at all times of @p t; the whole line outside of the times.
+  [[nodiscard]] Interval bounds(const Interval& t) const {
+    const double first = std::max(t.low, times.front()), last = std::min(t.high, times.back());
+    if (!(first <= last)) return {};
+    double low = std::min(at(first), at(last)), high = std::max(at(first), at(last));
+    for (auto row = std::ranges::lower_bound(times, first) - times.begin();
+         row < std::ssize(times) && times[static_cast<std::size_t>(row)] <= last; ++row) {
+      low = std::min(low, values[static_cast<std::size_t>(row)]);
+      high = std::max(high, values[static_cast<std::size_t>(row)]);
+    }
+    return Interval::outwards(low, high);
+  }
+  /// Between row @p i and the next.
+  [[nodiscard]] double slope(std::size_t i) const {
+    return (values[i + 1] - values[i]) / (times[i + 1] - times[i]);
+  }
 };
 
 /// Builds nodes. Operations on numbers are carried out, and those without effect (x + 0, 1 x) left out. What
@@ -92,6 +137,11 @@ class Graph {
   /// @p yes where @p decides is not negative, else @p no; not a number where it is none.
   [[nodiscard]] NodeId choice(NodeId decides, NodeId yes, NodeId no);
 
+  /// The values of a table by the time.
+  [[nodiscard]] NodeId table(const Table& table);
+  /// The tables, by number.
+  [[nodiscard]] const std::vector<std::shared_ptr<const Table>>& tables() const { return tables_; }
+
   /// The derivative by the time of what depends on the time alone and is linear in it between jumps: 2 t - 1,
   /// mod(t, 3). NaN of all else.
   [[nodiscard]] double drift(NodeId id) const { return drifts_[static_cast<std::size_t>(id)]; }
@@ -120,6 +170,7 @@ class Graph {
   int size_;
   std::vector<Node> nodes_;
   std::vector<double> drifts_;  // of each node
+  std::vector<std::shared_ptr<const Table>> tables_;
   std::map<decltype(Node{}.key()), NodeId> known_;
 };
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -177,6 +178,7 @@ NodeId Meaning::argument(std::size_t node) {
 }
 LinearForm Meaning::call(const Syntax& node) {
   if (node.function == Function::choose) return choose(node);
+  if (node.function == Function::table || node.function == Function::stepped_table) return {table(node), {}};
   std::vector<NodeId> arguments;
   for (const Syntax::Operand& operand : node.operands) arguments.push_back(argument(operand.node));
   hold_to_domain(node, arguments);
@@ -197,7 +199,7 @@ void Meaning::hold_to_domain(const Syntax& node, const std::vector<NodeId>& argu
     case Function::frac: break;
     default: return;
   }
-  if (!std::isnan(graph_.drift(arguments[0])) || graph_.is_number(arguments[0])) return;
+  if (!std::isnan(graph_.drift(arguments[0]))) return;
   throw source_.mistake(
       tree_.nodes[node.operands[0].node].place,
       fmt::format("{} is known of numbers and of a t + b with numbers a and b alone; where a state or "
@@ -205,6 +207,14 @@ void Meaning::hold_to_domain(const Syntax& node, const std::vector<NodeId>& argu
                   name));
 }
 
+NodeId Meaning::table(const Syntax& node) {
+  if (!names_.read_table) throw source_.mistake(node.place, "there are no tables here");
+  Table table = names_.read_table(node.name);
+  table.stepped = node.function == Function::stepped_table;
+  names_.earliest = std::max(names_.earliest, table.times.front());
+  names_.latest = std::min(names_.latest, table.times.back());
+  return graph_.table(table);
+}
 LinearForm Meaning::choose(const Syntax& node) {
   const NodeId yes = argument(node.operands[1].node), no = argument(node.operands[2].node);
   return {where(node.operands[0].node, yes, no), {}};

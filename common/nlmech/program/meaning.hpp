@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
+#include <limits>
 #include <map>
 #include <string>
 #include <string_view>
@@ -30,12 +32,18 @@ struct LinearForm {
   std::map<int, NodeId> highest;  ///< coefficient of the highest derivative of each unknown; no number 0
 };
 
+/// Reads the table in a file. @throws InputError naming file, line and value
+using TableReader = std::function<Table(const std::string& file)>;
+
 /// What names mean.
 struct Names {
-  std::vector<Unknown> unknowns;                          ///< as the text first names them
-  std::map<std::string, int> numbers;                     ///< of the unknowns
-  std::map<std::pair<std::string, int>, int> components;  ///< of the state, by name and primes
-  std::map<std::string, LinearForm> defined;              ///< definitions that are worked out
+  std::vector<Unknown> unknowns;                               ///< as the text first names them
+  std::map<std::string, int> numbers;                          ///< of the unknowns
+  std::map<std::pair<std::string, int>, int> components;       ///< of the state, by name and primes
+  std::map<std::string, LinearForm> defined;                   ///< definitions that are worked out
+  TableReader read_table;                                      ///< none: no tables
+  double earliest = -std::numeric_limits<double>::infinity();  ///< time of all tables that were read
+  double latest = std::numeric_limits<double>::infinity();     ///< the same
 
   /// The component of the state that a node of a tree names, or -1.
   [[nodiscard]] int component(const Syntax& node) const;
@@ -90,6 +98,7 @@ class Meaning {
   [[nodiscard]] LinearForm call(const Syntax& node);
   void hold_to_domain(const Syntax& node, const std::vector<NodeId>& arguments) const;
   [[nodiscard]] LinearForm choose(const Syntax& node);
+  [[nodiscard]] NodeId table(const Syntax& node);
   [[nodiscard]] NodeId where(std::size_t condition, NodeId yes, NodeId no);
   [[nodiscard]] NodeId argument(std::size_t node);
   [[nodiscard]] InputError nonlinear(std::size_t node, const LinearForm& form, std::string_view where) const;

@@ -369,6 +369,7 @@ class Parser {
           token.place,
           fmt::format("{0} is a function, and needs its argument in brackets: {0}(...)", function.name));
     ++at_;
+    if (function.function == Function::table) return table(token);
     std::vector<Syntax::Operand> arguments = {{function.function == Function::choose ? condition() : sum()}};
     while (sees(TokenKind::comma)) {
       ++at_;
@@ -384,6 +385,24 @@ class Parser {
                 .place = place,
                 .function = function.function,
                 .operands = std::move(arguments)});
+  }
+
+  // table("load.csv") or table("load.csv", steps)
+  std::size_t table(const Token& token) {
+    if (!sees(TokenKind::text)) throw expected("the name of a file in quotation marks");
+    const std::string_view quoted = source_.at(take().place);
+    Function function = Function::table;
+    if (sees(TokenKind::comma)) {
+      ++at_;
+      if (!sees_word("steps")) throw expected("the word steps");
+      ++at_;
+      function = Function::stepped_table;
+    }
+    if (!sees(TokenKind::close)) throw expected(")");
+    return add({.kind = SyntaxKind::call,
+                .place = {token.place.begin, take().place.end},
+                .name = std::string(quoted.substr(1, quoted.size() - 2)),
+                .function = function});
   }
 
   const SourceText& source_;

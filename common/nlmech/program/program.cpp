@@ -16,6 +16,7 @@ class ProgramCompiler {
 
   void compile() {
     made_.size_ = index(graph_.size());
+    made_.tables_ = graph_.tables();
     made_.places_ = made_.size_ + 1;
     find_uses();
     for (NodeId i = 0; i <= graph_.size(); ++i) place_[index(i)] = static_cast<std::uint32_t>(i);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <type_traits>
 #include <vector>
 
@@ -82,7 +83,7 @@ class Program {
 
   // The common operations here; the others cost more than a call.
   template <class T>
-  [[gnu::always_inline]] static void carry_out(const Instruction& i, T* place) {
+  [[gnu::always_inline]] void carry_out(const Instruction& i, T* place) const {
     const T &a = place[i.a], &b = place[i.b];
     T& r = place[i.r];
     switch (i.operation) {
@@ -104,7 +105,7 @@ class Program {
       return a * b;
   }
   template <class T>
-  [[gnu::noinline]] static T value(const Instruction& i, const T* place) {
+  [[gnu::noinline]] T value(const Instruction& i, const T* place) const {
     using std::atan2;
     using std::pow;
     const T &a = place[i.a], &b = place[i.b];
@@ -117,6 +118,7 @@ class Program {
       case Operation::atan2: return atan2(a, b);
       case Operation::choice: return chosen(place[i.decides], a, b);
       case Operation::floor: return T(rounded_down(a));
+      case Operation::table: return of_table(*tables_[static_cast<std::size_t>(i.c)], a);
       case Operation::number: return T(i.c);
       default: return a;
     }
@@ -131,6 +133,14 @@ class Program {
       const auto value = value_of(decides);
       return value >= 0 ? a : value < 0 ? b : decides;
     }
+  }
+
+  template <class T>
+  static T of_table(const Table& table, const T& a) {
+    if constexpr (std::is_same_v<T, Interval>)
+      return table.bounds(a);
+    else
+      return table.at(a);
   }
 
   // A number also of what has derivatives: it is the same up to the next jump.
@@ -192,6 +202,7 @@ class Program {
   std::size_t size_ = 0, places_ = 0;
   std::vector<Instruction> instructions_;
   std::vector<Output> outputs_;
+  std::vector<std::shared_ptr<const Table>> tables_;
 };
 
 }  // namespace nlmech::program

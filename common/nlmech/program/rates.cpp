@@ -48,8 +48,17 @@ class Rates {
       }
       case Operation::choice: return g.choice(n.decides, da, db);
       case Operation::floor: return g.number(0);
+      case Operation::table: return slope_of(*g.tables()[static_cast<std::size_t>(n.c)]);
       default: return g.product(derivative(g, n.function, id, a), da);
     }
+  }
+
+  NodeId slope_of(const Table& table) {
+    if (table.stepped) return graph_.number(0);
+    Table slopes{table.times, {}, true};
+    for (std::size_t i = 0; i + 1 < table.times.size(); ++i) slopes.values.push_back(table.slope(i));
+    slopes.values.push_back(slopes.values.back());
+    return graph_.table(slopes);
   }
 
   Graph& graph_;

@@ -78,6 +78,10 @@ Switches::Switches(const Graph& graph, const std::vector<NodeId>& slopes) : grap
   for (NodeId i = 0; i < graph_.nodes(); ++i) {
     if (!part[index(i)]) continue;
     if (graph_[i].operation == Operation::floor) timed_.push_back(i);
+    if (graph_[i].operation == Operation::table) {
+      const Table& table = *graph_.tables()[static_cast<std::size_t>(graph_[i].c)];
+      times_.insert(times_.end(), table.times.begin(), table.times.end());
+    }
     if (graph_[i].operation != Operation::choice) continue;
     const NodeId decides = graph_[i].decides;
     if (const std::optional<double> time = time_of(graph_, decides)) {

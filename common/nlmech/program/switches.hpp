@@ -53,7 +53,7 @@ class Switches {
   static constexpr std::size_t most_known = 256;  // modes that are kept
   Graph graph_;
   std::vector<NodeId> slopes_, deciding_;
-  std::vector<double> times_;  // c of functions t - c, ascending
+  std::vector<double> times_;  // c of functions t - c, rows of tables, ascending
   std::vector<NodeId>
       timed_;  // other nodes of the time alone that decide or are rounded, with what they need before them
   Program timed_values_;

@@ -39,7 +39,7 @@ struct Syntax {
   SyntaxKind kind;                     ///< what
   Place place;                         ///< where
   double number = 0;                   ///< of a number
-  std::string name = {};               ///< of a name
+  std::string name = {};               ///< of a name; of a table, that of its file
   int primes = 0;                      ///< of a name
   Function function = {};              ///< of a call
   TokenKind relation = {};             ///< of a comparison: at_least, at_most, above or below

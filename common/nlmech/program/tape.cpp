@@ -69,7 +69,8 @@ struct Recurrences {
 
  private:
   NodeId copy(const Node& n, NodeId a, NodeId b) {
-    if (n.operation == Step::choice || n.operation == Step::floor) throw_unannounced_branch(false);
+    if (n.operation == Step::choice || n.operation == Step::floor || n.operation == Step::table)
+      throw_unannounced_branch(false);
     if (n.operation == Step::any_power) {
       const NodeId exponent = graph.product(b, graph.call(Function::log, a, a));
       return graph.call(Function::exp, exponent, exponent);

@@ -87,6 +87,7 @@ class Reader {
 
   void read(bool blank) {
     const char c = peek();
+    if (names_file()) return read_text(blank);
     if (is_digit(c) || (c == '.' && is_digit(peek(1)))) return read_number(blank);
     if (is_letter(c)) return read_name(blank);
     if (c == '\n' || (c == separator_ && (c == ';' || depth_ == 0))) {
@@ -109,6 +110,20 @@ class Reader {
       case '<': return peek(1) == '=' ? add(TokenKind::at_most, 2, blank) : add(TokenKind::below, 1, blank);
       default: throw unexpected();
     }
+  }
+
+  [[nodiscard]] bool names_file() const {
+    return tokens_.size() > 1 && tokens_.back().kind == TokenKind::open &&
+           source_.at(tokens_[tokens_.size() - 2].place) == "table";
+  }
+  void read_text(bool blank) {
+    if (peek() != '"')
+      throw source_.mistake({at_, at_ + 1},
+                            "the name of a file stands in quotation marks: table(\"load.csv\")");
+    const std::size_t end = text_.find_first_of("\"\n", at_ + 1);
+    if (end == std::string_view::npos || text_[end] != '"')
+      throw source_.mistake({at_, at_ + 1}, "the name of a file ends with a quotation mark");
+    add(TokenKind::text, end + 1 - at_, blank);
   }
 
   [[nodiscard]] InputError unexpected() const {

@@ -28,6 +28,7 @@ enum class TokenKind {
   at_most,           ///< <=
   above,             ///< >
   below,             ///< <
+  text,              ///< "..." behind `table(`
   end_of_statement,  ///< a semicolon, or the end of a line after which the statement is complete
   end_of_text
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <iterator>
 #include <limits>
 #include <utility>
@@ -51,6 +52,9 @@ std::vector<double> times_of_rows(const std::string& typed, const UserProblem& p
 }  // namespace
 
 void RunOptions::check_rows() const {
+  if (std::min(t0, t1) < tables.first || std::max(t0, t1) > tables.second)
+    throw input_error("--until {}: the run goes from {} to {}, and the tables of the equations from {} to {}",
+                      t1, t0, t1, tables.first, tables.second);
   for (const double t : at) {
     if (!(t >= std::min(t0, t1) && t <= std::max(t0, t1)))
       throw input_error("--at {}: is outside of the run, which goes from {} to {}", t, t0, t1);
@@ -68,8 +72,9 @@ MakeProblem problem_of(const TypedOptions& typed) {
     std::string text = typed.file.empty() ? typed.equation : read_equations(typed.file);
     const std::vector<EventLine> lines = take_event_lines(text);
     const program::SourceText source(typed.file.empty() ? "--equation" : typed.file, text);
-    make = [source, lines](const program::Settings& all) {
-      UserProblem problem = typed_problem(source, all);
+    const auto tables = table_reader(std::filesystem::path(typed.file).parent_path());
+    make = [source, lines, tables](const program::Settings& all) {
+      UserProblem problem = typed_problem(source, all, "the equation", tables);
       problem.event_lines = lines;
       return problem;
     };
@@ -89,6 +94,7 @@ RunOptions run_options(const TypedOptions& typed, const UserProblem& problem, iv
       .t1 = 0,
       .settings = typed.settings,
       .every = positive_of("--every", typed.every, problem),
+      .tables = problem.text.times_of_tables(),
       .order = problem.printed_order(typed.initial),
       .limits = {.seconds = typed.limit.value_or(scene::Options::usual_limit),
                  .largest_step = typed.largest_step.value_or(std::numeric_limits<double>::infinity())},

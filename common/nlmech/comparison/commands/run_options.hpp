@@ -3,9 +3,11 @@
 #pragma once
 
 #include <chrono>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "nlmech/comparison/any_method.hpp"
@@ -45,12 +47,14 @@ struct TypedOptions {
 
 /// A run of a problem. Made and checked once, of what was typed: what is behind it takes it as right.
 struct RunOptions {
-  ivp::State x0;                         ///< initial state
-  double t0 = 0;                         ///< start
-  double t1 = 0;                         ///< end
-  ivp::Settings settings;                ///< of the method
-  std::optional<double> every = {};      ///< distance of the rows in time; nothing: first and last alone
-  std::vector<double> at = {};           ///< times of further rows, ascending
+  ivp::State x0;                     ///< initial state
+  double t0 = 0;                     ///< start
+  double t1 = 0;                     ///< end
+  ivp::Settings settings;            ///< of the method
+  std::optional<double> every = {};  ///< distance of the rows in time; nothing: first and last alone
+  std::vector<double> at = {};       ///< times of further rows, ascending
+  std::pair<double, double> tables = {-std::numeric_limits<double>::infinity(),
+                                      std::numeric_limits<double>::infinity()};  ///< times that they have
   std::vector<int> order = {};           ///< components as they are printed
   Columns columns = {};                  ///< behind them
   ivp::Limits limits;                    ///< when to give up, all in all

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <memory>
+#include <mutex>
 #include <ranges>
 
 #include "nlmech/problems/texts.hpp"
@@ -22,6 +24,46 @@ namespace {
 
 ivp::State state_of(const std::vector<double>& x) {
   return Eigen::Map<const Eigen::VectorXd>(x.data(), static_cast<Eigen::Index>(x.size()));
+}
+
+/// Is all of it a number, finite or not, and no expression?
+bool is_numeric(const std::string& text) {
+  char* end = nullptr;
+  static_cast<void>(std::strtod(text.c_str(), &end));
+  return end != text.c_str() && scene::trimmed(end).empty();
+}
+
+program::Table read_table(const std::filesystem::path& path) {
+  const std::string name = echoed_path(path.string());
+  if (!std::filesystem::is_regular_file(path)) throw input_error("table {}: there is no such file", name);
+  constexpr std::size_t most_rows = 100'000;
+  program::Table table;
+  bool has_header = false;
+  for (const scene::CsvRecord& record : scene::parse_csv(scene::read_whole(path), name)) {
+    const auto refuse = [&](const std::string& why) {
+      return input_error("table {}: line {}: {}", name, record.line, why);
+    };
+    if (record.cells.front().starts_with('#')) continue;
+    if (record.cells.size() != 2)
+      throw refuse(fmt::format("a row has two cells, time and value, and this one {}", record.cells.size()));
+    double t = 0, value = 0;
+    const bool is_time = scene::parse_number(record.cells[0], t),
+               is_value = scene::parse_number(record.cells[1], value);
+    if (!is_time && !is_value && !has_header && table.times.empty()) {
+      has_header = true;
+      continue;
+    }
+    for (const auto& [good, cell] : {std::pair(is_time, record.cells[0]), {is_value, record.cells[1]}}) {
+      if (!good) throw refuse(fmt::format("'{}' is {}", echoed(cell), scene::number_fault(cell)));
+    }
+    if (!table.times.empty() && !(t > table.times.back()))
+      throw refuse(fmt::format("the time {} does not come after {}", t, table.times.back()));
+    if (table.times.size() == most_rows) throw refuse(fmt::format("more than {} rows", most_rows));
+    table.times.push_back(t);
+    table.values.push_back(value);
+  }
+  if (table.times.size() < 2) throw input_error("table {}: fewer than two rows", name);
+  return table;
 }
 
 UserProblem problem_of_text(const problems::ProblemText& known, const program::Settings& settings) {
@@ -121,7 +163,7 @@ Columns UserProblem::columns(const std::vector<std::string>& typed) const {
 }
 
 double UserProblem::number(const std::string& option, const std::string& typed) const {
-  if (scene::is_number(typed)) return scene::typed_number(option, typed);
+  if (is_numeric(typed)) return scene::typed_number(option, typed);
   return program::Equations(text).number(option, typed);
 }
 
@@ -144,8 +186,8 @@ ivp::Event UserProblem::event(const std::string& option, const std::string& type
 }
 
 UserProblem typed_problem(const program::SourceText& source, const program::Settings& settings,
-                          std::string_view name) {
-  const program::Equations equations(source, settings);
+                          std::string_view name, const program::TableReader& read_table) {
+  const program::Equations equations(source, settings, read_table);
   const program::Problem problem(equations);
   const auto extended = [problem](const Effort& effort) {
     // A Taylor series in extended precision does not see where an equation switches, and may round a known
@@ -164,6 +206,19 @@ UserProblem typed_problem(const program::SourceText& source, const program::Sett
           .extended = extended,
           .domain_ends = domain_ends(equations),
           .text = equations};
+}
+
+program::TableReader table_reader(const std::filesystem::path& folder) {
+  struct Known {
+    std::mutex mutex;  // runs of many rows are made in threads
+    std::map<std::string, program::Table> tables;
+  };
+  return [folder, known = std::make_shared<Known>()](const std::string& file) {
+    const std::scoped_lock lock(known->mutex);
+    const auto entry = known->tables.find(file);
+    if (entry != known->tables.end()) return entry->second;
+    return known->tables[file] = read_table(folder / file);
+  };
 }
 
 std::string read_equations(const std::string& name) {

@@ -2,6 +2,7 @@
 /// A problem as commands see it: one of the library by name, or equations that a user types.
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <map>
 #include <optional>
@@ -76,8 +77,13 @@ using MakeProblem = std::function<UserProblem(const program::Settings&)>;
 
 /// Equations that are a text. @param name in lists of problems
 /// @throws InputError that points at a mistake in the text
+/// @param read_table for tables in the text
 [[nodiscard]] UserProblem typed_problem(const program::SourceText& source, const program::Settings& settings,
-                                        std::string_view name = "the equation");
+                                        std::string_view name = "the equation",
+                                        const program::TableReader& read_table = {});
+
+/// Reads tables of files in @p folder, each once: two columns, time and value, with or without a header.
+[[nodiscard]] program::TableReader table_reader(const std::filesystem::path& folder);
 
 /// The text of a file of equations; - is standard input.
 /// @throws InputError naming `--file` for a device, a file that cannot be read, or one that nobody has typed

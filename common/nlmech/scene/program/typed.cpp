@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdlib>
 
 #include "nlmech/scene/program/csv.hpp"
 #include "nlmech/support/echo.hpp"
@@ -11,12 +10,6 @@
 #include "nlmech/support/sentences.hpp"
 
 namespace nlmech::scene {
-
-bool is_number(const std::string& text) {
-  char* end = nullptr;
-  static_cast<void>(std::strtod(text.c_str(), &end));
-  return end != text.c_str() && trimmed(end).empty();
-}
 
 double typed_number(std::string_view option, const std::string& text) {
   double value = 0;

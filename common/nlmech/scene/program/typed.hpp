@@ -8,9 +8,6 @@
 
 namespace nlmech::scene {
 
-/// Is the whole text a number, finite or not, so that it is no expression?
-[[nodiscard]] bool is_number(const std::string& text);
-
 /// A finite number. @throws InputError naming the option and the text
 [[nodiscard]] double typed_number(std::string_view option, const std::string& text);
 
