@@ -1,8 +1,8 @@
 /// @file
 /// `algebraic_series_bench`: Taylor series against the fastest classical formula of high order as its
-/// library's manual runs it, both compiled with the problem, what our walk costs that library, what the tape
-/// costs us, and coefficients beside a plain loop; by Google Benchmark. Writes
-/// results/bench/algebraic_series.json under the current folder; exit code 1 if a claim is not held.
+/// library's manual runs it, both compiled with the problem, what our loop over steps costs that library, and
+/// what the tape costs us; by Google Benchmark. Writes results/bench/algebraic_series.json under the current
+/// folder; exit code 1 if a claim does not hold.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -96,54 +96,10 @@ void add_rivals(chapters::Speed& all, const std::string& name, const ivp::State&
   all.claim(tape, inlined, 0.4);  // at most 2.5 times the time
 }
 
-/// The recurrence of Filipich and Rosales, Eqs. 67 and 68, as one would write it down.
-void lorenz_loop(double* a, double* b, double* c, int order) {
-  const chapters::PlainLorenz p;
-  for (int i = 0; i < order; ++i) {
-    double s = 0, z = 0;
-    for (int j = 0; j <= i; ++j) {
-      s += a[j] * c[i - j];
-      z += a[j] * b[i - j];
-    }
-    a[i + 1] = p.sigma * (b[i] - a[i]) / (i + 1);
-    b[i + 1] = (p.r * a[i] - b[i] - s) / (i + 1);
-    c[i + 1] = (z - p.b * c[i]) / (i + 1);
-  }
-}
-
-/// The coefficients of one step of the Lorenz equations, three ways.
-void add_coefficients(chapters::Speed& all) {
-  static const ivp::System system{chapters::PlainLorenz{}};
-  static const ivp::Direct direct{chapters::PlainLorenz{}};
-  const ivp::State x{-3, 2, 21};
-  for (const int order : {8, 16, 24, 32, 40, 64, 100}) {
-    const auto name = [order](const char* way) {
-      return fmt::format("coefficients to order {}, {}", order, way);
-    };
-    all.add(name("plain loop"), [order, x, c = std::vector<double>(303)]() mutable {
-      for (int i = 0; i < 3; ++i) c[101 * static_cast<std::size_t>(i)] = x[i];
-      lorenz_loop(c.data(), c.data() + 101, c.data() + 202, order);
-      return c.data();
-    });
-    const auto expand = [x](auto taylor) {
-      taylor.begin_segment(0, x);
-      return [taylor, x]() mutable {
-        taylor.expand(0, x);
-        return taylor.coefficients(0)[taylor.order()];
-      };
-    };
-    all.add(name("tape"), expand(system.taylor(order)));
-    if (order <= unrolled::most_order) all.add(name("unrolled"), expand(direct.taylor(order)));
-  }
-  all.claim("coefficients to order 24, unrolled", "coefficients to order 24, plain loop", 1.5);
-  all.claim("coefficients to order 100, tape", "coefficients to order 100, plain loop", 1.1);
-}
-
 void rows(chapters::Speed& all) {
   add_rivals<chapters::PlainDuffing>(all, "duffing", {1, 0}, 500, 1.7);
   add_rivals<chapters::PlainChain>(all, "three-masses", ivp::State::Zero(6), 200, 3.6);
   add_rivals<chapters::PlainLorenz>(all, "lorenz", {0, 1, 0}, 20, 3.0);
-  add_coefficients(all);
 }
 
 }  // namespace

@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <boost/math/special_functions/bessel.hpp>
+#include <boost/math/special_functions/bessel_prime.hpp>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -9,24 +11,8 @@
 namespace nlmech::chapters::algebraic_series::bessel {
 namespace {
 
+using boost::math::cyl_bessel_j, boost::math::cyl_bessel_j_prime;
 using Real = ExtendedReal<80>;
-
-/// J_nu for a whole number nu by its series about 0, whose terms at x = 10 are a thousand times the sum.
-Real bessel_j(int nu, const Real& x) {
-  Real term = 1;
-  for (int i = 1; i <= nu; ++i) term *= x / (2 * i);
-  Real sum = 0;
-  for (int k = 1; k < 120; ++k) {
-    sum += term;
-    term *= -(x * x) / (4 * k * (k + nu));
-  }
-  return sum;
-}
-
-/// J_nu' = (J_(nu-1) - J_(nu+1))/2; J_(-1) = -J_1.
-Real bessel_j_prime(int nu, const Real& x) {
-  return nu == 0 ? Real(-bessel_j(1, x)) : Real((bessel_j(nu - 1, x) - bessel_j(nu + 1, x)) / 2);
-}
 
 /// Bessel's equation on (0, T), Eq. 32, expanded about tau = x/T = 1.
 struct Expansion {
@@ -58,11 +44,11 @@ Expansion continued(Expansion e, int terms) {
 
 /// The solution that is J_nu(T tau).
 Expansion expand(int nu, int T, int terms) {
-  return continued({nu, T, {bessel_j(nu, Real(T)), T * bessel_j_prime(nu, Real(T))}}, terms);
+  return continued({nu, T, {cyl_bessel_j(nu, Real(T)), T * cyl_bessel_j_prime(nu, Real(T))}}, terms);
 }
 
 double error(const Expansion& e, const Real& tau, int terms) {
-  return static_cast<double>(abs(e.at(tau, terms) - bessel_j(e.order, Real(e.length * tau))));
+  return static_cast<double>(abs(e.at(tau, terms) - cyl_bessel_j(e.order, Real(e.length * tau))));
 }
 
 /// Another solution: A_0 = 1, A_1 = 0. It has the logarithm of Y_nu in it, and does not converge at 0.

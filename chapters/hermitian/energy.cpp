@@ -18,7 +18,6 @@ constexpr int windows = 400;
 struct Energy {
   std::string row;
   std::vector<double> worst;  ///< greatest |E/E0 - 1| within each of `windows` equal stretches of time
-  double slope;               ///< of E/E0 - 1 per unit of time, by least squares
   double determinant;         ///< of the derivative of one step, minus 1
 };
 
@@ -43,22 +42,14 @@ Energy energy_of(const ivp::HermitianPair& pair) {
   const ivp::State x0{1, 0.3};
   const double at_first = problem.energy(x0);
   const ivp::Hermitian method{.operators = pair, .step = step};
-  Energy e{std::string(pair.name), std::vector<double>(windows), 0, determinant_less_one(system, method)};
-  double st = 0, se = 0, stt = 0, ste = 0, count = 0;
+  Energy e{std::string(pair.name), std::vector<double>(windows), determinant_less_one(system, method)};
   const auto look = [&](const ivp::Step& s) {
-    const double error = problem.energy(s.x1) / at_first - 1;
     const auto window = static_cast<std::size_t>(std::min(windows - 1.0, s.t1 / end * windows));
-    e.worst[window] = std::max(e.worst[window], std::abs(error));
-    st += s.t1;
-    se += error;
-    stt += s.t1 * s.t1;
-    ste += s.t1 * error;
-    count += 1;
+    e.worst[window] = std::max(e.worst[window], std::abs(problem.energy(s.x1) / at_first - 1));
     return true;
   };
   const auto run = ivp::integrate(system, x0, 0, end, method, look);
   if (!run.status.ok()) throw Failure(run.status);
-  e.slope = (count * ste - st * se) / (count * stt - st * st);
   return e;
 }
 
@@ -84,7 +75,6 @@ void put(const std::vector<Energy>& all, scene::Show& show) {
   draw(all, show);
   show.table(all, {{"operators", &Energy::row},
                    {"greatest energy error", [](const Energy& e) { return std::ranges::max(e.worst); }},
-                   {"slope per unit of time", &Energy::slope, 2},
                    {"determinant of a step - 1", &Energy::determinant, 2}});
   for (const Energy& e : all) {
     const auto middle = e.worst.begin() + windows / 2;

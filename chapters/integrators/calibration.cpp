@@ -50,7 +50,7 @@ std::vector<Row> rows_of(const std::vector<ProblemTrials>& all) {
 
 void put(const std::vector<ProblemTrials>& all, scene::Show& show) {
   const std::vector<Row> rows = rows_of(all);
-  HeatMap map{"Digits missing against what was asked: whom to believe",
+  HeatMap map{"Requested minus achieved digits, conditioning removed",
               "miss",
               "!  success with fewer than half of the digits      blank: no success",
               {"conditioning taken out, the worst of all tolerances"},

@@ -38,11 +38,15 @@ program::Equations example(const std::string& name) {
   return program::Equations(program::SourceText(file, scene::read_whole(path)));
 }
 
-/// @p count + 1 equidistant times from @p begin to @p end.
-std::vector<double> equidistant(double begin, double end, int count) {
+/// The times number 0, 1, ..., @p count.
+template <class At>
+std::vector<double> times_of(int count, const At& at) {
   std::vector<double> times;
-  for (int i = 0; i <= count; ++i) times.push_back(begin + (end - begin) * i / count);
+  for (int i = 0; i <= count; ++i) times.push_back(at(i));
   return times;
+}
+std::vector<double> equidistant(double end, int count) {
+  return times_of(count, [=](int i) { return end * i / count; });
 }
 
 /// From the file's initial values to each of @p times, which rise. @p method and @p other begin anew at each
@@ -227,40 +231,27 @@ struct Drawn {
   void (*put)(const Course&, scene::Show&);
 };
 
-std::vector<double> powers(double from, double to, int count) {
-  std::vector<double> times;
-  for (int i = 0; i <= count; ++i)
-    times.push_back(from * std::pow(to / from, static_cast<double>(i) / count));
-  return times;
-}
-
-std::vector<double> periods(int count) {
-  std::vector<double> times;
-  for (int i = 0; i <= count; ++i) times.push_back(2 * std::numbers::pi * i);
-  return times;
-}
-
 }  // namespace
 
 std::vector<scene::Scene> scenes() {
   const std::vector<Drawn> all = {
-      {"double-pendulum", "A double pendulum, coupled in its accelerations", equidistant(0, 10, 1000),
-       "series", "adaptive-collocation", double_pendulum},
-      {"duffing-attractor", "Sections of Ueda's oscillator", periods(4000), "series", "", duffing_attractor},
+      {"double-pendulum", "A double pendulum, coupled in its accelerations", equidistant(10, 1000), "series",
+       "adaptive-collocation", double_pendulum},
+      {"duffing-attractor", "Sections of Ueda's oscillator",
+       times_of(4000, [](int i) { return 2 * std::numbers::pi * i; }), "series", "", duffing_attractor},
       {"three-bodies", "A closed orbit of the restricted three bodies",
-       equidistant(0, 17.0652165601579625588917206249, 1500), "series", "odeint-fehlberg78", three_bodies},
-      {"robertson", "A stiff reaction", powers(1e-5, 1e11, 160), "adaptive-collocation", "cvode-bdf",
-       robertson},
-      {"impact", "A stop that pushes and never pulls: max", equidistant(0, 60, 1500), "series",
+       equidistant(17.0652165601579625588917206249, 1500), "series", "odeint-fehlberg78", three_bodies},
+      {"robertson", "A stiff reaction", times_of(160, [](int i) { return 1e-5 * std::pow(1e16, i / 160.); }),
+       "adaptive-collocation", "cvode-bdf", robertson},
+      {"impact", "A stop that pushes and never pulls: max", equidistant(60, 1500), "series",
        "adaptive-collocation", impact},
-      {"friction", "A mass that sticks and slips: sign", equidistant(0, 30, 3000), "series", "ode45",
-       friction},
-      {"van-der-pol", "A relaxation oscillation", equidistant(0, 3000, 1500), "adaptive-collocation",
+      {"friction", "A mass that sticks and slips: sign", equidistant(30, 3000), "series", "ode45", friction},
+      {"van-der-pol", "A relaxation oscillation", equidistant(3000, 1500), "adaptive-collocation",
        "odeint-rosenbrock4", van_der_pol},
-      {"lorenz", "Lorenz's attractor", equidistant(0, 25, 2500), "series", "odeint-fehlberg78", lorenz},
-      {"spring-pendulum", "A spring pendulum in resonance", equidistant(0, 60, 1500), "series",
+      {"lorenz", "Lorenz's attractor", equidistant(25, 2500), "series", "odeint-fehlberg78", lorenz},
+      {"spring-pendulum", "A spring pendulum in resonance", equidistant(60, 1500), "series",
        "adaptive-collocation", spring_pendulum},
-      {"loudspeaker", "A voice coil: orders one and two", equidistant(0, 0.1, 1000), "series",
+      {"loudspeaker", "A voice coil: orders one and two", equidistant(0.1, 1000), "series",
        "adaptive-collocation", loudspeaker}};
   std::vector<scene::Scene> scenes;
   for (const Drawn& d : all) {

@@ -1,9 +1,10 @@
 #include "chapters/integrators/problem_set.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cstdlib>
-#include <map>
 #include <sstream>
-#include <type_traits>
 #include <utility>
 
 #include "nlmech/program/problem.hpp"
@@ -14,65 +15,48 @@
 namespace nlmech::chapters::integrators {
 namespace {
 
-/// What the tables say of a problem.
-struct Known {
-  std::map<double, std::vector<long double>> states;  // by time
-  double condition = 1, tolerance_condition = 1;
-  std::vector<double> scales;
-};
+using Rows = std::vector<scene::CsvRecord>;
 
-class References {
- public:
-  References() {
-    for (const auto& row : rows("problem_set.csv", 4)) {
-      auto& state = known_[row[0]].states[number(row[1])];
-      state.push_back(std::strtold(row[3].c_str(), nullptr));
-    }
-    for (const auto& row : rows("problem_set_conditions.csv", 7)) {
-      Known& k = known_[row[0]];
-      k.condition = number(row[2]);
-      k.tolerance_condition = number(row[3]);
-      std::istringstream scales(row[6]);
-      for (double scale = 0; scales >> scale;) k.scales.push_back(scale);
-    }
-  }
+[[noreturn]] void misfit(const std::string& what) {
+  throw Failure(
+      Status::failure(Outcome::outside_validity,
+                      fmt::format("problem set: {} does not fit tables/reference; run problem_set_references "
+                                  "again",
+                                  what)));
+}
 
-  /// Completes a problem that has a solution.
-  void complete(SetProblem& p) const {
-    const auto found = known_.find(p.name);
-    if (found == known_.end()) misfit(p.name);
-    const Known& k = found->second;
-    const Eigen::Index size = p.x0.size();
-    if (k.states.size() != p.times.size() || std::ssize(k.scales) != size) misfit(p.name);
-    for (std::size_t i = 0; const auto& [t, x] : k.states) {
-      if (t != p.times[i++] || std::ssize(x) != size) misfit(p.name);
-      p.truth.emplace_back(Eigen::Map<const Vector<long double, Eigen::Dynamic>>(x.data(), size));
-    }
-    p.flagged = Eigen::Map<const Eigen::VectorXd>(k.scales.data(), size);
-    p.condition = k.condition;
-    p.tolerance_condition = k.tolerance_condition;
-  }
+double number(const std::string& text) { return std::strtod(text.c_str(), nullptr); }
 
- private:
-  static std::vector<std::vector<std::string>> rows(const std::string& file, std::size_t cells) {
-    const auto path = scene::data_folder() / "tables" / "reference" / file;
-    std::vector<std::vector<std::string>> all;
-    for (scene::CsvRecord& record : scene::parse_csv(scene::read_whole(path), file)) {
-      if (record.cells.size() != cells) misfit(file);
-      all.push_back(std::move(record.cells));
-    }
-    all.erase(all.begin());  // headings
-    return all;
-  }
-  static double number(const std::string& text) { return std::strtod(text.c_str(), nullptr); }
-  [[noreturn]] static void misfit(const std::string& what) {
-    throw Failure(Status::failure(
-        Outcome::outside_validity,
-        "problem set: " + what + " does not fit tables/reference; run problem_set_references again"));
-  }
+/// The rows of a file of tables/reference, each of so many cells.
+Rows rows_of(const std::string& file, std::size_t cells) {
+  Rows rows = scene::parse_csv(scene::read_whole(scene::data_folder() / "tables" / "reference" / file), file);
+  if (std::ranges::any_of(rows, [cells](const auto& row) { return row.cells.size() != cells; })) misfit(file);
+  rows.erase(rows.begin());  // headings
+  return rows;
+}
 
-  std::map<std::string, Known> known_;
-};
+/// Completes a problem that has a solution. @param states a row a component, time after time
+void complete(SetProblem& p, const Rows& states, const Rows& conditions) {
+  const auto size = static_cast<std::size_t>(p.x0.size());
+  std::vector<long double> values;
+  for (const scene::CsvRecord& row : states) {
+    if (row.cells[0] != p.name) continue;
+    const std::size_t k = values.size() / size;
+    if (k >= p.times.size() || number(row.cells[1]) != p.times[k]) misfit(p.name);
+    values.push_back(std::strtold(row.cells[3].c_str(), nullptr));
+  }
+  const auto known = std::ranges::find(conditions, p.name, [](const auto& row) { return row.cells[0]; });
+  if (values.size() != p.times.size() * size || known == conditions.end()) misfit(p.name);
+  for (std::size_t k = 0; k < p.times.size(); ++k)
+    p.truth.emplace_back(
+        Eigen::Map<const Vector<long double, Eigen::Dynamic>>(values.data() + k * size, p.x0.size()));
+  p.condition = number(known->cells[2]);
+  p.tolerance_condition = number(known->cells[3]);
+  p.flagged.resize(p.x0.size());
+  std::istringstream scales(known->cells[6]);
+  for (double& scale : p.flagged) scales >> scale;
+  if (!scales) misfit(p.name);
+}
 
 SetProblem made(std::string_view name, Kind kind, double absolute, std::int64_t length, ivp::System system,
                 const ivp::State& x0, double t0, double t1) {
@@ -83,28 +67,19 @@ SetProblem made(std::string_view name, Kind kind, double absolute, std::int64_t 
 
 }  // namespace
 
-std::string_view to_string(Kind kind) {
-  switch (kind) {
-    case Kind::smooth: return "smooth";
-    case Kind::stiff: return "stiff";
-    case Kind::extreme: break;
-  }
-  return "extreme";
-}
-
 std::vector<SetProblem> problem_set() {
-  const References references;
+  const Rows states = rows_of("problem_set.csv", 4), conditions = rows_of("problem_set_conditions.csv", 7);
   std::vector<SetProblem> all;
   for (const Case& c : all_cases()) {
     auto p = made(c.name, c.kind, c.absolute, c.length, ivp::System(c.problem), c.problem.initial_state(),
                   c.problem.initial_time, c.end);
-    if (c.by != By::nothing) references.complete(p);
+    if (c.by != By::nothing) complete(p, states, conditions);
     all.emplace_back(std::move(p));
   }
   const program::Equations equations(program::SourceText(std::string(Friction::name), Friction::equation));
   auto p = made(Friction::name, Kind::extreme, 1, 1, ivp::System(program::Problem(equations)),
                 {Friction::position, 0}, 0, Friction::end);
-  references.complete(p);
+  complete(p, states, conditions);
   all.emplace_back(std::move(p));
   return all;
 }

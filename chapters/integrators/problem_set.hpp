@@ -13,9 +13,6 @@
 
 namespace nlmech::chapters::integrators {
 
-/// "smooth", "stiff", "extreme".
-[[nodiscard]] std::string_view to_string(Kind kind);
-
 /// A problem with its reference.
 struct SetProblem {
   std::string name;                        ///< in tables: "kepler-0.99"

@@ -13,10 +13,9 @@ namespace {
 
 /// What became of a method on a problem.
 struct Ending {
-  const Trial* best = nullptr;     ///< the run that says success with the most digits; none
-  const Trial* loosest = nullptr;  ///< of the loosest setting that is no silent failure; none
-  const Trial* last = nullptr;     ///< how the sweep ended
-  const Trial* silent = nullptr;   ///< the silent failure of the tightest setting; none
+  const Trial* best = nullptr;    ///< the success with the most digits; none
+  const Trial* last = nullptr;    ///< how the sweep ended
+  const Trial* silent = nullptr;  ///< the silent failure of the tightest setting; none
 };
 
 Ending ending_of(const ProblemTrials& p, const MethodTrials& m) {
@@ -24,12 +23,10 @@ Ending ending_of(const ProblemTrials& p, const MethodTrials& m) {
   for (const Trial& t : m.trials) {
     e.last = &t;
     if (!t.success()) continue;
-    if (p.silent_failure(t)) {
+    if (p.silent_failure(t))
       e.silent = &t;
-      continue;
-    }
-    if (e.best == nullptr || t.digits() > e.best->digits()) e.best = &t;
-    if (e.loosest == nullptr) e.loosest = &t;
+    else if (e.best == nullptr || t.digits() > e.best->digits())
+      e.best = &t;
   }
   return e;
 }
@@ -48,19 +45,10 @@ std::string mark(const ProblemTrials& p, const Ending& e) {
   return "×";
 }
 
-std::string words(const ProblemTrials& p, const Ending& e) {
-  if (!p.has_solution)
-    return e.silent != nullptr ? fmt::format("success at {}, which is wrong", e.silent->setting())
-                               : e.last->status;
-  if (e.best == nullptr) return e.silent != nullptr ? "silent failure" : e.last->status;
-  if (e.best->step > 0) return fmt::format("{:.1f} digits, {}", e.best->digits(), e.best->setting());
-  return fmt::format("{:.1f} digits, from {} on", e.best->digits(), e.loosest->setting());
-}
-
 void put(const std::vector<ProblemTrials>& all, scene::Show& show) {
-  HeatMap map{"What becomes of every method on every problem",
+  HeatMap map{"Outcome and digits of each method on each problem",
               "digits",
-              "! wrong success  ✓ fails as it must  — refused  … too slow  × not converged  ∞ blows up  "
+              "! silent failure  ✓ fails as it must  — refused  … too slow  × not converged  ∞ blows up  "
               "↓ underflow",
               {"most digits of a success"},
               {},
@@ -76,22 +64,15 @@ void put(const std::vector<ProblemTrials>& all, scene::Show& show) {
   };
   show_heat_map(map, show);
 
-  std::vector<scene::Column> columns = {{"problem"}};
-  for (const std::string& method : map.methods) columns.push_back({method});
-  scene::Table table(std::move(columns));
   int ends = 0, noticed = 0;
   for (const ProblemTrials& p : all) {
-    std::vector<scene::Cell> row = {p.problem};
     for (const MethodTrials& m : p.methods) {
       const Ending e = ending_of(p, m);
-      row.emplace_back(words(p, e));
       if (p.has_solution || m.peer || !m.chooses || e.last->status == "refused") continue;
       ++ends;
       noticed += e.silent != nullptr && e.silent->tolerance < 5e-5 ? 0 : 1;
     }
-    table.add(std::move(row));
   }
-  show.table(std::move(table));
   show.equals(
       "our methods that choose their steps and notice where a solution ends, at tolerances below 5e-5",
       noticed, ends, "a success there is wrong; looser tolerances may step across the end of dead-end");
@@ -101,7 +82,7 @@ void put(const std::vector<ProblemTrials>& all, scene::Show& show) {
 
 std::vector<scene::Scene> scenes() {
   return {{.name = "stability",
-           .title = "What becomes of every method on every problem: status, digits, tolerance or step",
+           .title = "Outcome and digits of each method on each problem",
            .content = scene::Content(put, sweep())}};
 }
 

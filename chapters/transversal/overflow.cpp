@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <set>
 #include <stdexcept>
@@ -23,7 +22,6 @@ struct Fate {
   double step;         ///< h
   std::string status;  ///< how it ended
   double error;        ///< greatest error of x; infinite if it failed
-  double largest;      ///< greatest |x|
 
   /// None if it failed.
   [[nodiscard]] std::optional<double> finite_error() const {
@@ -37,9 +35,19 @@ struct Fates {
   double amplitude = 0;     ///< greatest |x| of the solution
 
   /// The shortest step with which a method overflows; NaN if none does.
-  [[nodiscard]] double overflow_from(const std::string& name) const;
+  [[nodiscard]] double overflow_from(const std::string& name) const {
+    const auto found = std::ranges::find_if(
+        fates, [&](const Fate& f) { return f.method == name && f.status == "non_finite"; });
+    return found == fates.end() ? NAN : found->step;
+  }
   /// @throws std::out_of_range if there is no such run
-  [[nodiscard]] const Fate& at(const std::string& name, double step) const;
+  [[nodiscard]] const Fate& at(const std::string& name, double step) const {
+    const auto found = std::ranges::find_if(
+        fates, [&](const Fate& f) { return f.method == name && std::abs(f.step - step) < 1e-9; });
+    if (found == fates.end())
+      throw std::out_of_range(fmt::format("no run of {} with the step {}", name, step));
+    return *found;
+  }
 };
 
 /// h = 0.01, 0.02, ..., 0.5, or less of it.
@@ -64,24 +72,10 @@ Fates fates(double e2, bool quick) {
   for (const std::string name : {"rk4", "rk6", "mtl 3", "mtl 4", "mtl 5"}) {
     for (const double h : steps(quick)) {
       const Course c = course(problem, {0, 0}, end, method(name, h), &truth);
-      all.fates.push_back({name, h, std::string(to_string(c.status.outcome())), c.error, c.largest});
+      all.fates.push_back({name, h, std::string(to_string(c.status.outcome())), c.error});
     }
   }
   return all;
-}
-
-double Fates::overflow_from(const std::string& name) const {
-  for (const Fate& f : fates) {
-    if (f.method == name && f.status == "non_finite") return f.step;
-  }
-  return std::numeric_limits<double>::quiet_NaN();
-}
-
-const Fate& Fates::at(const std::string& name, double step) const {
-  for (const Fate& f : fates) {
-    if (f.method == name && std::abs(f.step - step) < 1e-9) return f;
-  }
-  throw std::out_of_range("no run of " + name + " with the step " + std::to_string(step));
 }
 
 void check(const std::string& label, const Fates& all, double rk6, double rk4, scene::Show& show) {

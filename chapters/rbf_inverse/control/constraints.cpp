@@ -35,16 +35,6 @@ History sampled(const std::function<double(double)>& force) {
   }
   return h;
 }
-/// Without bound f = -lambda2.
-History force_of(const bvp::Solution& s) {
-  return sampled([&](double t) { return -s.at(t)[3]; });
-}
-
-scene::Panel& begin_plot(const std::string& heading, scene::Show& show) {
-  scene::Panel& panel = show.plot(heading, "time (s)", "force {/:Italic f} (1/s^{2})").key("top left");
-  show.figure().size(760, 480).columns({"panel", "curve", "x", "y"});
-  return panel;
-}
 
 /// An extremal under a bound on the force.
 struct Bounded {
@@ -66,7 +56,7 @@ struct Bounded {
 std::vector<Bounded> bounded(const bvp::Multistart& found) {
   const bvp::ExtremalProblem problem = duffing_problem(printed_settings(DuffingCase::fixed));
   const bvp::Extremal& free = cheapest_of(found);
-  std::vector<Bounded> all = {{{}, free, force_of(free.solution)}};
+  std::vector<Bounded> all = {{{}, free, sampled([&](double t) { return -free.solution.at(t)[3]; })}};
   for (const double limit : {15.0, 13.5, 8.0}) {
     const bvp::ConstraintPath path = bvp::control_bound_path(all.front().control.peak(), limit);
     Bounded& b = all.emplace_back(Bounded{limit, tighten(problem, start_from(free.solution), path)});
@@ -78,7 +68,10 @@ std::vector<Bounded> bounded(const bvp::Multistart& found) {
 }
 
 void put_bounded(const std::vector<Bounded>& all, scene::Show& show) {
-  scene::Panel& panel = begin_plot("A bounded force pumps longer at its limit", show).y_range(-20, 28);
+  scene::Panel& panel =
+      show.plot("A bounded force pumps longer at its limit", "time (s)", "force {/:Italic f} (1/s^{2})");
+  panel.key("top left").y_range(-20, 28);
+  show.figure().size(760, 480).columns({"panel", "curve", "x", "y"});
   for (const Bounded& b : all) {
     if (b.status().ok())
       panel.curve(b.limit ? fmt::format("at most {:g}", *b.limit) : "no bound", b.control.t, b.control.f,
@@ -102,75 +95,16 @@ void put_bounded(const std::vector<Bounded>& all, scene::Show& show) {
               "less energy than the target's comes in: see the text");
 }
 
-/// An extremal through x1(T/2) = a value, its state and its co-state on both sides of that time.
-struct Through {
-  double value;
-  bvp::Found found;
-  bool cheapest;
-  Eigen::VectorXd before = found.extremal.solution.at(inferred / 2, bvp::Side::before),
-                  after = found.extremal.solution.at(inferred / 2, bvp::Side::after);
-
-  [[nodiscard]] double cost() const { return found.extremal.cost; }
-  [[nodiscard]] double jump() const { return std::abs(after[3] - before[3]); }
-};
-
-std::vector<Through> through(bool quick) {
-  const bvp::DuffingStarts fewer = {
-      .constants = false, .unforced = 6, .pumps = 1, .direct = 3, .random = 0, .driven = 0};
-  std::vector<Through> all;
-  for (const double value : {0.0, 1.0, -1.0}) {
-    bvp::DuffingSettings settings = printed_settings(DuffingCase::fixed);
-    settings.waypoints = {{inferred / 2, 0, value}};
-    const bvp::Multistart some = duffing_extremals(settings, quick ? fewer : bvp::DuffingStarts{});
-    if (some.found.empty())
-      throw Failure(fmt::format("no extremal through x1({:g}) = {:g} was found", inferred / 2, value));
-    for (const bvp::Found& f : some.found) all.push_back({value, f, &f == &some.found.front()});
-  }
-  return all;
-}
-
-void put_through(const std::vector<Through>& all, const bvp::Multistart& free, scene::Show& show) {
-  scene::Panel& panel = begin_plot("A prescribed position makes the force's slope jump", show);
-  const auto curve = [&](const std::string& name, const bvp::Extremal& e, int style) {
-    const History h = force_of(e.solution);
-    panel.curve(name, h.t, h.f, scene::lines(style));
-  };
-  curve("no point between", cheapest_of(free), 8);
-  const double known[] = {284.305667, 362.325047, 228.250180};
-  std::size_t i = 0;
-  for (const Through& t : all) {
-    if (!t.cheapest) continue;
-    curve(fmt::format("{{/:Italic x}}_{{1}}(1) = {:g}", t.value), t.found.extremal, 0);
-    show.at_most(fmt::format("cost through {:g}", t.value), t.cost(), known[i++] * (1 + 1e-7),
-                 "recorded; the lower one of the two counts");
-  }
-  show.at_most("largest jump of lambda2", std::ranges::max(all, {}, &Through::jump).jump(), 1e-9,
-               "x2 is not prescribed there: its co-state is continuous");
-  show.table(all, {{"x1(1) =", &Through::value},
-                   {"cost", &Through::cost, 10},
-                   {"kind", [](const Through& t) { return to_string(t.found.extremal.second_order.kind); }},
-                   {"starts that led to it", [](const Through& t) { return t.found.hits; }},
-                   {"lambda1(1-)", [](const Through& t) { return t.before[2]; }, 8},
-                   {"lambda1(1+)", [](const Through& t) { return t.after[2]; }, 8},
-                   {"jump of lambda2", &Through::jump, 2}});
-}
-
 }  // namespace
 
 std::vector<scene::Scene> scenes() {
-  const scene::Result<bvp::Multistart> free = extremals(DuffingCase::fixed);
   const scene::Result bounds(
       "bounded-force",
       "fixed case, T = 2; the limit is brought down to its value with a wide smoothing, then that to 1e-4",
-      bounded, free);
-  const scene::Result points(
-      "through-a-point", "fixed case, T = 2, x1 prescribed at t = 1 too; the program's own starts", through);
+      bounded, extremals(DuffingCase::fixed));
   return {{.name = "bounded-control",
            .title = "The fixed case under a bound on the force, by continuation",
-           .content = scene::Content(put_bounded, bounds)},
-          {.name = "interior-point",
-           .title = "A position prescribed at half the time: the co-state jumps",
-           .content = scene::Content(put_through, points, free)}};
+           .content = scene::Content(put_bounded, bounds)}};
 }
 
 }  // namespace nlmech::chapters::rbf_inverse::constraints

@@ -138,8 +138,6 @@ std::vector<const bvp::Extremal*> FromGuesses::distinct() const {
   return some;
 }
 
-std::string time_label(double final_time) { return fmt::format("T = {:g}", final_time); }
-
 namespace {
 
 bvp::Multistart find_all(DuffingCase which, double final_time, bool quick) {

@@ -74,11 +74,6 @@ struct NodeErrors {
 /// The larger of both; infinite if it is no extremal.
 [[nodiscard]] double largest_error(const bvp::GlobalResult& result);
 
-/// The number, or nothing if it is none.
-[[nodiscard]] inline std::optional<double> finite(double x) {
-  return std::isfinite(x) ? std::optional(x) : std::nullopt;
-}
-
 /// Arbitrary guess number @p number, from 0, the same on every machine, for all states and co-states: even
 /// ones have independent values in (-1, 1) at each of 40 nodes, odd ones a constant in (-5, 5) for each
 /// component.
@@ -135,8 +130,5 @@ struct FromGuesses {
 [[nodiscard]] std::vector<scene::Result<FromGuesses>> all_printed_results();
 /// T = 2: global_variants() begun at the root that is drawn, the first of them that root itself.
 [[nodiscard]] scene::Result<std::vector<bvp::GlobalResult>> variants(const DuffingSubject& subject);
-
-/// "T = 2".
-[[nodiscard]] std::string time_label(double final_time);
 
 }  // namespace nlmech::chapters::rbf_inverse

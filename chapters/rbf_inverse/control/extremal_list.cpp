@@ -56,7 +56,7 @@ void check_known(const Rows& rows, scene::Show& show) {
   double worst_first = 0, worst_miss = 0;
   for (const KnownExtremal& k : known_extremals()) {
     const Row r = best(k.which, k.final_time);
-    show.at_most(fmt::format("lowest cost, {}, {}", r.name(), time_label(k.final_time)), r.cost(),
+    show.at_most(fmt::format("lowest cost, {}, T = {:g}", r.name(), k.final_time), r.cost(),
                  k.cost * (1 + 1e-9), "the lowest of 270 starts, tools/oracles/rbf_inverse_extremals.py");
     worst_first = std::max(worst_first, k.error_of(r.extremal()));
   }
@@ -96,7 +96,7 @@ void put(const std::vector<const bvp::Multistart*>& all, scene::Show& show) {
   for (const double time : final_times)
     for (const DuffingCase which : bvp::duffing_cases()) {
       if (all[i]->found.empty())
-        throw Failure(fmt::format("case {}, {}: no extremal is found", to_string(which), time_label(time)));
+        throw Failure(fmt::format("case {}, T = {:g}: no extremal is found", to_string(which), time));
       for (const bvp::Found& f : all[i]->found) rows.push_back({time, which, &f});
       ++i;
     }

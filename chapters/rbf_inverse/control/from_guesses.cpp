@@ -40,7 +40,8 @@ void tabulate(const std::vector<Row>& rows, scene::Show& show) {
         [](const Row& r) { return r.any() ? scene::Cell(r.found.back()->cost) : scene::Cell(); }, 5},
        {"cheapest known",
         [](const Row& r) { return known_extremal(r.all->subject->which, r.all->final_time).cost; }, 5},
-       {"least error at the nodes", [](const Row& r) { return finite(r.all->least_error()); }, 2}});
+       {"least error at the nodes",
+        [](const Row& r) { return r.any() ? scene::Cell(r.all->least_error()) : scene::Cell(); }, 2}});
 }
 
 void put(const std::vector<const FromGuesses*>& all, scene::Show& show) {

@@ -188,12 +188,9 @@ void put_all_errors(const std::vector<const std::vector<bvp::GlobalResult>*>& ca
   constexpr double text = 1e-7;  // what the text states
   std::array<Matrix, 3> matrices = {
       {{"Gaussians as printed", 0}, {"{/:Italic c T} = 7.5", 1}, {"polynomials", 3}}};
-  const auto worst = [](const bvp::GlobalResult& r) {
-    const NodeErrors e = node_errors(r);
-    return is_extremal(r) ? std::max(e.states, e.costates) : HUGE_VAL;
-  };
   for (Matrix& m : matrices)
-    m.good = std::ranges::count_if(cases, [&](const auto* of) { return worst((*of)[m.variant]) <= text; });
+    m.good =
+        std::ranges::count_if(cases, [&](const auto* of) { return largest_error((*of)[m.variant]) <= text; });
   scene::Plot& plot =
       show.plots(fmt::format("Errors stay below 1e-7 in {} of {} cases as printed, in {} and {} otherwise",
                              matrices[0].good, cases.size(), matrices[1].good, matrices[2].good));

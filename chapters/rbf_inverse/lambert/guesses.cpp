@@ -5,6 +5,7 @@
 
 #include "chapters/rbf_inverse/lambert/printed_transfer.hpp"
 #include "nlmech/scene/scene.hpp"
+#include "nlmech/support/stopwatch.hpp"
 
 namespace nlmech::chapters::rbf_inverse::guesses {
 namespace {
@@ -26,10 +27,7 @@ struct Row {
     ++(found ? arc : t.status.ok() ? other : t.status.outcome() == Outcome::spurious_root ? spurious : none);
   }
   [[nodiscard]] std::optional<double> median() const {
-    if (iterations.empty()) return {};
-    std::vector<double> sorted = iterations;
-    std::ranges::sort(sorted);
-    return sorted[sorted.size() / 2];
+    return iterations.empty() ? std::nullopt : std::optional(nlmech::median(iterations));
   }
 };
 

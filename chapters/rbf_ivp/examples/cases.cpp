@@ -3,16 +3,14 @@
 #include <Eigen/Eigenvalues>
 #include <boost/math/special_functions/jacobi_elliptic.hpp>
 #include <cmath>
-#include <memory>
 #include <numbers>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
+#include "nlmech/comparison/commands/example_of.hpp"
 #include "nlmech/problems/duffing.hpp"
-#include "nlmech/problems/reference_trajectory.hpp"
 #include "nlmech/problems/texts.hpp"
-#include "nlmech/support/errors.hpp"
 
 namespace nlmech::chapters::rbf_ivp {
 namespace {
@@ -28,17 +26,6 @@ Vector<Extended, 2> elliptic(const problems::Duffing& problem, Extended X, Exten
   Extended cn = 0;
   const Extended sn = boost::math::jacobi_elliptic(std::sqrt(m), u, &cn, static_cast<Extended*>(nullptr));
   return {X * cn, -X * omega * sn * std::sqrt(1 - m * sn * sn)};
-}
-
-template <class Problem>
-auto trajectory_of(const Problem& problem, double end) {
-  constexpr int n = Problem::dimension;
-  using Trajectory = problems::ReferenceTrajectory<Extended, Problem>;
-  auto trajectory = std::make_shared<const Trajectory>(
-      problem, Vector<Extended, n>(problem.initial_state().template cast<Extended>()), Extended(0),
-      Extended(end));
-  if (!trajectory->status().ok()) throw Failure(trajectory->status());
-  return trajectory;
 }
 
 Case make_free_duffing(std::string name, const problems::Duffing& problem, const ivp::State& x0, double end) {
@@ -57,19 +44,12 @@ Case make_free_duffing(std::string name, const problems::Duffing& problem, const
 }
 
 Case make_impact() {
-  const problems::TextProblem problem("impact");
-  const auto trajectory = trajectory_of(problem, problem.final_time + beyond);
-  const ivp::State after = (*trajectory)(impact_end()).cast<double>();
+  Case c{comparison::example_of(problems::TextProblem("impact"), beyond), 499, 0};
+  const ivp::State after = c.reference(impact_end()).cast<double>();
   const problems::Duffing free;
-  return {{.name = "impact",
-           .system = ivp::System(problem),
-           .x0 = problem.initial_state(),
-           .t0 = problem.initial_time,
-           .t1 = problem.final_time,
-           .amplitude = {free.amplitude(after), std::sqrt(2 * free.energy(after))},
-           .reference = [trajectory](double t) { return (*trajectory)(t); }},
-          499,
-          free.period(free.amplitude(after)) / 2};
+  c.amplitude = {free.amplitude(after), std::sqrt(2 * free.energy(after))};
+  c.half_period = free.period(free.amplitude(after)) / 2;
+  return c;
 }
 
 /// The impact problem without its list of kinks.
@@ -88,24 +68,15 @@ struct QuietImpact {
 };
 
 Case make_three_masses() {
-  const problems::TextProblem chain("three-dof");
-  const double end = chain.final_time;
-  const auto trajectory = trajectory_of(chain, end + beyond);
-  ivp::State amplitude = ivp::State::Zero(6);
+  Case c{comparison::example_of(problems::TextProblem("three-dof"), beyond), 0, 0};
+  c.name = "three-masses";
+  c.inferred_end = c.t1;
+  c.half_period = std::numbers::pi / chain_frequencies()[0];
+  c.amplitude.setZero();
   constexpr int samples = 20'000;
-  for (int i = 0; i <= samples; ++i) {
-    const ivp::State x = (*trajectory)(end * i / samples).cast<double>();
-    amplitude = amplitude.cwiseMax(x.cwiseAbs());
-  }
-  return {{.name = "three-masses",
-           .system = ivp::System(chain),
-           .x0 = chain.initial_state(),
-           .t0 = chain.initial_time,
-           .t1 = end,
-           .amplitude = amplitude,
-           .reference = [trajectory](double t) { return (*trajectory)(t); }},
-          end,
-          std::numbers::pi / chain_frequencies()[0]};
+  for (int i = 0; i <= samples; ++i)
+    c.amplitude = c.amplitude.cwiseMax(c.reference(c.t1 * i / samples).cast<double>().cwiseAbs());
+  return c;
 }
 
 }  // namespace

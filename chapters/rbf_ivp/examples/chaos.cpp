@@ -4,16 +4,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "chapters/rbf_ivp/examples/cases.hpp"
+#include "nlmech/comparison/commands/example_of.hpp"
 #include "nlmech/ivp/collocation/collocation.hpp"
 #include "nlmech/ivp/runge_kutta/dormand_prince.hpp"
-#include "nlmech/problems/reference_trajectory.hpp"
 #include "nlmech/problems/texts.hpp"
 #include "nlmech/scene/scene.hpp"
 
@@ -24,24 +22,9 @@ constexpr double half = 50, end = 100;
 constexpr double tolerated = 0.01;  // error over amplitude, of a run that follows a motion
 
 /// A motion of u'' + 0.05 u' + u^3 = B cos t from u = 3, u' = 4, to t = 100.
-struct Motion {
-  std::string name;
-  ivp::System system;
-  ivp::State x0;
-  std::function<Vector<Extended, 2>(double)> reference;
-  double amplitude;  ///< greatest |u|
-};
-
-Motion make_motion(const std::string& name, bool forced) {
+comparison::Example motion(const std::string& name, bool forced) {
   const problems::TextProblem problem("forced-duffing", {{"force", forced ? 7.5 : 0}});
-  const ivp::State& x0 = problem.initial_state();
-  using Trajectory = problems::ReferenceTrajectory<Extended, problems::TextProblem>;
-  const auto trajectory = std::make_shared<const Trajectory>(problem, x0.cast<Extended>(), 0, end);
-  const auto at = [trajectory](double t) -> Vector<Extended, 2> { return (*trajectory)(t); };
-  double amplitude = 0;
-  for (int i = 0; i <= 4000; ++i)
-    amplitude = std::max(amplitude, static_cast<double>(std::abs(at(end * i / 4000)[0])));
-  return {name, ivp::System(problem), x0, at, amplitude};
+  return comparison::example_of(problem, name, problem.initial_state(), 0, end);
 }
 
 /// What a method makes of a motion.
@@ -59,7 +42,8 @@ struct Attempt {
 
 /// From 0 to 50, and from the state found there to 100.
 template <class Method>
-Attempt follow(const Motion& m, const std::string& name, const std::string& setting, const Method& method) {
+Attempt follow(const comparison::Example& m, const std::string& name, const std::string& setting,
+               const Method& method) {
   Attempt r;
   r.method = name;
   r.setting = setting;
@@ -67,7 +51,7 @@ Attempt follow(const Motion& m, const std::string& name, const std::string& sett
     return static_cast<double>(std::abs(Extended(x[0]) - m.reference(t)[0]));
   };
   const auto watch = [&](const ivp::Step& step) {
-    if (r.followed == end && !(error(step.t1, step.x1) <= tolerated * m.amplitude)) r.followed = step.t1;
+    if (r.followed == end && !(error(step.t1, step.x1) <= tolerated * m.amplitude[0])) r.followed = step.t1;
     return true;
   };
   double t = 0;
@@ -92,7 +76,7 @@ constexpr std::array tolerances = {1e-4, 1e-6, 1e-9, 1e-12};
 
 /// All runs on a motion: collocations with 8 to 512 steps to t = 50, and ode45.
 struct Runs {
-  Motion motion;
+  comparison::Example motion;
   std::vector<Attempt> all;
 
   [[nodiscard]] const Attempt& of(const std::string& method, const std::string& setting) const {
@@ -114,7 +98,7 @@ struct Runs {
 
 std::string steps_to_half(int steps) { return fmt::format("{} steps to 50", steps); }
 
-Runs run_all(Motion motion) {
+Runs run_all(comparison::Example motion) {
   Runs runs{std::move(motion), {}};
   const auto add = [&runs](const std::string& name, const std::string& setting, const auto& method) {
     runs.all.push_back(follow(runs.motion, name, setting, method));
@@ -163,8 +147,11 @@ scene::Table table_of(const std::vector<Runs>& motions) {
 }
 
 /// The motions as the oracles have them.
-void check_references(const Motion& chaotic, const Motion& transient, scene::Show& show) {
-  const auto u = [](const Motion& m, double t) { return static_cast<double>(m.reference(t)[0]); };
+void check_references(const comparison::Example& chaotic, const comparison::Example& transient,
+                      scene::Show& show) {
+  const auto u = [](const comparison::Example& m, double t) {
+    return static_cast<double>(m.reference(t)[0]);
+  };
   // With the double next to 0.05: with 0.05 itself u(100) is another by 9e-15.
   // oracle: algebraic_series_motions Duffing as doubles u(*
   const char* known = "tools/oracles/algebraic_series_motions.py";
@@ -248,8 +235,7 @@ std::vector<scene::Scene> scenes() {
       "c h = 0.367 with 7 nodes as in Table 4.2, (N - 1)/4 with 35; 8 to 512 steps to t = 50, to 128 with 35 "
       "nodes",
       [] {
-        return std::vector<Runs>{run_all(make_motion("chaotic", true)),
-                                 run_all(make_motion("transient", false))};
+        return std::vector<Runs>{run_all(motion("chaotic", true)), run_all(motion("transient", false))};
       });
   return {{.name = "chaos",
            .title = "RBF-Coll on a chaotic and on an aperiodic motion: error against step, beside ode45",

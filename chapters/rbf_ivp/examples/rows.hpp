@@ -21,8 +21,6 @@ struct Expected {
   double low = 0;           ///< least value
   double high = 0;          ///< greatest value
   const char* reason = "";  ///< where the range comes from
-  double recorded_low = 0;  ///< of rounding noise: the range as recorded, not widened
-  double recorded_high = 0;
 
   /// Checks it.
   void check(const std::string& name, double value, scene::Show& show) const {

@@ -1,13 +1,10 @@
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "chapters/rbf_ivp/examples/cases.hpp"
-#include "nlmech/ivp/collocation/collocation.hpp"
-#include "nlmech/scene/scene.hpp"
+#include "chapters/rbf_ivp/examples/runs.hpp"
 
 namespace nlmech::chapters::rbf_ivp::fixed_step_more_nodes {
 namespace {
@@ -22,17 +19,11 @@ struct Row {
 /// Root mean square of the first position's error over all nodes of all steps from t0 to @p end.
 template <class Method>
 std::optional<double> error_of(const Case& c, double end, const Method& method) {
-  std::vector<double> errors;
-  const auto watch = [&](const ivp::Step& step) {
-    for (std::size_t k = 0; k < step.times.size(); ++k) {
-      const double found = step.states(0, static_cast<Eigen::Index>(k));
-      errors.push_back(static_cast<double>(Extended(found) - c.reference(step.times[k])[0]));
-    }
-    return true;
-  };
-  if (!ivp::integrate(c.system, c.x0, c.t0, end, method, ivp::Observer(watch)).status.ok())
+  try {
+    return rms_error(record(c, end, throughout(method)), 0, Points::all);
+  } catch (const Failure&) {
     return std::nullopt;
-  return root_mean_square(errors);
+  }
 }
 
 void add_rows(std::vector<Row>& rows, const Case& c, double step, double end, int last, int by) {

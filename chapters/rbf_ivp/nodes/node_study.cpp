@@ -9,9 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "chapters/rbf_ivp/examples/runs.hpp"
 #include "chapters/rbf_ivp/nodes/node_variants.hpp"
-#include "nlmech/ivp/collocation/collocation.hpp"
-#include "nlmech/scene/scene.hpp"
 
 namespace nlmech::chapters::rbf_ivp::node_study {
 namespace {
@@ -63,17 +62,13 @@ VectorXd grown_nodes(const Arc& arc, int count, double shape) {
 Errors split_at_kinks(const Arc& arc, int count) {
   const Case& c = *arc.example;
   const ivp::PolynomialCollocation method = {.step = arc.h, .nodes = (count - 1) / 3 + 1, .points = radau};
+  const Record kept = record(c, arc.t0 + arc.h, throughout(method));
   Errors errors = {0, 0};
-  const auto observer = [&](const ivp::Step& step) {
-    for (std::size_t k = 0; k < step.times.size(); ++k) {
-      const ivp::State e = error_at(c, step.times[k], step.states.col(static_cast<Eigen::Index>(k)).eval());
-      errors.end = e.cwiseQuotient(c.amplitude).cwiseAbs().maxCoeff();
-      errors.largest = std::max(errors.largest, errors.end);
-    }
-    return true;
-  };
-  const auto solution = ivp::integrate(c.system, c.x0, arc.t0, arc.t0 + arc.h, method, observer);
-  return solution.status.ok() ? errors : Errors{};
+  for (const Record::Value& value : kept.values) {
+    errors.end = value.error.cwiseQuotient(c.amplitude).cwiseAbs().maxCoeff();
+    errors.largest = std::max(errors.largest, errors.end);
+  }
+  return errors;
 }
 
 void compare(Comparison& c) {

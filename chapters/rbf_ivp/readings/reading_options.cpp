@@ -7,7 +7,7 @@
 
 #include "chapters/rbf_ivp/readings/explicit_variants.hpp"
 #include "chapters/rbf_ivp/readings/readings.hpp"
-#include "nlmech/problems/reference_trajectory.hpp"
+#include "nlmech/comparison/commands/example_of.hpp"
 #include "nlmech/problems/texts.hpp"
 #include "nlmech/scene/evidence/published.hpp"
 #include "nlmech/scene/program/files.hpp"
@@ -57,11 +57,9 @@ const Case& case_of(const std::string& table) {
   if (table == "table-4.4") return impact_case();
   if (table == "table-4.6") return three_mass_case();
   static const Case by_series = [] {
-    using Trajectory = problems::ReferenceTrajectory<Extended, problems::TextProblem>;
-    const auto trajectory = std::make_shared<const Trajectory>(
-        problems::TextProblem("duffing"), ivp::LongState{1, 0}, Extended(0), Extended(505));
     Case c = free_duffing_case();
-    c.reference = [trajectory](double t) { return (*trajectory)(t); };
+    c.reference =
+        comparison::example_of(problems::TextProblem("duffing"), c.name, c.x0, c.t0, c.t1, 5).reference;
     return c;
   }();
   return by_series;

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 #include <string>
 #include <tuple>
 
@@ -52,53 +51,6 @@ scene::Table tabulate(const Questions& questions) {
         [](const Question& q) { return of_rows(best_other(q).score.exact, best_other(q).score); }}});
 }
 
-/// Options of a question; those that explain as many rows stand beside each other.
-void add_options(const Question& q, std::size_t number, scene::Table& data) {
-  std::map<int, int> standing, placed;
-  for (const Option& o : q.options) ++standing[o.score.exact];
-  for (const Option& o : q.options) {
-    const int many = standing[o.score.exact], here = placed[o.score.exact]++;
-    const double spread = many == 1 ? 0 : std::min(0.2, 0.7 / (many - 1));
-    std::string text = o.text;
-    std::ranges::replace(text, ',', ';');  // gnuplot reads this column
-    data.add({number, q.text, double(o.score.exact) / o.score.rows, (here - (many - 1) / 2.0) * spread,
-              o.text == q.chosen    ? "chosen"
-              : o.text == q.literal ? "literal"
-                                    : "tried",
-              text});
-  }
-}
-
-void draw(const Questions& questions, scene::Show& show) {
-  scene::Table data({{"question"}, {"name"}, {"share"}, {"offset"}, {"kind"}, {"option"}});
-  int alone = 0;
-  std::string names;
-  for (std::size_t i = 0; i < questions.size(); ++i) {
-    const Question& q = questions[i];
-    alone += best_other(q).score.exact < q.option(q.chosen).score.exact ? 1 : 0;
-    names += fmt::format("{}{} {}", i > 0 ? ", " : "", scene::gnuplot_quoted(q.text), i + 1);
-    add_options(q, i + 1, data);
-  }
-  scene::Panel& panel = show.plot(fmt::format("{} options tried; {} of {} choices beat all others",
-                                              data.rows().size(), alone, questions.size()),
-                                  "share of the rows explained to all printed digits", "");
-  panel.place(0.40, 0.97, 0.13, 0.84).set("title offset 0,1.6").x_range(-0.03, 1.03);
-  panel.y_range(static_cast<double>(questions.size()) + 0.6, 0.4).set("ytics scale 0 (" + names + ")");
-  panel.set("xtics 0.2").set("format x '%.1f'");
-  panel.key("at screen 0.685, screen 0.91 center top horizontal maxrows 1 samplen 1");
-  const auto kind = [&](const char* name, const char* word, const scene::Look& look) {
-    panel.columns(name,
-                  fmt::format("(strcol('kind') eq '{}' ? column('share') : NaN):(column('question') + "
-                              "column('offset'))",
-                              word),
-                  look);
-  };
-  kind("tried", "tried", {"points pointtype 6 pointsize 0.55 linecolor rgb soft_ink", 8});
-  kind("as printed", "literal", {"points pointtype 4 pointsize 1.3", 5});
-  kind("chosen", "chosen", {"points pointtype 7 pointsize 1.3", 1});
-  show.figure().data(std::move(data));
-}
-
 void check(const Questions& questions, scene::Show& show) {
   const auto explained = [&](const std::string& text, const std::string& option, int low, int high,
                              const char* reason) {
@@ -121,7 +73,6 @@ void check(const Questions& questions, scene::Show& show) {
 }
 
 void put(const Questions& questions, scene::Show& show) {
-  draw(questions, show);
   show.table(tabulate(questions));
   check(questions, show);
 }

@@ -1,12 +1,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "chapters/rbf_ivp/stability/contestants.hpp"
 #include "chapters/rbf_ivp/stability/stiff_problems.hpp"
 #include "chapters/rbf_ivp/stability/windows.hpp"
 #include "nlmech/collocation/radial/stable_gaussian.hpp"
@@ -97,13 +98,16 @@ Ending ending_of(const ivp::MethodInfo& method, const Stiff& problem, bool quick
   }
 }
 
-/// Every method and peer of this build on every problem, method by method.
+/// The methods of other papers have such a scene in chapters of their own.
+constexpr std::array<std::string_view, 5> elsewhere = {"laier", "argyris", "hoff", "bazzi", "mtl"};
+
+/// Every other method and peer of this build on every problem, method by method.
 std::vector<Ending> all_endings(bool quick) {
   const std::vector<Stiff> problems = stiff_problems(quick);
   std::vector<Ending> endings;
-  for (const std::string& name : contestants()) {
+  for (const std::string& name : comparison::any_method_names()) {
     const ivp::MethodInfo& method = comparison::any_method(name);
-    if (!method.is_available()) continue;
+    if (!method.is_available() || std::ranges::find(elsewhere, name) != elsewhere.end()) continue;
     for (const Stiff& problem : problems) endings.push_back(ending_of(method, problem, quick));
   }
   return endings;

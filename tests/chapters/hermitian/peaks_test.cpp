@@ -9,6 +9,7 @@
 #include "chapters/hermitian/peaks.hpp"
 #include "nlmech/scene/evidence/published.hpp"
 #include "tests/places.hpp"
+#include "tests/program/runge_kutta.hpp"
 
 namespace nlmech::chapters::hermitian::peaks_test {
 namespace {
@@ -20,18 +21,7 @@ double exact_peak() {
   const auto slope = [](double t, const State& x) {
     return State{x[1], 0.5 * std::cos(0.5 * t) - 0.4 * x[1] - x[0] - 0.5 * x[0] * x[0] * x[0]};
   };
-  const auto at = [&](double end_time) {
-    State x = {0, 0};
-    const double h = end_time / 2000;
-    for (int i = 0; i < 2000; ++i) {
-      const auto moved = [&](const State& k, double by) { return State{x[0] + by * k[0], x[1] + by * k[1]}; };
-      const double t = i * h;
-      const State k1 = slope(t, x), k2 = slope(t + h / 2, moved(k1, h / 2)),
-                  k3 = slope(t + h / 2, moved(k2, h / 2)), k4 = slope(t + h, moved(k3, h));
-      for (const std::size_t c : {0U, 1U}) x[c] += h / 6 * (k1[c] + 2 * k2[c] + 2 * k3[c] + k4[c]);
-    }
-    return x;
-  };
+  const auto at = [&](double end) { return tests::runge_kutta(slope, State{0, 0}, 0, end, 2000); };
   double time = 2.45;
   for (int i = 0; i < 5; ++i) {
     const State x = at(time);

@@ -1,6 +1,7 @@
 /// Misprints of sections 5.1 to 5.3: printed and corrected form, both against an independent oracle.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -10,6 +11,7 @@
 #include "nlmech/bvp/optimal_control/dual_control.hpp"
 #include "nlmech/bvp/solve.hpp"
 #include "tests/errata/erratum.hpp"
+#include "tests/program/runge_kutta.hpp"
 
 namespace nlmech::chapters::rbf_inverse::errata_control_test {
 namespace {
@@ -25,22 +27,13 @@ struct Trip {
   double effort;  ///< integral of f^2/2
 };
 template <class Force>
-Trip drive(Eigen::Vector2d x, double beta, double T, const Force& force) {
-  constexpr int steps = 2000;
-  const double h = T / steps;
-  const auto slope = [&](double t, const Eigen::Vector2d& y) {
-    return Eigen::Vector2d(y[1], force(t) - y[0] - beta * y[0] * y[0] * y[0]);
+Trip drive(const Eigen::Vector2d& x, double beta, double T, const Force& force) {
+  const auto field = [&](double t, const std::array<double, 3>& y) {
+    const double f = force(t);
+    return std::array{y[1], f - y[0] - beta * y[0] * y[0] * y[0], f * f / 2};
   };
-  double effort = 0;
-  for (int k = 0; k < steps; ++k) {
-    const double t = k * h;
-    const Eigen::Vector2d a = slope(t, x), b = slope(t + h / 2, x + h / 2 * a),
-                          c = slope(t + h / 2, x + h / 2 * b), d = slope(t + h, x + h * c);
-    x += h / 6 * (a + 2 * b + 2 * c + d);
-    const double f0 = force(t), f1 = force(t + h / 2), f2 = force(t + h);
-    effort += h / 12 * (f0 * f0 + 4 * f1 * f1 + f2 * f2);
-  }
-  return {x, effort};
+  const auto end = tests::runge_kutta(field, std::array{x[0], x[1], 0.0}, 0, T, 2000);
+  return {{end[0], end[1]}, end[2]};
 }
 
 /// The cheapest free extremal of a short time, which Newton's iteration finds from zero.

@@ -2,17 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <set>
 
 #include "chapters/rbf_inverse/control/duffing_runs.hpp"
 #include "chapters/rbf_inverse/control/shooting_methods.hpp"
 #include "nlmech/bvp/solve.hpp"
-
-namespace nlmech::chapters::rbf_inverse {
-
-scene::Chapter chapter();
-
-}  // namespace nlmech::chapters::rbf_inverse
 
 namespace nlmech::chapters::rbf_inverse::studies_control_test {
 namespace {
@@ -140,17 +133,6 @@ TEST(RandomGuess, ConstantOrIndependent) {
   random_guess(0, 2).states(2, b);
   EXPECT_NE(a, b);
   EXPECT_LE(b.cwiseAbs().maxCoeff(), 1);
-}
-
-TEST(Chapter, ShowsAllFiguresOfPartOne) {
-  const scene::Chapter all = chapter();
-  std::set<std::string> names;
-  for (const scene::Scene& s : all.scenes()) names.insert(s.name);
-  for (int k = 1; k <= 18; ++k) EXPECT_TRUE(names.contains("fig-5." + std::to_string(k))) << k;
-  for (const char* name :
-       {"table-5.1", "table-5.2", "table-5.3", "extremals", "bounded-control", "interior-point", "shooting",
-        "from-guesses", "scalar-homotopy", "extremes-ocp", "error-vs-time-ocp"})
-    EXPECT_TRUE(names.contains(name)) << name;
 }
 
 }  // namespace
