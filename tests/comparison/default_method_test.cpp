@@ -108,5 +108,48 @@ TEST(DefaultMethod, AnswersWhatIsForced) {
   }
 }
 
+/// The end of a run from 0 by the usual method, or another one where that is wrong.
+Trajectory usual_run(const std::string& text, double x0, double end) {
+  const auto problem = typed_problem(program::SourceText("equation", text), {});
+  const RunOptions options{.x0 = State::Constant(1, x0),
+                           .t0 = 0,
+                           .t1 = end,
+                           .settings = {},
+                           .every = {},
+                           .limits = {.seconds = 60},
+                           .verify = true};
+  return usual_trajectory(problem, options, usual_method(problem, options));
+}
+
+// What steps by a series or a pair leap across: a switch so steep that its derivatives underflow, a pulse
+// after a long rest; and slopes that are constant between the zeros of a force.
+TEST(DefaultMethod, MissesNoSwitchAndNoPulse) {
+  struct Leap {
+    std::string text;
+    double x0, end, exact;
+  };
+  const double pi = 3.14159265358979323846;
+  for (const Leap& leap :
+       {Leap{"x' = tanh(100 (t - 4.75))", 0, 11.5, 2},  // (log cosh(675) - log cosh(475))/100
+        Leap{"x' = exp(-((t - 50)/0.5)^2)", 0, 100, 0.5 * std::sqrt(pi)},
+        Leap{"x' = sign(sin(pi t))", 0, 160.5, 0.5}, Leap{"x' = max(sign(sin(pi t)), 0)", 0, 101, 51},
+        Leap{"x' = 1 - 2 max(sign(x), 0)", 1, 3, 0}}) {
+    SCOPED_TRACE(leap.text);
+    const Trajectory run = usual_run(leap.text, leap.x0, leap.end);
+    const std::string last = run.rows.substr(run.rows.rfind('\n', run.rows.size() - 2) + 1);
+    EXPECT_NEAR(std::stod(last.substr(last.find(',') + 1)), leap.exact, 1e-7 * (1 + leap.exact));
+    EXPECT_EQ(run.remark, "");
+  }
+}
+
+TEST(DefaultMethod, ReportsTheUsualMethodWhereNoneArrives) {
+  try {
+    (void)usual_run("x' = x^2", 1, 2);
+    ADD_FAILURE() << "it ends at t = 1";
+  } catch (const Failure& failure) {
+    EXPECT_NE(std::string(failure.what()).find("series"), std::string::npos) << failure.what();
+  }
+}
+
 }  // namespace
 }  // namespace nlmech::comparison::default_method_test

@@ -77,6 +77,41 @@ TEST(Switching, StepsEndAtCorners) {
   }
 }
 
+// Where the slope is constant a step may be as long as the rest, over many switches and whole periods of
+// them.
+TEST(Switching, LongStepsMissNoSwitch) {
+  for (const std::string& method : methods) {
+    const auto end_of = [&](const std::string& equation, double t1) {
+      const auto run = ivp::named_integrator(method, {.tolerance = 1e-10});
+      const auto end = run(ivp::testing::typed(equation), State::Zero(1), 0, t1, {}, {});
+      EXPECT_TRUE(end.status.ok()) << end.status.text();
+      return end.x[0];
+    };
+    SCOPED_TRACE(method);
+    EXPECT_NEAR(end_of("x' = sign(sin(pi t))", 160.5), 0.5, 1e-8);
+    EXPECT_NEAR(end_of("x' = sign(sin(pi t))", 160), 0, 1e-8);
+    // On while the sine exceeds 0.9: asin(0.9) before and behind each top.
+    EXPECT_NEAR(end_of("x' = max(sign(sin(2 pi t) - 0.9), 0)", 32), 32 * (0.5 - std::asin(0.9) / pi), 1e-8);
+  }
+}
+
+// sign(x) is a number on each side, so that max(sign(x), 0) switches where x does: a relay, which holds x at
+// 0.
+TEST(Switching, AChoiceOfAChoiceIsOneSwitch) {
+  const ivp::System relay = ivp::testing::typed("x' = 1 - 2 max(sign(x), 0)");
+  EXPECT_EQ(relay.switches(), 1);
+  for (const double x0 : {1.0, -1.0}) {
+    const auto end = ivp::named_integrator("dop853", {.tolerance = 1e-10})(relay, State{x0}, 0, 3, {}, {});
+    ASSERT_TRUE(end.status.ok()) << end.status.text();
+    EXPECT_NEAR(end.x[0], 0, 1e-12);
+  }
+  // 1 above, 0 below, whatever is chosen on the surface.
+  const auto step = ivp::named_integrator("series", {.tolerance = 1e-10})(
+      ivp::testing::typed("x' = sign(max(sign(sin(t)), 0))"), State{0}, 0, 3 * pi, {}, {});
+  ASSERT_TRUE(step.status.ok()) << step.status.text();
+  EXPECT_NEAR(step.x[0], 2 * pi, 1e-9);
+}
+
 TEST(Switching, RunsBackwardsWhereItHasAPast) {
   const auto there = run({.force = 1}, "series", {1, 0.3}, 5, 1e-13);
   ASSERT_TRUE(there.status.ok());

@@ -216,12 +216,16 @@ Status walk_reference(const Problem& problem, const Vector<Real, Problem::dimens
       if (count == chosen.most_steps) return failure(Outcome::step_limit);
       taylor_coefficients(problem, t, x, chosen.order, step.coefficient, memory);
       if (!detail::all_finite(step.coefficient.back())) return failure(Outcome::non_finite);
-      const double log2_step = std::min(detail::log2_step(step.coefficient, chosen.tolerance, scale),
-                                        std::log2(chosen.largest_step));
-      const bool last = log2_step >= detail::log2_of(Real(stop - t));
+      const double most = std::min(detail::log2_of(Real(stop - t)), std::log2(chosen.largest_step));
+      double log2_step = std::min(detail::log2_step(step.coefficient, chosen.tolerance, scale, most), most);
+      bool last = false;
       step.start = t;
-      step.length = last ? Real(stop - t) : detail::short_step<Real>(log2_step);
-      if (!(t + step.length > t)) return failure(Outcome::step_underflow);
+      do {
+        last = log2_step >= detail::log2_of(Real(stop - t));
+        step.length = last ? Real(stop - t) : detail::short_step<Real>(log2_step);
+        if (!(t + step.length > t)) return failure(Outcome::step_underflow);
+        log2_step = detail::log2_of(step.length) - 1;
+      } while (!detail::is_solution(problem, step, scale));
       detail::add_compensated(x, carry, step.increment(step.length));
       if (!detail::all_finite(x)) return failure(Outcome::non_finite);
       t = last ? stop : Real(t + step.length);

@@ -26,6 +26,13 @@ struct TaylorStep {
     for (std::size_t k = coefficient.size() - 1; k-- > 1;) sum = (sum * s + coefficient[k]).eval();
     return sum * s;
   }
+  /// The derivative of the sum at start + @p s.
+  [[nodiscard]] Vector<Real, n> rate(const Real& s) const {
+    Vector<Real, n> sum = Vector<Real, n>::Zero(coefficient[0].size());
+    for (std::size_t k = coefficient.size() - 1; k > 0; --k)
+      sum = (sum * s + static_cast<int>(k) * coefficient[k]).eval();
+    return sum;
+  }
   /// The state at start + @p s.
   [[nodiscard]] Vector<Real, n> at(const Real& s) const { return coefficient[0] + increment(s); }
 };
@@ -75,11 +82,11 @@ template <class Real>
 /// Logarithm to the base 2 of the step at which the last two terms of the series are the tolerance relative
 /// to the state's scale, after Jorba and Zou, A software package for the numerical integration of ODEs by
 /// means of high-order Taylor methods, Experimental Mathematics 14 (2005) 99-117. The scale of a component is
-/// its greatest value so far. Logarithms, because the coefficients of a stiff problem leave the range of
-/// double.
+/// its greatest value so far. What lies beyond @p most, the logarithm of the longest step, says nothing.
+/// Logarithms, because the coefficients of a stiff problem leave the range of double.
 template <class Real, int n>
 [[nodiscard]] double log2_step(const std::vector<Vector<Real, n>>& c, double tolerance,
-                               std::vector<double>& log2_scale) {
+                               std::vector<double>& log2_scale, double most) {
   const std::size_t order = c.size() - 1;
   const auto size = static_cast<int>(c[0].size());
   const auto root = [&](int i, double log2_size) {
@@ -90,6 +97,7 @@ template <class Real, int n>
   double radius = polynomial, step = polynomial;
   for (int i = 0; i < size; ++i) radius = std::min(radius, root(i, 0));
   if (radius > polynomial / static_cast<double>(2 * order)) return polynomial;
+  radius = std::min(radius, most);
   for (int i = 0; i < size; ++i) {
     // A component that starts at 0 gets the size of its terms well within the disc of convergence.
     double& scale = log2_scale[static_cast<std::size_t>(i)];
@@ -99,6 +107,30 @@ template <class Real, int n>
     step = std::min(step, root(i, scale + std::log2(tolerance)));
   }
   return step;
+}
+
+/// Does the sum of a series solve the equations within its step, which its coefficients alone do not show?
+/// Those of tanh(100 (t - 5)) at t = 0 are zero but for the first, in any precision. Asked for beside the
+/// end, where the equations may change; by a millionth of the state, where truncation leaves far less.
+/// @param log2_scale of the components, as of log2_step()
+template <class Real, int n, class Problem>
+[[nodiscard]] bool is_solution(const Problem& problem, const TaylorStep<Real, n>& step,
+                               const std::vector<double>& log2_scale) {
+  using std::abs;
+  Vector<Real, n> slope(step.coefficient[0].size());
+  for (const double part : {0.618, 0.999}) {
+    const Real s = step.length * part;
+    problem(Real(step.start + s), step.at(s), slope);
+    const Vector<Real, n> rate = step.rate(s);
+    for (Eigen::Index i = 0; i < slope.size(); ++i) {
+      const double most =
+          std::max({log2_of(Real(step.length * slope[i])), log2_of(Real(step.length * rate[i])),
+                    log2_scale[static_cast<std::size_t>(i)]});
+      const Real defect = step.length * (slope[i] - rate[i]);
+      if (!(defect == defect) || log2_of(defect) > most - 20) return false;
+    }
+  }
+  return true;
 }
 
 /// 2^x rounded down to eight binary digits: sums of such steps are exact, and time carries no rounding.

@@ -71,10 +71,23 @@ std::optional<double> time_of(const Graph& graph, NodeId decides) {
   return {};
 }
 
+/// Which nodes change at choices alone, as sign(x): where one of them decides, the choices that it depends on
+/// are the switches.
+std::vector<bool> constant_between_choices(const Graph& graph) {
+  std::vector<bool> constant(static_cast<std::size_t>(graph.nodes()));
+  for (NodeId i = 0; i < graph.nodes(); ++i) {
+    const Node& n = graph[i];
+    const bool is_variable = n.operation == Operation::variable;
+    constant[index(i)] =
+        n.operation == Operation::number || (!is_variable && constant[index(n.a)] && constant[index(n.b)]);
+  }
+  return constant;
+}
+
 }  // namespace
 
 Switches::Switches(const Graph& graph, const std::vector<NodeId>& slopes) : graph_(graph), slopes_(slopes) {
-  const std::vector<bool> part = parts_of(graph_, slopes_);
+  const std::vector<bool> part = parts_of(graph_, slopes_), constant = constant_between_choices(graph_);
   for (NodeId i = 0; i < graph_.nodes(); ++i) {
     if (!part[index(i)]) continue;
     if (graph_[i].operation == Operation::floor) timed_.push_back(i);
@@ -84,6 +97,7 @@ Switches::Switches(const Graph& graph, const std::vector<NodeId>& slopes) : grap
     }
     if (graph_[i].operation != Operation::choice) continue;
     const NodeId decides = graph_[i].decides;
+    if (constant[index(decides)]) continue;
     if (const std::optional<double> time = time_of(graph_, decides)) {
       times_.push_back(*time);
     } else if (!std::isnan(graph_.drift(decides))) {
@@ -166,9 +180,13 @@ std::vector<NodeId> Switches::resolved(const Mode& mode, Graph& graph) const {
     } else if (n.operation == Operation::choice) {
       const auto decides = static_cast<std::size_t>(std::find(deciding_.begin(), deciding_.end(), n.decides) -
                                                     deciding_.begin());
-      made[index(i)] = decides == mode.size()
-                           ? graph.choice(made[index(n.decides)], made[index(n.a)], made[index(n.b)])
-                           : made[index(mode[decides] < 0 ? n.b : n.a)];
+      const bool is_sign = graph.is_number(n.a) && graph.is_number(n.b) && graph[n.a].c == -graph[n.b].c;
+      if (decides < mode.size())
+        made[index(i)] = made[index(mode[decides] < 0 ? n.b : n.a)];
+      else if (is_sign && graph.is_number(made[index(n.decides)], 0))
+        made[index(i)] = graph.number(0);
+      else
+        made[index(i)] = graph.choice(made[index(n.decides)], made[index(n.a)], made[index(n.b)]);
     } else {
       made[index(i)] = graph.again(n, made[index(n.a)], made[index(n.b)]);
     }

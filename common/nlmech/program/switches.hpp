@@ -25,7 +25,8 @@ using Mode = std::vector<std::int8_t>;
 /// functions stay zero (Utkin's equivalent control): what dry friction at several places asks for.
 ///
 /// What decides by the time alone, as max(0, t - c) and floor(t), does so at known times: methods step onto
-/// these, and there is nothing to locate. The equations keep such choices in every mode.
+/// these, and there is nothing to locate. The equations keep such choices in every mode. Nor does a function
+/// decide that changes at other choices alone, as sign(x) in max(sign(x), 0): it follows from these.
 class Switches {
  public:
   /// What the slopes @p slopes of a state depend on by choices. @param graph is copied

@@ -277,7 +277,7 @@ Comparison comparison(const UserProblem& problem, const RunOptions& r, const std
   const auto left = [&] { return r.limits.seconds - watch.seconds(); };
   constexpr double work = 6;  // seconds, or so
   std::optional<scene::Doing> doing("computing a reference");
-  const Effort effort{work, left() / 3, r.limits.largest_step};
+  const Effort effort{work, left() / 3, watchful_step(r.t0, r.t1, r.limits.largest_step)};
   const Reference reference = reference_of(problem.extended(effort), problem.system, r.x0, r.t0,
                                            look_at(r.t0, r.t1, 64), {1e-13, 1e-30}, effort);
   ComparisonTable table(program, reference, r.x0);

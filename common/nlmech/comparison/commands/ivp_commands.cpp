@@ -31,7 +31,9 @@ int integrate(const TypedOptions& typed, const std::string& program) {
   const UserProblem problem = problem_of(typed)({});
   const scene::Picture picture(typed.plot);
   const RunOptions options = run_options(typed, problem, problem.initial_state(typed.initial));
-  const Trajectory run = trajectory(problem, options, method_of(typed, problem, options));
+  const ivp::MethodInfo& method = method_of(typed, problem, options);
+  const Trajectory run = typed.method.empty() ? usual_trajectory(problem, options, method)
+                                              : trajectory(problem, options, method);
   for (const std::string& remark : {run.remark, run.small}) {
     if (!remark.empty()) scene::tell(fmt::format("{}: {}", program, remark));
   }

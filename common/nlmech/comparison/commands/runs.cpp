@@ -311,7 +311,7 @@ void Run::verify_by_integration(const ivp::Solution& end) {
   const Verified run = verified();
   const scene::Doing doing("verifying the run by integration");
   Effort effort = effort_after(end.statistics, problem_.system.size(), left_after(end));
-  effort.largest_step = options_.limits.largest_step;
+  effort.largest_step = watchful_step(options_.t0, t1_, options_.limits.largest_step);
   for (const WantedEvent& e : options_.events) {
     if (e.event.change) effort.changes.push_back(e.event);
   }
@@ -328,7 +328,7 @@ void Run::verify_by_integration(const ivp::Solution& end) {
   const Verification v = verify(system, options_.x0, options_.t0, run, reference, effort);
   found_.is_open = v.verdict == Verification::Verdict::unknown;
   if (found_.is_open) static_cast<void>(left_after(end));  // if for want of time
-  found_.remark = remark(v, reference, method_, options_.settings, problem_.state_names);
+  found_.remark = remark(v, reference, method_, options_.settings, problem_.state_names, t1_);
 }
 
 // A run that an event has ended is a success, and its last row is there.
@@ -398,6 +398,12 @@ std::vector<ivp::Solution> solutions_of(std::span<const std::unique_ptr<Run>> ru
   return solutions;
 }
 
+/// Has the method what is set besides step and tolerance?
+bool has_settings(const ivp::MethodInfo& method, const ivp::Settings& settings) {
+  return std::ranges::none_of(
+      ivp::own_settings, [&](const ivp::SettingInfo* s) { return s->value(settings) && !method.has(*s); });
+}
+
 }  // namespace
 
 std::vector<std::string> printed_names(const UserProblem& problem, const RunOptions& options) {
@@ -421,11 +427,10 @@ const ivp::MethodInfo& usual_method(const UserProblem& problem, const RunOptions
   ChoiceRequest q = choice_request(problem, r);
   for (const std::string& name : built_method_names()) {
     const ivp::MethodInfo& method = any_method(name);
-    const auto lacks = [&](const ivp::SettingInfo* s) { return s->value(r.settings) && !method.has(*s); };
     const bool exact_within = name == "series" || name == "adaptive-collocation";
     const bool within =
         r.every || !r.at.empty() || !r.events.empty();  // not for a picture, which changes no number
-    if (std::ranges::none_of(ivp::own_settings, lacks) && (exact_within || !within) && !method.fixed_step())
+    if (has_settings(method, r.settings) && (exact_within || !within) && !method.fixed_step())
       q.methods.push_back(name);
   }
   std::string method;
@@ -438,6 +443,30 @@ Trajectory trajectory(const UserProblem& problem, const RunOptions& options, con
   const auto one = about("--method", [&] { return method.with(options.settings); });
   Run run(problem, options, method, one);
   return run.finish(about("--method", [&] { return run.integrate(); }));
+}
+
+Trajectory usual_trajectory(const UserProblem& problem, const RunOptions& options,
+                            const ivp::MethodInfo& usual) {
+  const Stopwatch watch;
+  try {
+    return trajectory(problem, options, usual);
+  } catch (const Failure&) {
+    if (!options.verify) throw;
+    for (const std::string_view name :
+         {"dop853", "series", "adaptive-collocation", "odeint-rosenbrock4", "cvode-bdf"}) {
+      const ivp::MethodInfo& other = any_method(name);
+      RunOptions rest = options;
+      rest.limits.seconds -= watch.seconds();
+      rest.limits.largest_step = watchful_step(options.t0, options.t1, options.limits.largest_step);
+      if (!other.is_available() || !has_settings(other, options.settings)) continue;
+      if (rest.limits.seconds <= 0) break;
+      try {
+        if (Trajectory found = trajectory(problem, rest, other); !found.is_open) return found;
+      } catch (const Failure&) {  // that of the usual method says more
+      }
+    }
+    throw;
+  }
 }
 
 std::vector<EnsembleResult> trajectories(std::span<const EnsembleMember> members,

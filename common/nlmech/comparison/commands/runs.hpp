@@ -54,6 +54,14 @@ struct EnsembleResult {
 [[nodiscard]] Trajectory trajectory(const UserProblem& problem, const RunOptions& options,
                                     const ivp::MethodInfo& method);
 
+/// The same by the usual method or, where its run fails or is wrong, by the first of some others whose run is
+/// verified: methods that suit other problems, as far as they have the settings, by steps that miss no short
+/// pulse. They share the run's limit. Without RunOptions::verify nothing tells which run is right, and there
+/// are no others.
+/// @param usual of usual_method() @throws Failure of the usual method if no other arrives
+[[nodiscard]] Trajectory usual_trajectory(const UserProblem& problem, const RunOptions& options,
+                                          const ivp::MethodInfo& usual);
+
 /// The same for many runs with the same settings, side by side where the method can; what trajectory() throws
 /// as Failure is their status. @param threads how many; 0: one a processor
 [[nodiscard]] std::vector<EnsembleResult> trajectories(std::span<const EnsembleMember> members,

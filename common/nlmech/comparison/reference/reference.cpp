@@ -172,7 +172,7 @@ Reference agree(const std::vector<Candidate>& candidates, const Way& way, const 
     // Two that work in extended precision and part: no method in double precision knows better.
     if (c.extended && arrived.size() >= 2 && best.relative > worthless) break;
   }
-  if (!(best.relative <= worthless)) return none_of(arrived, best, failed);
+  if (best.in_needs > 1 && !(best.relative <= worthless)) return none_of(arrived, best, failed);
   const Arrived &a = arrived[best.first], &b = arrived[best.second];
   Reference r;
   r.first = a.by;

@@ -9,6 +9,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -42,10 +43,16 @@ struct Effort {
   /// second.
   double work = 1;
   double seconds = std::numeric_limits<double>::infinity();  ///< wall time besides
-  /// Longest step of each computation, as of the run that is judged.
+  /// Longest step of each computation.
   double largest_step = std::numeric_limits<double>::infinity();
   std::vector<ivp::Event> changes = {};  ///< of the state on the way, as of the run that is judged
 };
+
+/// The longest step of computations from @p t0 to @p t1 that are to miss nothing: at most that of the run
+/// that is judged, and a 128th of the way, so that a pulse of some such parts after a long rest is seen.
+[[nodiscard]] inline double watchful_step(double t0, double t1, double largest_step) {
+  return std::min(largest_step, std::abs(t1 - t0) / 128);
+}
 
 /// Ends a computation that is too slow to arrive: one that, after a twentieth of its steps, has made less
 /// than a twentieth of the way that they would have to.

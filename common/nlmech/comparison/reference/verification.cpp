@@ -58,9 +58,10 @@ using Verdict = Verification::Verdict;
 
 /// A run beside its reference.
 struct Beside {
-  /// @param one what one tolerance comes to
-  Beside(const Verified& r, const Reference& reference, Eigen::MatrixXd one)
+  /// @param one what one tolerance comes to @param relative_to of digits
+  Beside(const Verified& r, const Reference& reference, Eigen::MatrixXd one, Eigen::MatrixXd relative_to)
       : run(r),
+        scale(std::move(relative_to)),
         error(Eigen::MatrixXd::Zero(r.states.rows(), r.states.cols())),
         doubt(error),
         weight(std::move(one)),
@@ -74,6 +75,7 @@ struct Beside {
   }
 
   const Verified& run;
+  Eigen::MatrixXd scale;   ///< what digits are relative to
   Eigen::MatrixXd error;   ///< |difference|; zero where the run has no state
   Eigen::MatrixXd doubt;   ///< of the reference; zero likewise
   Eigen::MatrixXd weight;  ///< one tolerance
@@ -83,6 +85,27 @@ struct Beside {
   [[nodiscard]] Verification worst(Verdict verdict, const Eigen::MatrixXd& unit) const {
     Eigen::Index row = 0, column = 0;
     (void)(error.array() / unit.array()).maxCoeff(&row, &column);
+    return at(verdict, row, column);
+  }
+  /// Where the run has the fewest digits, of the places at which it may be off by more than most_tolerances.
+  [[nodiscard]] Verification fewest_digits() const {
+    const Eigen::ArrayXXd most = (error + doubt).array();
+    const auto counts = (most > most_tolerances * weight.array()).cast<double>();
+    Eigen::Index row = 0, column = 0;
+    (void)(counts * most / scale.array()).maxCoeff(&row, &column);
+    return at(Verdict::inexact, row, column);
+  }
+  /// Are the run and the reference good enough?
+  [[nodiscard]] bool within(const Eigen::MatrixXd& bound) const {
+    return (error.array() <= bound.array()).all() && (doubt.array() <= bound.array()).all();
+  }
+  /// Is the run off by more than most_tolerances, however far off the reference may be?
+  [[nodiscard]] bool surely_beyond() const {
+    return ((error - doubt).array() > most_tolerances * weight.array()).any();
+  }
+
+ private:
+  [[nodiscard]] Verification at(Verdict verdict, Eigen::Index row, Eigen::Index column) const {
     const double one = weight(row, column), growth = moved(row, column) / one;
     return {.verdict = verdict,
             .t = run.times[static_cast<std::size_t>(column)],
@@ -91,18 +114,29 @@ struct Beside {
             .doubt = doubt(row, column),
             .tolerances = error(row, column) / one,
             .allowed = std::max(most_tolerances, most_amplified * growth),
-            .growth = growth};
-  }
-  /// Are the run and the reference good enough?
-  [[nodiscard]] bool within(const Eigen::MatrixXd& bound) const {
-    return (error.array() <= bound.array()).all() && (doubt.array() <= bound.array()).all();
+            .growth = growth,
+            .digits = -std::log10((error(row, column) + doubt(row, column)) / scale(row, column))};
   }
 };
 
-/// The verdict once the condition is known.
+/// What digits are relative to: see Verification::digits.
+Eigen::MatrixXd scales(const StatesAt& states, const Eigen::VectorXd& size, const Tolerance& tolerance) {
+  Eigen::MatrixXd all(states.rows(), states.cols());
+  for (Eigen::Index i = 0; i < all.rows(); ++i) {
+    for (Eigen::Index k = 0; k < all.cols(); ++k) {
+      const auto x = static_cast<double>(std::abs(states(i, k)));
+      all(i, k) = size[i] <= tolerance.absolute ? tolerance.absolute / tolerance.relative
+                  : x >= 1e-3 * size[i]         ? x
+                                                : size[i];
+    }
+  }
+  return all;
+}
+
+/// The verdict on a run that is not right to enough digits, or of which the reference does not tell.
 Verification with_condition(const Beside& all, const Reference& reference, const Eigen::VectorXd& size) {
   const Eigen::MatrixXd bound = (most_tolerances * all.weight).cwiseMax(most_amplified * all.moved);
-  Verification v = all.worst(Verdict::right, bound);
+  Verification v = all.worst(Verdict::inexact, bound);
   const double extent = size[v.component] > 0 ? size[v.component] : 1;
   const double allowed = v.allowed * v.error / std::max(v.tolerances, 1e-300);
   const double sure = v.error - v.doubt;  // the reference may be off by its doubt, and the run by less then
@@ -134,6 +168,8 @@ Tolerance tolerance_of(const ivp::Settings& settings) {
   const double relative = settings.tolerance.value_or(ivp::default_tolerance);
   return {relative, settings.absolute_tolerance.value_or(relative)};
 }
+
+double enough_digits(double tolerance) { return std::max(3.0, -std::log10(tolerance) / 2); }
 
 Status amplification(const Way& way, const Reference& reference, const Eigen::VectorXd& first_weight,
                      const Eigen::MatrixXd& weight, double seconds, Eigen::MatrixXd& moved) {
@@ -173,16 +209,19 @@ Verification verify(const ivp::System& system, const ivp::State& x0, double t0, 
   if (!reference.status.ok())
     return {.verdict = reference.ends ? Verdict::ended : Verdict::unknown, .reason = reference.text()};
   const Eigen::VectorXd size = reference.size.cwiseMax(x0.cwiseAbs());
-  Beside all(run, reference, weights(system, run.times, reference.states, size, run.tolerance));
+  Beside all(run, reference, weights(system, run.times, reference.states, size, run.tolerance),
+             scales(reference.states, size, run.tolerance));
   if (all.within(most_tolerances * all.weight)) return all.worst(Verdict::right, all.weight);
   const Way way{x0.cast<long double>(), t0, run.times};
   const Eigen::MatrixXd first = weights(system, {t0}, way.x0, size, run.tolerance);
   const Status status = amplification(way, reference, first.col(0), all.weight, effort.seconds, all.moved);
+  if (!status.ok()) all.moved.setZero();
+  if (all.surely_beyond()) {
+    const Verification v = all.fewest_digits();
+    if (v.digits >= enough_digits(run.tolerance.relative)) return v;
+    if (!status.ok()) return all.worst(Verdict::wrong, all.weight);
+  }
   if (status.ok()) return with_condition(all, reference, size);
-  // Without the condition: no digit right is wrong, whatever the problem makes of errors.
-  Verification v = all.worst(Verdict::wrong, size.replicate(1, all.error.cols()).cwiseMax(all.weight));
-  const bool no_digit = v.error - v.doubt >= 0.1 * size[v.component] && v.tolerances > most_tolerances;
-  if (no_digit) return v;
   return {.reason = "the problem's condition could not be computed: " + status.sentence()};
 }
 
@@ -205,7 +244,7 @@ bool agrees(const ivp::System& system, const ivp::State& x0, double t0, const Ve
 }
 
 std::string remark(const Verification& found, const Reference& reference, const ivp::MethodInfo& method,
-                   const ivp::Settings& settings, const std::vector<std::string>& names) {
+                   const ivp::Settings& settings, const std::vector<std::string>& names, double t1) {
   if (found.verdict == Verdict::unknown) return "not verified: " + found.reason;
   const double tolerance = tolerance_of(settings).relative;
   if (found.verdict == Verdict::ended)
@@ -215,8 +254,8 @@ std::string remark(const Verification& found, const Reference& reference, const 
                     "leapt across: {}; take an earlier end or a smaller tolerance (--no-verify prints "
                     "the run as it is)",
                     method.name, tolerance, found.reason));
-  const std::string place =
-      fmt::format("{} at t = {:.9g}", names.at(static_cast<std::size_t>(found.component)), found.t);
+  const std::string& name = names.at(static_cast<std::size_t>(found.component));
+  const std::string place = fmt::format("{} at t = {:.9g}", name, found.t);
   if (found.verdict == Verdict::undetermined)
     throw Failure(failed_with(
         Outcome::outside_validity,
@@ -227,13 +266,18 @@ std::string remark(const Verification& found, const Reference& reference, const 
     throw Failure(failed_with(Outcome::not_converged,
                               "{}: verified by integration, {} is off by {:.2g}: {:.3g} times the tolerance "
                               "{:.6g}, where the number of steps and the problem's condition explain {:.3g}; "
+                              "fewer than {:.1f} digits are right; "
                               "the tolerance {}: {} (--no-verify prints the run as it is; reference: {})",
                               method.name, place, found.error, found.tolerances, tolerance, found.allowed,
-                              what_a_tolerance_holds, advice(found, tolerance), reference.text()));
-  if (found.tolerances <= most_tolerances) return "";
-  return fmt::format(
-      "verified: {} is off by {:.2g}, {:.3g} tolerances, since the problem multiplies errors by up to {:.3g}",
-      place, found.error, found.tolerances, found.growth);
+                              enough_digits(tolerance), what_a_tolerance_holds, advice(found, tolerance),
+                              reference.text()));
+  if (found.verdict == Verdict::right) return "";
+  const double digits = std::floor(10 * std::max(found.digits, 0.0)) / 10;  // no more than there are
+  const std::string growth =
+      found.growth > 0 ? fmt::format("; the problem multiplies errors by up to {:.3g}", found.growth) : "";
+  return fmt::format("verified: {:.1f} digits at {}; {} is off by {:.2g} there, {:.3g} tolerances{}", digits,
+                     found.t == t1 ? "the end" : fmt::format("t = {:.9g}", found.t), name, found.error,
+                     found.tolerances, growth);
 }
 
 }  // namespace nlmech::comparison

@@ -18,32 +18,44 @@ namespace nlmech::comparison {
 /// The tolerances of a run by its settings.
 [[nodiscard]] Tolerance tolerance_of(const ivp::Settings& settings);
 
-/// A component is right if it is off by no more than so many tolerances: steps are many, and their errors add
-/// up. Well made methods stay below twenty over some ten periods of an oscillator, multistep methods below a
-/// hundred; methods that underrate the errors of their steps do not (tests/comparison).
+/// A component is right without a remark if it is off by no more than so many tolerances: steps are many, and
+/// their errors add up. Well made methods stay below twenty over some ten periods of an oscillator, multistep
+/// methods below a hundred; methods that underrate the errors of their steps do not (tests/comparison).
 inline constexpr double most_tolerances = 100;
-/// Or by no more than so many times what the problem makes of a single error of one tolerance on the way.
+/// A run with fewer digits than are enough is right if it is off by no more than so many times what the
+/// problem makes of a single error of one tolerance on the way.
 inline constexpr double most_amplified = 10;
+
+/// The digits with which a run is printed, whatever the problem makes of errors: half of those that its
+/// relative tolerance asks for, and three at least.
+[[nodiscard]] double enough_digits(double tolerance);
 
 /// What came out.
 struct Verification {
   /// How it ended.
   enum class Verdict {
-    right,         ///< within most_tolerances, or within most_amplified of what the problem makes of one
-    wrong,         ///< beyond it
+    right,    ///< within most_tolerances
+    inexact,  ///< beyond them, but with enough_digits() or within most_amplified of what the problem makes
+              ///< of one tolerance
+    wrong,    ///< none of these
     undetermined,  ///< the problem multiplies one tolerance to the size of the solution: no digit is
                    ///< determined
     ended,         ///< the solution seems to end on the way, and the run to have jumped across: see reason
     unknown        ///< there is no reference that could tell: see reason
   };
   Verdict verdict = Verdict::unknown;  ///< how it ended
-  double t = 0;                        ///< where the run is furthest off, compared with what is allowed
+  double t = 0;                        ///< where the run has the fewest digits; of a wrong one where it is
+                                       ///< furthest off, compared with what is allowed
   int component = 0;                   ///< and in which component, from 0
   double error = 0;                    ///< how far off it is there
   double doubt = 0;                    ///< how far off the reference may be
   double tolerances = 0;               ///< the same in tolerances
   double allowed = most_tolerances;    ///< how many of them are let pass there
-  double growth = 1;                   ///< how much one tolerance grows up to there
+  double growth = 1;                   ///< how much one tolerance grows up to there; 0: not known
+  double digits = 0;                   ///< of the component there, at least: by its error and the doubt,
+                                       ///< relative to it or, where it is below a thousandth of its size, to
+                                       ///< that; of a component that never exceeds the absolute tolerance
+                                       ///< relative to the size at which both tolerances are the same
   std::string reason = {};             ///< of unknown and ended, in words
 };
 
@@ -72,7 +84,7 @@ inline constexpr int most_verified = 48;
                                    double seconds, Eigen::MatrixXd& moved);
 
 /// Compares a run with a reference. The problem's condition is computed only if the run is off by more than
-/// most_tolerances.
+/// most_tolerances. Unknown is what the reference does not know finely enough to tell.
 /// @param reference at run.times
 /// @param effort for the condition
 [[nodiscard]] Verification verify(const ivp::System& system, const ivp::State& x0, double t0,
@@ -90,12 +102,14 @@ inline constexpr int most_verified = 48;
 inline constexpr std::string_view what_a_tolerance_holds =
     "holds the error of each step, and not what these add up to";
 
-/// What is worth saying of a run that is right or that could not be verified; empty if nothing.
+/// What is worth saying of a run that is right or that could not be verified: "verified: 8.9 digits at the
+/// end; x is off by 1.3e-09 there, 130 tolerances"; empty if nothing.
 /// @param names of the components
+/// @param t1 the end
 /// @throws Failure for a run that is wrong or that nothing determines: method, place, what its tolerance
 /// holds, and what to change
 [[nodiscard]] std::string remark(const Verification& found, const Reference& reference,
                                  const ivp::MethodInfo& method, const ivp::Settings& settings,
-                                 const std::vector<std::string>& names);
+                                 const std::vector<std::string>& names, double t1);
 
 }  // namespace nlmech::comparison
