@@ -175,8 +175,8 @@ Taylor series; the bounds leave what each motion amplifies:
   $ series projectile --until 9.84601516944855 | holds 't = 9.84601516944855' 'x = 38476.6981780052 +- 1e-4'
   $ series bodies --until 3000 --tolerance 1e-13 | holds 't = 3000' 'y4 = 3.071464269641001 +- 1e-6'
   $ series bodies --until 1 | sed -n 1p
-  t,x1,y1,z1,x2,y2,z2,x3,y3,z3,x4,y4,z4,x1',y1',z1',x2',y2',z2',x3',y3',z3',x4',y4',z4'
   integrators: z1, z2, z3, z1', z2', z3' stay below the absolute tolerance 1e-09: none of their digits is determined; take a smaller --absolute-tolerance
+  t,x1,y1,z1,x2,y2,z2,x3,y3,z3,x4,y4,z4,x1',y1',z1',x2',y2',z2',x3',y3',z3',x4',y4',z4'
 
 With the published step and order, 20, Lorenz's end is another one than that of the solution:
 
