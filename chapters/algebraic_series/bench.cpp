@@ -39,9 +39,10 @@ Runner by_integrate(const System& system, const ivp::State& x0, const Make& make
 }
 
 /// The largest relative error of a component.
-double error_of(const ivp::State& found, const ivp::LongState& truth) {
-  return static_cast<double>(
-      ((found.cast<long double>() - truth).array() / truth.array()).abs().maxCoeff<Eigen::PropagateNaN>());
+double error_of(const ivp::State& found, const ivp::LongState& reference) {
+  return static_cast<double>(((found.cast<long double>() - reference).array() / reference.array())
+                                 .abs()
+                                 .maxCoeff<Eigen::PropagateNaN>());
 }
 
 /// Ours inlined, ours through the tape, and the library alone and in our walk, each at the fastest tolerance

@@ -11,28 +11,27 @@
 namespace nlmech::chapters::algebraic_series {
 namespace {
 
-/// What was typed.
-struct Words {
+struct PoincareOptions {
   int sections = 0;
   std::string initial;
   std::vector<std::string> set;
   ivp::Limits limits{.seconds = 60};
 };
 
-void declare(scene::Options& options, Words& words) {
-  options.add("--sections", words.sections, "how many, the first of them the initial state")
+void declare(scene::Options& options, PoincareOptions& typed) {
+  options.add("--sections", typed.sections, "how many, the first of them the initial state")
       .range(1, 1e7)
       .required();
-  options.add("--initial", words.initial, "initial state x,v; -0.5,0 without it");
-  options.add("--set", words.set, "name=value of stiffness or epsilon; more of them with blanks between");
-  options.limit(words.limits.seconds);
+  options.add("--initial", typed.initial, "initial state x,v; -0.5,0 without it");
+  options.add("--set", typed.set, "name=value of stiffness or epsilon; more of them with blanks between");
+  options.limit(typed.limits.seconds);
 }
 
-std::string section_rows(const Words& words) {
+std::string section_rows(const PoincareOptions& typed) {
   const comparison::UserProblem oscillator =
-      comparison::library_problem("oscillator")(comparison::settings_of(words.set));
-  const ivp::State x0 = oscillator.initial_state(words.initial);
-  const auto all = sections(oscillator.system, {x0[0], x0[1]}, oscillator.t0, words.sections, words.limits);
+      comparison::library_problem("oscillator")(comparison::settings_of(typed.set));
+  const ivp::State x0 = oscillator.initial_state(typed.initial);
+  const auto all = sections(oscillator.system, {x0[0], x0[1]}, oscillator.t0, typed.sections, typed.limits);
   std::string text = "section,x,v\n";
   for (std::size_t k = 0; k < all.size(); ++k)
     fmt::format_to(std::back_inserter(text), "{},{:.17g},{:.17g}\n", k, all[k][0], all[k][1]);

@@ -32,15 +32,15 @@ struct Departure {
   }
 };
 
-/// Runs a method from the begin of an example to @p end, which may lie beyond its own, as far as its
+/// Runs a method from the start of an example to @p end, which may lie beyond its own, as far as its
 /// reference reaches. A run that fails is cut off there.
 template <class Method>
 [[nodiscard]] Departure departure(const comparison::Example& example, const Method& method, double end) {
   Departure seen;
   const auto observe = [&](const ivp::Step& step) {
-    const ivp::State truth = example.reference(step.t1).template cast<double>();
+    const ivp::State reference = example.reference(step.t1).template cast<double>();
     seen.t.push_back(step.t1);
-    seen.error.push_back((step.x1 - truth).cwiseAbs().maxCoeff());
+    seen.error.push_back((step.x1 - reference).cwiseAbs().maxCoeff());
     return true;
   };
   const auto solution = ivp::integrate(example.system, example.x0, example.t0, end, method, observe);

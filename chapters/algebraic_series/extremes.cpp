@@ -64,8 +64,8 @@ Attempt attempt(std::string what, const ivp::System& system, const ivp::State& x
   return a;
 }
 
-std::function<double(const ivp::State&)> against(const ivp::State& truth) {
-  return [truth](const ivp::State& x) { return (x - truth).cwiseAbs().maxCoeff(); };
+std::function<double(const ivp::State&)> against(const ivp::State& reference) {
+  return [reference](const ivp::State& x) { return (x - reference).cwiseAbs().maxCoeff(); };
 }
 
 std::vector<Attempt> attempts() {

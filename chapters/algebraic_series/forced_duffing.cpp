@@ -34,7 +34,7 @@ void put_time(const Motion& m, scene::Show& show) {
   const ivp::State &half = m.path.at(1000).exact, &full = m.path.back().exact;
   // oracle: algebraic_series_motions Duffing u(*, Duffing v(*, Duffing T = 0.35: greatest error, Duffing T =
   // 0.35: above 1e-3 from
-  const char* known = "tools/oracles/algebraic_series_motions.py; rounding grows to 1e-11 on the way";
+  const char* known = "tools/oracles/algebraic_series_motions.py; rounding grows to 1e-11 by then";
   show.near("u(50)", half[0], 1.221946638567542, 1e-10, known);
   show.near("u'(50)", half[1], 5.565479787665349, 1e-10, known);
   show.near("u(100)", full[0], 0.694891370844674, 1e-8, known);
@@ -47,7 +47,7 @@ void put_time(const Motion& m, scene::Show& show) {
 }
 
 void put_phase(const Motion& m, scene::Show& show) {
-  show.plot("Its phase plane: bounded, and never twice the same way", "{/:Italic u}",
+  show.plot("Forced Duffing: the phase plane, bounded and aperiodic", "{/:Italic u}",
             "d{/:Italic u}/d{/:Italic t}")
       .x_range(-4, 4)
       .y_range(-7, 7)

@@ -35,9 +35,9 @@ std::vector<double> errors(const Root& root, int terms) {
   std::vector<Real> h = {1};
   Real at_one = 0;
   for (const Real& c : root.f) at_one += c;
-  const Real truth = at_one == 0 ? Real(0) : Real(pow(at_one, Real(1) / 5));
+  const Real reference = at_one == 0 ? Real(0) : Real(pow(at_one, Real(1) / 5));
   Real sum = h[0];
-  std::vector<double> found = {static_cast<double>(abs(sum - truth))};
+  std::vector<double> found = {static_cast<double>(abs(sum - reference))};
   const Real p = Real(1) / 5;
   for (int k = 1; k < terms; ++k) {
     Real next = 0;
@@ -45,7 +45,7 @@ std::vector<double> errors(const Root& root, int terms) {
       next += (p * m - (k - m)) * root.f[static_cast<std::size_t>(m)] * h[static_cast<std::size_t>(k - m)];
     h.push_back(next / k);
     sum += h.back();
-    found.push_back(static_cast<double>(abs(sum - truth)));
+    found.push_back(static_cast<double>(abs(sum - reference)));
   }
   return found;
 }

@@ -35,7 +35,7 @@ void put_time(const Motion& m, scene::Show& show) {
   const auto& end = m.path.back();
   // oracle: algebraic_series_motions Lorenz ?(20), Lorenz T = 0.1: u(20), Lorenz T = 0.1: error at 0.5,
   // Lorenz T = 0.1: above 1 from
-  const char* known = "tools/oracles/algebraic_series_motions.py; double loses eight digits on the way";
+  const char* known = "tools/oracles/algebraic_series_motions.py; double loses eight digits by then";
   show.near("u(20)", end.exact[0], -1.356348984580380, 1e-6, known);
   show.near("v(20)", end.exact[1], -2.387300052277071, 1e-6, known);
   show.near("w(20)", end.exact[2], 12.38998499408597, 1e-6, known);
@@ -49,7 +49,7 @@ void put_time(const Motion& m, scene::Show& show) {
 }
 
 void put_phase(const Motion& m, scene::Show& show) {
-  scene::Plot& plot = show.plots("With the printed steps the butterfly has lost a wing");
+  scene::Plot& plot = show.plots("Lorenz: with the printed steps the attractor lacks a wing");
   plot.size(900, 520).data(data_of(m.path));
   const auto panel = [&](const char* caption, const char* columns, const scene::Look& look) {
     plot.panel("{/:Italic u}", "{/:Italic w}")

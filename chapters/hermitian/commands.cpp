@@ -9,27 +9,26 @@
 namespace nlmech::chapters::hermitian {
 namespace {
 
-/// What was typed.
-struct Words {
+struct PeakOptions {
   std::string problem, method;
   double step = 0;
 };
 
-void declare(scene::Options& options, Words& words) {
-  options.add("--problem", words.problem, "from rest, or from 0.01")
+void declare(scene::Options& options, PeakOptions& typed) {
+  options.add("--problem", typed.problem, "from rest, or from 0.01")
       .one_of({"laier-duffing", "laier-van-der-pol"})
       .required();
-  options.add("--method", words.method, "operators of")
+  options.add("--method", typed.method, "operators of")
       .one_of({"laier", "argyris", "newmark", "hoff", "bazzi"})
       .required();
-  options.add("--step", words.step, "length of a step").positive().required();
+  options.add("--step", typed.step, "length of a step").positive().required();
 }
 
-std::string peak(const Words& words) {
-  const Case what = words.problem == "laier-duffing" ? duffing_case() : van_der_pol_case();
+std::string peak(const PeakOptions& typed) {
+  const Case what = typed.problem == "laier-duffing" ? duffing_case() : van_der_pol_case();
   // The peaks lie at 2.45 and 4.60; a step beyond that sees none.
   const Peak found =
-      first_peak(what, {.operators = ivp::hermitian_pair(words.method), .step = words.step}, 40);
+      first_peak(what, {.operators = ivp::hermitian_pair(typed.method), .step = typed.step}, 40);
   if (!found.status.ok()) throw Failure(found.status);
   return fmt::format("t,peak\n{:.17g},{:.17g}\n", found.t, found.x);
 }

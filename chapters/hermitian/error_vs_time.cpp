@@ -24,7 +24,7 @@ std::vector<Contender> methods(double scale, bool quick) {
           comparison::by_tolerances("ode45", Kind::explicit_, quick)};
 }
 
-/// @param scale longest of the fixed steps @param change of the begin, for the condition
+/// @param scale longest of the fixed steps @param change of the start, for the condition
 scene::Scene scene_of(const problems::TextProblem& problem, const std::string& title, double end,
                       double scale, double change) {
   return comparison::work_precision_scene(

@@ -30,7 +30,7 @@ struct Subject {
   std::string what;
   ivp::System system;
   ivp::State x0;
-  double end, truth;
+  double end, reference;
 };
 
 Attempt attempt(const Subject& s, const Hermitian& method) {
@@ -43,7 +43,7 @@ Attempt attempt(const Subject& s, const Hermitian& method) {
             {},
             run.statistics.steps,
             run.statistics.right_hand_sides};
-  if (run.status.ok()) a.error = std::abs(run.x[0] - s.truth);
+  if (run.status.ok()) a.error = std::abs(run.x[0] - s.reference);
   return a;
 }
 
@@ -53,12 +53,12 @@ Hermitian controlled(const ivp::HermitianPair& pair, double tolerance) {
 
 // Ends by Taylor series in 113 bits.
 std::vector<Subject> relaxations() {
-  const auto make = [](double mu, double end, double truth) {
+  const auto make = [](double mu, double end, double reference) {
     return Subject{fmt::format("van der Pol, mu = {}", mu),
                    ivp::System(problems::TextProblem("van-der-pol", {{"mu", mu}})),
                    {2, 0},
                    end,
-                   truth};
+                   reference};
   };
   return {make(10, 40, 1.872808279858089700), make(100, 200, 1.718587208019240655),
           make(1000, 2000, 1.706167732170465008)};

@@ -18,7 +18,7 @@ struct Case {
 /// Van der Pol's oscillator from (0.01, 0), the start that fits; the paper names none.
 [[nodiscard]] Case van_der_pol_case();
 
-/// Where the velocity first passes zero against the sign after the begin.
+/// Where the velocity first passes zero against the sign after the start.
 struct Peak {
   Status status;       ///< success, or why there is none
   double t = 0;        ///< time, by the dense output of the step

@@ -12,7 +12,7 @@ namespace nlmech::chapters::hermitian::wrong_branch {
 namespace {
 
 constexpr double mu = 100, end = 200,
-                 truth = 1.718587208019240655;  // at t = 200, by Taylor series in 70 digits
+                 reference = 1.718587208019240655;  // at t = 200, by Taylor series in 70 digits
 
 /// A fixed step with and without the test of its estimate.
 struct Pair {
@@ -57,7 +57,7 @@ Branches compute() {
     const auto blind = run(unchecked(step)), seeing = run({.step = step});
     b.pairs.push_back({step, std::string(to_string(blind.status.outcome())),
                        std::string(to_string(seeing.status.outcome())),
-                       blind.status.ok() ? std::optional(std::abs(blind.x[0] - truth)) : std::nullopt,
+                       blind.status.ok() ? std::optional(std::abs(blind.x[0] - reference)) : std::nullopt,
                        seeing.t});
   }
   return b;

@@ -48,7 +48,7 @@ void complete(SetProblem& p, const Rows& states, const Rows& conditions) {
   const auto known = std::ranges::find(conditions, p.name, [](const auto& row) { return row.cells[0]; });
   if (values.size() != p.times.size() * size || known == conditions.end()) misfit(p.name);
   for (std::size_t k = 0; k < p.times.size(); ++k)
-    p.truth.emplace_back(
+    p.reference.emplace_back(
         Eigen::Map<const Vector<long double, Eigen::Dynamic>>(values.data() + k * size, p.x0.size()));
   p.condition = number(known->cells[2]);
   p.tolerance_condition = number(known->cells[3]);

@@ -34,7 +34,7 @@ Winner fastest(const ProblemTrials& p, double digits, Of of) {
   return best;
 }
 
-/// A row of the table: who wins on a problem.
+/// A row of the table: the fastest methods on a problem.
 struct Row {
   std::string problem;
   int digits;

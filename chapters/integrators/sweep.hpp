@@ -42,8 +42,8 @@ struct MethodTrials {
   std::vector<Trial> trials;  ///< loose first; ends where a run took too long
 
   /// Seconds that @p digits take: of the runs that deliver them the fastest, interpolated between tolerances
-  /// where the runs on both sides delivered less and more; nothing if none does, and of equal steps: who asks
-  /// for digits is not told the step.
+  /// where the runs on both sides delivered less and more; nothing if none does, and with equal steps, which
+  /// no number of digits determines.
   [[nodiscard]] std::optional<double> seconds_for(double digits) const;
 };
 
@@ -55,7 +55,7 @@ struct ProblemTrials {
   double condition;                   ///< for relative errors
   double tolerance_condition;         ///< for tolerances
   std::vector<MethodTrials> methods;  ///< in the order of names
-  double length = 1;                  ///< how many times as many errors add up as on the way of the others
+  double length = 1;                  ///< how many times as many errors add up as on other problems
 
   /// Digits that @p tolerance can give: an error of one tolerance, and 16 roundings, made once and multiplied
   /// by the condition and the length.

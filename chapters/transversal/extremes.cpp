@@ -39,18 +39,19 @@ Mtl blind(Mtl m) {
 
 template <class Problem>
 RunEnd run_to_end(const std::string& what, const Problem& problem, const ivp::State& x0, double end,
-                  double truth, const Mtl& method) {
+                  double reference, const Mtl& method) {
   const auto s = ivp::integrate(ivp::System(problem), x0, 0, end, method);
   RunEnd f{
       what, words(method), std::string(to_string(s.status.outcome())), {}, s.statistics.right_hand_sides};
-  if (s.status.ok()) f.error = std::abs(s.x[0] - truth);
+  if (s.status.ok()) f.error = std::abs(s.x[0] - reference);
   return f;
 }
 
 void add_van_der_pol(std::vector<RunEnd>& all, bool quick) {
-  const auto add = [&](double mu, double end, double truth, const Mtl& method) {
+  const auto add = [&](double mu, double end, double reference, const Mtl& method) {
     all.push_back(run_to_end(fmt::format("van der Pol, mu = {:g}, to t = {:g}", mu, end),
-                             problems::TextProblem("van-der-pol", {{"mu", mu}}), {2, 0}, end, truth, method));
+                             problems::TextProblem("van-der-pol", {{"mu", mu}}), {2, 0}, end, reference,
+                             method));
   };
   constexpr double ten = 1.872808279858089700, hundred = 1.718587208019240655,
                    thousand = 1.706167732170465008;
@@ -84,12 +85,12 @@ void add_fast(std::vector<RunEnd>& all) {
     const problems::TextProblem problem("driven-duffing", {{"stiffness", 1e6}, {"hardening", m}});
     for (const bool smooth : {true, false}) {
       const double x0 = smooth ? 1e-6 : 1;
-      const Truth truth(problem, {x0, 0}, 0, 1);
+      const Reference reference(problem, {x0, 0}, 0, 1);
       for (const double h : {1. / 3, 0.01, 5e-4}) {
         const std::string what = fmt::format("Duffing, w = 1000, m = {:g}, {} start, to t = 1", m,
                                              smooth ? "smooth" : "oscillatory");
         all.push_back(
-            run_to_end(what, problem, {x0, 0}, 1, static_cast<double>(truth(1)[0]), blind({.step = h})));
+            run_to_end(what, problem, {x0, 0}, 1, static_cast<double>(reference(1)[0]), blind({.step = h})));
         if (smooth && all.back().error) *all.back().error /= x0;  // relative
       }
     }

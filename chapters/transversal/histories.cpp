@@ -20,21 +20,21 @@ struct Pair {
 };
 
 struct Histories {
-  std::vector<Point> truth;
+  std::vector<Point> reference;
   std::vector<Pair> pairs;
 };
 
 Histories all_histories() {
   const problems::TextProblem problem = stand_in(0.5);
-  const Truth truth(problem, {0, 0}, 0, end);
+  const Reference reference(problem, {0, 0}, 0, end);
   Histories all;
   for (int i = 0; i <= 400; ++i) {
     const double t = end * i / 400;
-    all.truth.push_back({t, truth(t).cast<double>()});
+    all.reference.push_back({t, reference(t).cast<double>()});
   }
   for (const double h : {0.05, 0.1, 0.21})
-    all.pairs.push_back({h, course(problem, {0, 0}, end, classical("rk6", h), &truth),
-                         course(problem, {0, 0}, end, mtl(h, 3), &truth)});
+    all.pairs.push_back({h, course(problem, {0, 0}, end, classical("rk6", h), &reference),
+                         course(problem, {0, 0}, end, mtl(h, 3), &reference)});
   return all;
 }
 
@@ -54,7 +54,7 @@ void draw(const Histories& all, scene::Show& show) {
     panel.x_range(0, 8).y_range(-3, 3).set("ytics 1").key(
         pair.step == 0.05 ? "at graph 1, graph 1 right top horizontal samplen 3" : "off");
     panel.note(fmt::format("{{/:Italic h}} = {}", pair.step), 0.1, -2.6);
-    curve(panel, "solution", all.truth, {"lines linewidth 4", 8});
+    curve(panel, "solution", all.reference, {"lines linewidth 4", 8});
     curve(panel, "RK6", pair.rk6.points, {"linespoints linewidth 1.3 pointsize 0.5", 5});
     curve(panel, "MTL, {/:Italic p} = 3", pair.mtl.points, {"linespoints linewidth 1.5 pointsize 0.45", 1});
   }

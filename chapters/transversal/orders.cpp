@@ -32,7 +32,7 @@ struct Fall {
   [[nodiscard]] double least_error() const { return samples.back().error; }
 };
 
-Fall fall_of(const Truth& truth, const problems::TextProblem& problem, int p, ivp::MtlBasis basis,
+Fall fall_of(const Reference& reference, const problems::TextProblem& problem, int p, ivp::MtlBasis basis,
              int halvings) {
   Fall fall{basis == ivp::MtlBasis::lagrange ? fmt::format("p = {}", p) : fmt::format("hats p = {}", p),
             ivp::mtl_order(basis, p),
@@ -42,19 +42,19 @@ Fall fall_of(const Truth& truth, const problems::TextProblem& problem, int p, iv
     const ivp::Mtl method{.step = 0.2 / (1 << k), .points = p, .basis = basis, .error_tolerance = 0};
     const auto s = ivp::integrate(ivp::System(problem), {1, 0}, 0, end, method);
     if (!s.status.ok()) throw Failure(s.status);
-    fall.samples.push_back({method.step, (s.x - truth(end).cast<double>()).cwiseAbs().maxCoeff()});
+    fall.samples.push_back({method.step, (s.x - reference(end).cast<double>()).cwiseAbs().maxCoeff()});
   }
   return fall;
 }
 
 std::vector<Fall> all_falls() {
   const problems::TextProblem problem("driven-duffing", {{"damping", 0.1}});
-  const Truth truth(problem, {1, 0}, 0, end);
+  const Reference reference(problem, {1, 0}, 0, end);
   std::vector<Fall> all;
   const int halvings[] = {7, 6, 6, 5, 5, 4};
   for (int p = 1; p <= 6; ++p)
-    all.push_back(fall_of(truth, problem, p, ivp::MtlBasis::lagrange, halvings[p - 1]));
-  all.push_back(fall_of(truth, problem, 4, ivp::MtlBasis::interpolet, 7));
+    all.push_back(fall_of(reference, problem, p, ivp::MtlBasis::lagrange, halvings[p - 1]));
+  all.push_back(fall_of(reference, problem, 4, ivp::MtlBasis::interpolet, 7));
   return all;
 }
 

@@ -19,7 +19,7 @@ problems::TextProblem stand_in(double e2) {
 }
 
 Course course(const problems::TextProblem& problem, const ivp::State& x0, double end,
-              const ivp::NamedIntegrator& method, const Truth* truth) {
+              const ivp::NamedIntegrator& method, const Reference* reference) {
   Course c;
   c.points.push_back({0, x0});
   const auto observe = [&c](const ivp::Step& step) {
@@ -33,8 +33,9 @@ Course course(const problems::TextProblem& problem, const ivp::State& x0, double
   for (const Point& p : c.points) {
     c.largest = std::max(c.largest, std::abs(p.x[0]));
     // The last point may lie an ulp beyond the end.
-    if (truth != nullptr)
-      c.error = std::max(c.error, std::abs(p.x[0] - static_cast<double>((*truth)(std::min(p.t, end))[0])));
+    if (reference != nullptr)
+      c.error =
+          std::max(c.error, std::abs(p.x[0] - static_cast<double>((*reference)(std::min(p.t, end))[0])));
   }
   if (!c.status.ok()) c.error = std::numeric_limits<double>::infinity();
   return c;

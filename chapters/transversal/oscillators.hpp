@@ -18,7 +18,7 @@ namespace nlmech::chapters::transversal {
 [[nodiscard]] problems::TextProblem stand_in(double e2);
 
 /// A solution in long double.
-using Truth = problems::ReferenceTrajectory<long double, problems::TextProblem>;
+using Reference = problems::ReferenceTrajectory<long double, problems::TextProblem>;
 
 /// A state at a time.
 struct Point {
@@ -30,7 +30,7 @@ struct Point {
 /// What became of a run.
 struct Course {
   Status status;              ///< how it ended
-  std::vector<Point> points;  ///< all that it computed, the begin included
+  std::vector<Point> points;  ///< all that it computed, the start included
   Statistics work;            ///< what it cost
   double error = 0;           ///< greatest error of the position at its points; infinite if it failed
   double largest = 0;         ///< greatest |x|
@@ -44,9 +44,9 @@ struct Course {
 };
 
 /// Runs a method of fixed step from @p x0 at 0 to @p end.
-/// @param truth reaches @p end; null: no error
+/// @param reference reaches @p end; null: no error
 [[nodiscard]] Course course(const problems::TextProblem& problem, const ivp::State& x0, double end,
-                            const ivp::NamedIntegrator& method, const Truth* truth);
+                            const ivp::NamedIntegrator& method, const Reference* reference);
 
 /// `mtl` with p points and a step, without an estimate, as in the source.
 [[nodiscard]] ivp::NamedIntegrator mtl(double step, int points);

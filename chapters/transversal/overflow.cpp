@@ -65,13 +65,13 @@ ivp::NamedIntegrator method(const std::string& name, double step) {
 
 Fates fates(double e2, bool quick) {
   const problems::TextProblem problem = stand_in(e2);
-  const Truth truth(problem, {0, 0}, 0, end);
+  const Reference reference(problem, {0, 0}, 0, end);
   Fates all;
   for (int i = 0; i <= 4000; ++i)
-    all.amplitude = std::max(all.amplitude, std::abs(static_cast<double>(truth(end * i / 4000.0L)[0])));
+    all.amplitude = std::max(all.amplitude, std::abs(static_cast<double>(reference(end * i / 4000.0L)[0])));
   for (const std::string name : {"rk4", "rk6", "mtl 3", "mtl 4", "mtl 5"}) {
     for (const double h : steps(quick)) {
-      const Course c = course(problem, {0, 0}, end, method(name, h), &truth);
+      const Course c = course(problem, {0, 0}, end, method(name, h), &reference);
       all.fates.push_back({name, h, std::string(to_string(c.status.outcome())), c.error});
     }
   }

@@ -24,7 +24,7 @@ double energy(const ivp::State& x) { return (x[1] * x[1] + x[0] * x[0]) / 2 + st
 struct Long {
   std::string name;
   std::vector<double> errors;  ///< greatest relative error of the energy in each window of time
-  double back = 0;             ///< distance from the begin after going there and back, to t = 60
+  double back = 0;             ///< distance from the start after going there and back, to t = 60
   double area = 0;             ///< determinant of one block's map, less 1
 
   [[nodiscard]] double greatest() const { return *std::max_element(errors.begin(), errors.end()); }

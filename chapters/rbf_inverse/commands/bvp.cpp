@@ -23,54 +23,53 @@
 namespace nlmech::chapters::rbf_inverse {
 namespace {
 
-/// What was typed.
-struct Words {
+struct BvpOptions {
   std::string equation, file, begin, end, guess, plot;
   std::vector<std::string> set;
   double from = 0, until = 0, tolerance = 1e-9;
   std::optional<double> every;
 };
 
-void declare(scene::Options& options, Words& words) {
-  options.add("--equation", words.equation,
+void declare(scene::Options& options, BvpOptions& typed) {
+  options.add("--equation", typed.equation,
               "an equation, or several with ; between: \"x'' + a exp(x) = 0; a = 1\". A constant that is not "
               "known is an unknown of its own: k' = 0");
-  options.add("--file", words.file, "a file of equations and definitions");
-  options.add("--set", words.set, "name=value of a parameter; more of them with blanks between");
-  options.add("--begin", words.begin, "conditions where it begins, commas between: \"x = 0, x' + 2 x = 1\"");
-  options.add("--end", words.end, "conditions where it ends");
-  options.add("--from", words.from, "time at which it begins");
-  options.add("--until", words.until, "time at which it ends, later").required();
+  options.add("--file", typed.file, "a file of equations and definitions");
+  options.add("--set", typed.set, "name=value of a parameter; more of them with blanks between");
+  options.add("--begin", typed.begin, "conditions where it begins, commas between: \"x = 0, x' + 2 x = 1\"");
+  options.add("--end", typed.end, "conditions where it ends");
+  options.add("--from", typed.from, "time at which it begins");
+  options.add("--until", typed.until, "time at which it ends, later").required();
   options.add(
-      "--guess", words.guess,
+      "--guess", typed.guess,
       "functions of t to begin with: \"x = sin(pi t), k = 10\". What is left out is the derivative of "
       "what is not, or 0; without it zeros, then cubics at random, the same each time");
-  options.add("--tolerance", words.tolerance, "of x' - f, relative to 1 and the largest f").range(1e-13, 0.1);
+  options.add("--tolerance", typed.tolerance, "of x' - f, relative to 1 and the largest f").range(1e-13, 0.1);
   options
-      .add("--every", words.every,
+      .add("--every", typed.every,
            "rows at this distance in time; without it at the nodes of the collocation")
       .positive();
-  options.add("--plot", words.plot,
+  options.add("--plot", typed.plot,
               "draws the unknowns against time: a name.svg, over an older such picture alone");
 }
 
-TypedBoundary problem_of(const Words& words) {
-  if (words.equation.empty() == words.file.empty())
+TypedBoundary problem_of(const BvpOptions& typed) {
+  if (typed.equation.empty() == typed.file.empty())
     throw InputError("give one of --equation TEXT and --file NAME.ode");
-  if (!(words.until > words.from))
-    throw input_error("--until {}: must be later than --from {}", words.until, words.from);
-  program::SourceText source = words.file.empty()
-                                   ? program::SourceText("--equation", words.equation)
-                                   : program::SourceText(words.file, comparison::read_equations(words.file));
-  return {program::Equations(std::move(source), comparison::settings_of(words.set)), words.from, words.until,
-          words.begin, words.end};
+  if (!(typed.until > typed.from))
+    throw input_error("--until {}: must be later than --from {}", typed.until, typed.from);
+  program::SourceText source = typed.file.empty()
+                                   ? program::SourceText("--equation", typed.equation)
+                                   : program::SourceText(typed.file, comparison::read_equations(typed.file));
+  return {program::Equations(std::move(source), comparison::settings_of(typed.set)), typed.from, typed.until,
+          typed.begin, typed.end};
 }
 
-bvp::Options options_of(const Words& words) {
+bvp::Options options_of(const BvpOptions& typed) {
   bvp::Options options;
-  options.tolerance = words.tolerance;
+  options.tolerance = typed.tolerance;
   options.verification = bvp::Verification::pieces;
-  options.verification_tolerance = std::max(1e-10, 100 * words.tolerance);
+  options.verification_tolerance = std::max(1e-10, 100 * typed.tolerance);
   return options;
 }
 
@@ -87,8 +86,8 @@ std::vector<double> quartered(const std::vector<double>& times) {
 /// On shorter and shorter intervals as long as integration does not follow the solution through one of them:
 /// across a boundary layer, and behind it, neighbours of a solution part within a part of the time.
 bvp::Solution solve_on_finer_meshes(const TypedBoundary& problem, const bvp::Start& start,
-                                    const Words& words) {
-  bvp::Options options = options_of(words);
+                                    const BvpOptions& typed) {
+  bvp::Options options = options_of(typed);
   options.most_intervals = 20'000;
   bvp::Solution solution = solve(problem, start, options);
   options.refine = false;
@@ -102,16 +101,16 @@ bvp::Solution solve_on_finer_meshes(const TypedBoundary& problem, const bvp::Sta
 }
 
 /// From the guess, or without one from zeros and then from cubics of growing size.
-bvp::Solution solve_from_guesses(const TypedBoundary& problem, const Words& words, std::string& remark) {
-  bvp::Solution first = solve_on_finer_meshes(problem, problem.guess(words.guess), words);
+bvp::Solution solve_from_guesses(const TypedBoundary& problem, const BvpOptions& typed, std::string& remark) {
+  bvp::Solution first = solve_on_finer_meshes(problem, problem.guess(typed.guess), typed);
   if (first.status.ok()) return first;
-  if (words.guess.empty()) {
+  if (typed.guess.empty()) {
     unsigned seed = 0;
     for (const double size : {0.1, 1., 10., 100.}) {
       for (int i = 0; i < 5; ++i) {
         const Eigen::VectorXd amplitudes = Eigen::VectorXd::Constant(problem.states(), size);
         bvp::Solution next = solve_on_finer_meshes(
-            problem, bvp::random_start(amplitudes, words.from, words.until, ++seed), words);
+            problem, bvp::random_start(amplitudes, typed.from, typed.until, ++seed), typed);
         if (!next.status.ok()) continue;
         remark = fmt::format(
             "zeros led to no solution, cubic number {} of size {} did; there may be others: --guess", seed,
@@ -123,13 +122,13 @@ bvp::Solution solve_from_guesses(const TypedBoundary& problem, const Words& word
   throw Failure(Status::failure(
       first.status.outcome(),
       fmt::format("{}; {}", first.status.sentence(),
-                  words.guess.empty() ? "20 cubics at random lead to none either; try a --guess"
+                  typed.guess.empty() ? "20 cubics at random lead to none either; try a --guess"
                                       : "try another --guess")));
 }
 
 /// Integrated from its begin alone, as far as that can be told: nothing if it comes to the end, else how far.
-std::string whole_way(const TypedBoundary& problem, const Words& words, const bvp::Solution& solution) {
-  bvp::Options options = options_of(words);
+std::string whole_way(const TypedBoundary& problem, const BvpOptions& typed, const bvp::Solution& solution) {
+  bvp::Options options = options_of(typed);
   options.verification = bvp::Verification::whole;
   bvp::Solution copy = solution;
   verify_by_integration(problem, options, copy);
@@ -141,40 +140,40 @@ std::string whole_way(const TypedBoundary& problem, const Words& words, const bv
       solution.mesh().size() - 1, std::isfinite(off) ? fmt::format(" ({:.1g} off)", off) : "");
 }
 
-std::vector<double> times_of(const Words& words, const bvp::Solution& solution) {
-  if (!words.every) return solution.node_times();
-  const double way = words.until - words.from, count = std::ceil(way / *words.every - 1e-9);
-  if (count > 1e6) throw input_error("--every {}: more than a million rows", *words.every);
+std::vector<double> times_of(const BvpOptions& typed, const bvp::Solution& solution) {
+  if (!typed.every) return solution.node_times();
+  const double way = typed.until - typed.from, count = std::ceil(way / *typed.every - 1e-9);
+  if (count > 1e6) throw input_error("--every {}: more than a million rows", *typed.every);
   std::vector<double> times;
-  for (int i = 0; i < static_cast<int>(count); ++i) times.push_back(words.from + i * *words.every);
-  times.push_back(words.until);
+  for (int i = 0; i < static_cast<int>(count); ++i) times.push_back(typed.from + i * *typed.every);
+  times.push_back(typed.until);
   return times;
 }
 
-comparison::PlotSamples samples_of(const TypedBoundary& problem, const Words& words,
+comparison::PlotSamples samples_of(const TypedBoundary& problem, const BvpOptions& typed,
                                    const bvp::Solution& solution) {
   comparison::PlotSamples samples;
   for (const std::string& name : problem.names()) samples.components.push_back({name, !name.ends_with('\'')});
-  samples.path = comparison::SampledPath(words.from, words.until);
+  samples.path = comparison::SampledPath(typed.from, typed.until);
   constexpr int count = 1000;
   for (int i = 0; i <= count; ++i) {
-    const double t = words.from + (words.until - words.from) * i / count;
+    const double t = typed.from + (typed.until - typed.from) * i / count;
     samples.path.add(t, solution.at(t));
   }
   return samples;
 }
 
-void boundary_values(const Words& words) {
-  const TypedBoundary problem = problem_of(words);
-  const scene::Picture picture(words.plot);
+void boundary_values(const BvpOptions& typed) {
+  const TypedBoundary problem = problem_of(typed);
+  const scene::Picture picture(typed.plot);
   std::string remark;
-  const bvp::Solution solution = solve_from_guesses(problem, words, remark);
-  const std::string way = whole_way(problem, words, solution);
+  const bvp::Solution solution = solve_from_guesses(problem, typed, remark);
+  const std::string way = whole_way(problem, typed, solution);
   std::string text = "t";
   for (const std::string& name : problem.names()) text.append(",").append(scene::csv_field(name));
   text += "\n";
   const Eigen::VectorXd sizes = solution.node_values().cwiseAbs().rowwise().maxCoeff();
-  for (const double t : times_of(words, solution)) {
+  for (const double t : times_of(typed, solution)) {
     text += fmt::format("{:.17g}", t);
     const Eigen::VectorXd x = solution.at(t);
     // A value that is prescribed to be 0 comes out with the rounding of the solve.
@@ -189,8 +188,8 @@ void boundary_values(const Words& words) {
   if (picture.wanted())
     picture.draw([&] {
       return run_figure(
-          samples_of(problem, words, solution),
-          echoed(words.file.empty() ? words.equation : std::filesystem::path(words.file).filename().string(),
+          samples_of(problem, typed, solution),
+          echoed(typed.file.empty() ? typed.equation : std::filesystem::path(typed.file).filename().string(),
                  60));
     });
 }

@@ -15,29 +15,28 @@
 namespace nlmech::chapters::rbf_inverse {
 namespace {
 
-/// What was typed.
-struct Words {
+struct DuffingOptions {
   bvp::DuffingSettings settings;
   std::string which;
   std::vector<double> target, weights;
   std::optional<double> bound;  ///< of |f|
 };
 
-void declare(scene::Options& options, Words& words) {
+void declare(scene::Options& options, DuffingOptions& typed) {
   std::vector<std::string> cases;
   for (const bvp::DuffingCase which : bvp::duffing_cases()) cases.emplace_back(to_string(which));
-  words.settings.beta = 0.9;
+  typed.settings.beta = 0.9;
   options
-      .add("--case", words.which,
+      .add("--case", typed.which,
            "what is prescribed at both ends; harmonic has amplitudes 1.5, 2, 3 at 3 rad/s")
       .one_of(cases)
       .required();
-  options.add("--final-time", words.settings.final_time, "T, seconds").range(1e-6, 1000).required();
-  options.add("--beta", words.settings.beta, "nonlinearity").range(0, 1e6);
-  options.add("--target", words.target, "x1,x2 at T; 5,2 without it").range(-1e4, 1e4);
-  options.add("--weights", words.weights,
+  options.add("--final-time", typed.settings.final_time, "T, seconds").range(1e-6, 1000).required();
+  options.add("--beta", typed.settings.beta, "nonlinearity").range(0, 1e6);
+  options.add("--target", typed.target, "x1,x2 at T; 5,2 without it").range(-1e4, 1e4);
+  options.add("--weights", typed.weights,
               "s11,s22, 0 or more, of the miss that is not prescribed; 1,1 without it");
-  options.add("--bound", words.bound, "largest |f|; none without it").positive();
+  options.add("--bound", typed.bound, "largest |f|; none without it").positive();
 }
 
 Eigen::Vector2d pair(const char* option, const std::vector<double>& typed) {
@@ -47,27 +46,27 @@ Eigen::Vector2d pair(const char* option, const std::vector<double>& typed) {
   return {typed[0], typed[1]};
 }
 
-bvp::DuffingSettings understand(const Words& words) {
+bvp::DuffingSettings understand(const DuffingOptions& typed) {
   using enum bvp::DuffingCase;
-  bvp::DuffingSettings s = words.settings;
+  bvp::DuffingSettings s = typed.settings;
   for (const bvp::DuffingCase which : bvp::duffing_cases()) {
-    if (to_string(which) == words.which) s.which = which;
+    if (to_string(which) == typed.which) s.which = which;
   }
-  if (!words.target.empty()) {
-    s.target = pair("--target", words.target);
+  if (!typed.target.empty()) {
+    s.target = pair("--target", typed.target);
     if (s.which == harmonic)
       throw InputError(fmt::format("--target {}: --case harmonic has its own, by Eq. 5.34; leave it out",
-                                   fmt::join(words.target, ",")));
+                                   fmt::join(typed.target, ",")));
   }
-  if (!words.weights.empty()) {
-    s.weights = pair("--weights", words.weights);
+  if (!typed.weights.empty()) {
+    s.weights = pair("--weights", typed.weights);
     const auto refuse = [&](const std::string& why) {
-      throw InputError(fmt::format("--weights {}: {}", fmt::join(words.weights, ","), why));
+      throw InputError(fmt::format("--weights {}: {}", fmt::join(typed.weights, ","), why));
     };
     if (s.which == fixed || s.which == harmonic || s.which == final_only)
       refuse(fmt::format(
           "--case {} prescribes both states at the end, so there is no miss to weight; leave it out",
-          words.which));
+          typed.which));
     if (s.weights.minCoeff() < 0) refuse("must not be negative");
   }
   return s;
@@ -126,10 +125,10 @@ bvp::Extremal bounded(const bvp::DuffingSettings& settings, double bound) {
   return *best;
 }
 
-std::string duffing(const Words& words) {
-  const bvp::DuffingSettings settings = understand(words);
-  const double unit = words.bound ? unit_of(*words.bound) : 1;
-  const bvp::Extremal e = words.bound ? bounded(in_units(settings, unit), *words.bound / unit)
+std::string duffing(const DuffingOptions& typed) {
+  const bvp::DuffingSettings settings = understand(typed);
+  const double unit = typed.bound ? unit_of(*typed.bound) : 1;
+  const bvp::Extremal e = typed.bound ? bounded(in_units(settings, unit), *typed.bound / unit)
                                       : unbounded(settings).front().extremal;
   const Eigen::VectorXd first = e.solution.first() * unit, last = e.solution.last() * unit;
   // What is prescribed or vanishes comes out with the rounding of the solve.

@@ -11,8 +11,8 @@ namespace nlmech::chapters::rbf_inverse {
 /// The problem in a TOML text: `mu`; tables `from` and `to`, each an orbit as elements (a or p, e, and in
 /// degrees i, raan, argp, nu) or as a state (position, velocity), with `epoch`; tables `departures` and
 /// `arrivals` with `first` and `last`; and `revolutions`, if there may be some. The counts of the windows are
-/// left as they are. Every value is held to its range (see porkchop_keys()). @param name what complaints call
-/// the text
+/// left as they are. Every value is checked against its range (see porkchop_keys()). @param name what
+/// complaints call the text
 /// @throws InputError naming the text, line and value of what cannot be meant
 [[nodiscard]] orbit::PorkchopProblem read_porkchop(const std::string& text, const std::string& name);
 

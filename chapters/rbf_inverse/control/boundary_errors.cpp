@@ -70,7 +70,7 @@ double largest_residual(const Cases& cases) {
 }
 
 void check(const std::vector<Row>& rows, const Cases& cases, scene::Show& show) {
-  std::array<double, 2> worst{};  // at the begin, at the end
+  std::array<double, 2> worst{};  // at the start, at the end
   double least_error = HUGE_VAL;
   for (const Row& row : rows) {
     double& at = worst[row.condition < 2 ? 0 : 1];

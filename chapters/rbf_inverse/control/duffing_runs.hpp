@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "nlmech/bvp/optimal_control/direct_start.hpp"
 #include "nlmech/bvp/optimal_control/duffing.hpp"
 #include "nlmech/bvp/optimal_control/printed.hpp"
 #include "nlmech/scene/scene.hpp"
@@ -49,6 +50,16 @@ struct KnownExtremal {
 [[nodiscard]] const std::vector<KnownExtremal>& known_extremals();
 /// One of them.
 [[nodiscard]] const KnownExtremal& known_extremal(bvp::DuffingCase which, double final_time = inferred);
+
+/// A known extremal at T = 2, and a start in its neighbourhood: the trajectory of a coarse direct method.
+struct ControlStart {
+  const KnownExtremal& known;  ///< of the case
+  bvp::ExtremalProblem problem =
+      duffing_problem(printed_settings(known.which, known.final_time));  ///< the case
+  bvp::ControlGuess guess = {Eigen::VectorXd::Zero(2),
+                             [](double, Eigen::VectorXd& u) { u[0] = 0; }};  ///< no force
+  bvp::Start start = direct_start(problem, guess, {.pieces = 40}).start;     ///< from it
+};
 
 /// How D is made.
 struct GlobalVariant {

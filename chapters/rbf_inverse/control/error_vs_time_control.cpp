@@ -32,14 +32,10 @@ struct Answer {
 };
 Answer answer_of(const bvp::Solution& s) { return {s.status, s.status.ok() ? s.first() : Eigen::VectorXd()}; }
 
-/// One case. All begin at the same trajectory: a coarse direct method's.
-struct Subject {
-  const KnownExtremal& known;
+/// One case. All methods start from the same trajectory.
+struct Subject : ControlStart {
   bool quick;
   std::vector<scene::MethodLine>& lines;
-  bvp::ExtremalProblem problem = duffing_problem(printed_settings(known.which));
-  bvp::ControlGuess guess = {Eigen::VectorXd::Zero(2), [](double, Eigen::VectorXd& u) { u[0] = 0; }};
-  bvp::Start start = direct_start(problem, guess, {.pieces = 40}).start;
 
   /// Begins a line of the next settings.
   void begin(const char* method, Group group) const {
@@ -111,7 +107,7 @@ std::vector<scene::ProblemLines> measure(bool quick) {
     const bool is_free = which == DuffingCase::free;
     auto& [name, lines] = problems.emplace_back();
     name = is_free ? "final state free" : "final state given";
-    const Subject s{known_extremal(which), quick, lines};
+    const Subject s{{known_extremal(which)}, quick, lines};
     one_interval(s, gaussian, DerivativeMatrix::gaussian, 0);
     one_interval(s, stable, DerivativeMatrix::stable_gaussian, 5);
     one_interval(s, polynomial, DerivativeMatrix::polynomial, 5);

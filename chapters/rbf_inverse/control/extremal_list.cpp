@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <vector>
 
 #include "chapters/rbf_inverse/control/duffing_runs.hpp"
@@ -66,23 +65,6 @@ void check_known(const Rows& rows, scene::Show& show) {
     worst_miss = std::max(worst_miss, r.extremal().miss / (1 + r.extremal().solution.first().norm()));
   show.at_most("largest miss of all extremals over their initial values", worst_miss, 1e-9,
                "the tolerance of the collocation");
-  // The kind must agree wherever the same extremal was found.
-  using enum bvp::Kind;
-  static const std::multimap<DuffingCase, std::pair<double, bvp::Kind>> kinds = {
-      {DuffingCase::free, {8.94191, minimum}},    {DuffingCase::fixed, {122.0838, minimum}},
-      {DuffingCase::fixed, {327.489, minimum}},   {DuffingCase::x1x1, {7.99567, minimum}},
-      {DuffingCase::x1x1, {178.0, saddle}},       {DuffingCase::x1x1, {357.51, saddle}},
-      {DuffingCase::x1x2, {0.103246, minimum}},   {DuffingCase::x1x2, {10.2497, saddle}},
-      {DuffingCase::x2x1, {9.50766, minimum}},    {DuffingCase::harmonic, {61.52487, minimum}},
-      {DuffingCase::harmonic, {200.555, saddle}}, {DuffingCase::free, {294.38, saddle}},
-      {DuffingCase::fixed, {375.11, saddle}}};
-  int disagree = 0;
-  for (const auto& [which, known] : kinds)
-    for (const Row& r : rows)
-      if (r.which == which && r.final_time == inferred && std::abs(r.cost() / known.first - 1) < 1e-4 &&
-          r.kind() != known.second)
-        ++disagree;
-  show.at_most("extremals whose kind disagrees", disagree, 0, "recorded");
   // oracle: rbf_inverse_extremals fixed T = 5 cost
   show.at_most("cost of the fixed case, T = 5", best(DuffingCase::fixed, 5).cost(), 46.608623 * (1 + 1e-7),
                "the best known, tools/oracles/rbf_inverse_extremals.py");

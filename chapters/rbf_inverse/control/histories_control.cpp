@@ -172,9 +172,9 @@ void put_errors(const std::vector<bvp::GlobalResult>& results, bool costates, sc
   panel.key("at screen 0.54, screen 0.01 center bottom maxrows 3 samplen 3");
   const auto name = [](std::size_t i) { return global_variants()[i].name; };
   tabulate(results, "derivative matrix", name, false, show);
-  show.between(
-      costates ? "largest co-state error, printed shape" : "largest state error, printed shape", worst, 1e-7,
-      1, "recorded: 2e-6 to 0.7 by root, T = 0.5 to 6; rounding in a matrix of condition 4e17 is a lottery");
+  show.between(costates ? "largest co-state error, printed shape" : "largest state error, printed shape",
+               worst, 1e-7, 1,
+               "recorded: 2e-6 to 0.7 by root, T = 0.5 to 6; rounding in a matrix of condition 4e17 decides");
 }
 
 /// Greatest errors of states and of co-states: a row of panels a case, a column a derivative matrix, on

@@ -104,7 +104,8 @@ struct Row {
   }
 };
 
-/// The least iterate on the way to a root over all beta of 0.9 and more; infinite if shooting fails for all.
+/// The least of the largest iterates before a root over all beta of 0.9 and more; infinite if shooting fails
+/// for all.
 double least_reach(Attempt& attempt) {
   double least = HUGE_VAL;
   for (std::size_t beta = first_of_text; beta < betas && least > reaches.back(); ++beta)

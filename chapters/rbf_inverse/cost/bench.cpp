@@ -19,14 +19,8 @@ namespace inverse = chapters::rbf_inverse;
 using bvp::DuffingCase;
 using Eigen::VectorXd;
 
-/// A case at T = 2 and the start of all: a coarse direct method's trajectory, which is not timed.
-struct Subject {
-  explicit Subject(DuffingCase which)
-      : known(inverse::known_extremal(which)),
-        problem(duffing_problem(inverse::printed_settings(which, known.final_time))),
-        guess{VectorXd::Zero(2), [](double, VectorXd& u) { u[0] = 0; }},
-        start(direct_start(problem, guess, {.pieces = 40}).start) {}
-
+/// A case and the start of all, which is not timed.
+struct Subject : inverse::ControlStart {
   /// Nine digits of both initial co-states?
   [[nodiscard]] bool right(const Status& status, const VectorXd& first) const {
     if (!status.ok()) return false;
@@ -34,11 +28,6 @@ struct Subject {
     return std::abs(first[2] - known.first[2]) <= 1e-9 * size &&
            std::abs(first[3] - known.first[3]) <= 1e-9 * size;
   }
-
-  inverse::KnownExtremal known;
-  bvp::ExtremalProblem problem;
-  bvp::ControlGuess guess;
-  bvp::Start start;
 };
 
 /// The settings are the least exact ones that give nine digits in both cases.
@@ -77,7 +66,8 @@ void add_rows(chapters::Speed& all, const Subject& s) {
 }
 
 void rows(chapters::Speed& all) {
-  static const Subject subjects[] = {Subject(DuffingCase::free), Subject(DuffingCase::fixed)};
+  static const Subject subjects[] = {{inverse::known_extremal(DuffingCase::free)},
+                                     {inverse::known_extremal(DuffingCase::fixed)}};
   for (const Subject& s : subjects) add_rows(all, s);
 }
 

@@ -111,18 +111,19 @@ void put_history(const CollocatedTransfer& printed, const CollocatedTransfer& po
   right.caption("Differences").log_y(part.least, part.most).x_range(0, 4500).set("xtics 0,1000");
   right.set("bmargin at screen 0.31").key("at screen 0.78, screen 0.01 center bottom maxrows 3 samplen 3");
   const auto curve = [&](const char* name, const std::vector<Apart>& all, const scene::Look& look) {
-    const auto apart = [](const Apart& a) { return a.distance > 0; };  // the begin is the same
+    const auto apart = [](const Apart& a) { return a.distance > 0; };  // the start is the same
     right.curve(name, all | std::views::filter(apart), &Apart::t, &Apart::distance, look);
   };
   curve("as printed, off F and G of its own velocity", own, scene::linespoints(1));
   curve("that F and G, off Izzo's orbit", off_orbit(orbit_between(printed.v1, 0, 4320, 200), izzo.v1, part),
         scene::lines(2));
   curve("polynomial collocation, off Izzo's orbit", better, scene::linespoints(3));
-  const char* const lottery = "an independent program: 5 to 1800 m by unit of time, 0.2 m in all digits";
+  const char* const by_rounding = "an independent program: 5 to 1800 m by unit of time, 0.2 m in all digits";
   show.between(part.name + " as printed, off F and G of their own velocity", largest(own), part.may_least,
-               part.may_most, lottery);
+               part.may_most, by_rounding);
   show.between(part.name + " as printed, off Izzo's orbit",
-               largest(off_orbit(nodes_of(printed), izzo.v1, part)), part.may_least, part.may_most, lottery);
+               largest(off_orbit(nodes_of(printed), izzo.v1, part)), part.may_least, part.may_most,
+               by_rounding);
   show.at_most(part.name + " by polynomials, off Izzo's orbit", largest(better), part.claimed,
                "the section claims millimetres");
 }
@@ -211,7 +212,7 @@ void put_errors(std::vector<CollocatedTransfer> printed, const CollocatedTransfe
   show.near("log10 of the condition of the printed functions", std::log10(in_seconds.condition), 17.3, 0.05,
             "recorded: 1.9e17, as its logarithm; rounding is all there is");
   show.between("best of twelve units of time, as printed", {least.miss, "m"}, 0.05, 500,
-               "recorded: 4.7 m at best; a lottery of rounding around 57 m");
+               "recorded: 4.7 m at best; rounding scatters it around 57 m");
   show.between("worst of twelve units of time, as printed", {most.miss, "m"}, 50, 1e5,
                "recorded: 1.8 km at worst");
   show.near("miss with the printed shape and all digits", {printed_shape.miss, "m"}, 0.216, 0.7,
@@ -284,7 +285,7 @@ std::vector<scene::Scene> scenes() {
            .place = "Figure 5.21",
            .content = history(velocities)},
           {.name = "table-5.4",
-           .title = "Errors at the ends of the transfer: rounding decides, the stable basis does not mind",
+           .title = "Errors at the ends of the transfer: decided by rounding, but for the stable basis",
            .place = "Table 5.4",
            .content = scene::Content(put_errors, printed, printed_shape, stable, polynomial, izzo)}};
 }

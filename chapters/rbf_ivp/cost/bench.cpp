@@ -91,7 +91,7 @@ Subject compiled(Case c, const Problem& problem) {
   return {std::move(c), chapters::native_peers(problem, problem)};
 }
 
-/// In pieces between kinks of the right-hand side, as a user of a library would do who knows of them.
+/// In pieces between kinks of the right-hand side, as an informed user of a library would do.
 NativeRun between(const NativeRun& run, const std::vector<double>& kinks) {
   return [run, kinks](double relative, double absolute, double t0, double t1, double* x) {
     double from = t0;
@@ -134,8 +134,8 @@ std::optional<double> native_error(const Case& c, const NativeRun& run, double t
     const double end = c.t1 - (c.t1 - c.t0) / 10 * static_cast<double>(i) / (times - 1);
     ivp::State x = c.x0;
     if (!run(tolerance, tolerance, c.t0, end, x.data())) return std::nullopt;
-    const ivp::LongState truth = c.reference(end);
-    return c.error ? c.error(x, truth) : comparison::relative_error(x, truth, c.amplitude);
+    const ivp::LongState reference = c.reference(end);
+    return c.error ? c.error(x, reference) : comparison::relative_error(x, reference, c.amplitude);
   });
 }
 

@@ -9,12 +9,12 @@ using comparison::by_steps;
 using comparison::Contender;
 using comparison::Kind;
 
-constexpr double ladder[] = {2, 1, 0.5, 0.25};
-constexpr double long_ladder[] = {1, 0.5, 0.25, 0.125};
-constexpr double picard_ladder[] = {4, 2, 1, 0.5};
-constexpr double runge_kutta_ladder[] = {1, 0.2, 0.04, 0.008};
-constexpr double second_order_ladder[] = {0.2, 0.02, 0.004};
-constexpr double first_order_ladder[] = {0.01, 0.001};
+constexpr double few_node_factors[] = {2, 1, 0.5, 0.25};
+constexpr double many_node_factors[] = {1, 0.5, 0.25, 0.125};
+constexpr double picard_factors[] = {4, 2, 1, 0.5};
+constexpr double runge_kutta_factors[] = {1, 0.2, 0.04, 0.008};
+constexpr double second_order_factors[] = {0.2, 0.02, 0.004};
+constexpr double first_order_factors[] = {0.01, 0.001};
 
 }  // namespace
 
@@ -37,20 +37,20 @@ StepScales three_mass_steps() {
 std::vector<Contender> contenders(const StepScales& s, bool quick) {
   const double few = s.few_nodes, many = s.many_nodes;
   std::vector<Contender> all = {
-      by_steps("rbf-coll", 7, Kind::source, few, ladder, quick, s.few_shape),
-      by_steps("rbf-coll", 35, Kind::source, many, long_ladder, quick, s.many_shape),
-      by_steps("lgl-coll", 7, Kind::polynomial, few, ladder, quick),
-      by_steps("lgl-coll", 35, Kind::polynomial, many, long_ladder, quick),
-      by_steps("radau-coll", 7, Kind::polynomial, few, ladder, quick),
-      by_steps("radau-coll", 17, Kind::polynomial, many / 2, long_ladder, quick),
-      by_steps("mcpi", 9, Kind::polynomial, few, picard_ladder, quick),
-      by_steps("mcpi", 17, Kind::polynomial, few, picard_ladder, quick)};
+      by_steps("rbf-coll", 7, Kind::source, few, few_node_factors, quick, s.few_shape),
+      by_steps("rbf-coll", 35, Kind::source, many, many_node_factors, quick, s.many_shape),
+      by_steps("lgl-coll", 7, Kind::polynomial, few, few_node_factors, quick),
+      by_steps("lgl-coll", 35, Kind::polynomial, many, many_node_factors, quick),
+      by_steps("radau-coll", 7, Kind::polynomial, few, few_node_factors, quick),
+      by_steps("radau-coll", 17, Kind::polynomial, many / 2, many_node_factors, quick),
+      by_steps("mcpi", 9, Kind::polynomial, few, picard_factors, quick),
+      by_steps("mcpi", 17, Kind::polynomial, few, picard_factors, quick)};
   for (const char* name : {"euler", "backward-euler"})
-    all.push_back(by_steps(name, {}, Kind::classical, few, first_order_ladder, quick));
+    all.push_back(by_steps(name, {}, Kind::classical, few, first_order_factors, quick));
   for (const char* name : {"explicit", "newmark", "hht", "generalized-alpha"})
-    all.push_back(by_steps(name, {}, Kind::classical, few, second_order_ladder, quick));
+    all.push_back(by_steps(name, {}, Kind::classical, few, second_order_factors, quick));
   for (const char* name : {"rk4", "rk6"})
-    all.push_back(by_steps(name, {}, Kind::classical, few, runge_kutta_ladder, quick));
+    all.push_back(by_steps(name, {}, Kind::classical, few, runge_kutta_factors, quick));
   all.push_back(comparison::by_tolerances("adaptive-collocation", Kind::own, quick));
   all.push_back(comparison::by_tolerances("ode45", Kind::explicit_, quick));
   for (const Contender& peer : comparison::all_peers(quick)) all.push_back(peer);

@@ -12,7 +12,7 @@ namespace nlmech::chapters::rbf_ivp {
 using Extended = long double;  ///< x86: 64-bit significand, 11 bits more than double
 
 /// An example of the dissertation. It ends at the printed time; its reference reaches 5 s further, within
-/// 2e-16 of the truth.
+/// 2e-16 of the solution.
 struct Case : comparison::Example {
   double inferred_end;  ///< end to which the printed errors belong: 100 P, 499; else the printed one
   double half_period;   ///< of the slowest oscillation; figures show the greatest error of each such time

@@ -30,8 +30,8 @@ void add_method(scene::Table& data, int number, const Record& record, double win
 double distance(const Record& record, const Case& c, int component) {
   double greatest = 0;
   for (const auto& drawn : record.window) {
-    const auto truth = static_cast<double>(c.reference(drawn.t)[component]);
-    greatest = std::max(greatest, std::abs(drawn.x[component] - truth) / c.amplitude[component]);
+    const auto reference = static_cast<double>(c.reference(drawn.t)[component]);
+    greatest = std::max(greatest, std::abs(drawn.x[component] - reference) / c.amplitude[component]);
   }
   return greatest;
 }

@@ -1,6 +1,6 @@
 /// @file
 /// Rows of Tables 4.2, 4.4 and 4.6: a method with its settings, the results behind it, and which of their
-/// values the printed error is held against.
+/// values the printed error is compared with.
 #pragma once
 
 #include <algorithm>

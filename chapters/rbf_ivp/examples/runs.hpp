@@ -31,7 +31,7 @@ enum class Points {
 struct Record {
   /// A value that the method gave.
   struct Value {
-    double t;          ///< time, after the begin
+    double t;          ///< time, after the start
     bool end;          ///< the end of a step
     ivp::State x;      ///< state
     ivp::State error;  ///< state minus reference

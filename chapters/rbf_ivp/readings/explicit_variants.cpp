@@ -62,8 +62,9 @@ Record explicit_chain(double h, ExplicitStart start, ExplicitDamping damping) {
     before = half;
     half += h * a;
     q += h * half;
-    const Vector<Extended, 6> truth = c.reference((k + 1) * h);
-    record.values.push_back({(k + 1) * h, true, q, (q.cast<Extended>() - truth.head<3>()).cast<double>()});
+    const Vector<Extended, 6> reference = c.reference((k + 1) * h);
+    record.values.push_back(
+        {(k + 1) * h, true, q, (q.cast<Extended>() - reference.head<3>()).cast<double>()});
   }
   return record;
 }

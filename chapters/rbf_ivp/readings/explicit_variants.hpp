@@ -10,7 +10,7 @@
 
 namespace nlmech::chapters::rbf_ivp {
 
-/// What the first velocity, half a step before the begin, is taken to be.
+/// What the first velocity, half a step before the start, is taken to be.
 enum class ExplicitStart {
   half_step,  ///< v0 - h/2 a0
   as_given,   ///< v0 itself

@@ -30,7 +30,8 @@ scene::Table tabulate(const Questions& questions) {
       {{"question", &Question::text},
        {"tables", &Question::tables},
        {"options tried", [](const Question& q) { return q.options.size(); }},
-       {"text as it stands", [](const Question& q) { return q.literal.empty() ? "not stated" : q.literal; }},
+       {"the text, literally",
+        [](const Question& q) { return q.literal.empty() ? "not stated" : q.literal; }},
        {"explains",
         [](const Question& q) {
           return q.literal.empty() ? "" : of_rows(q.option(q.literal).score.exact, q.option(q.chosen).score);

@@ -64,7 +64,7 @@ Tables legendre_tables(int count) {
 
 /// Where the iteration starts.
 enum class Start {
-  constant,  ///< from the state at the begin of the step, as the method does
+  constant,  ///< from the state at the start of the step, as the method does
   solution   ///< from the solution, displaced by 1e-6
 };
 
@@ -101,7 +101,7 @@ Changes sweep(const Tables& tables, double t0, double step, Start start) {
 
 bool converged(const Changes& changes) { return changes.back() <= standstill; }
 
-/// The mean ratio of successive changes on the way from the largest of them to the end.
+/// The mean ratio of successive changes from the largest of them on.
 std::optional<double> contraction(const Changes& changes) {
   if (!converged(changes)) return std::nullopt;
   const auto largest = std::max_element(changes.begin(), changes.end());
@@ -181,7 +181,7 @@ Limits find_limits(bool quick) {
   Limits limits{{}, limits_by_phase(legendre_tables(120), phases), {}, {}};
   for (const int order : orders) {
     const bool in_method = order < collocation::max_nodes;
-    // A sweep of 500 nodes is dear, and those of 100 show that all shorter steps converge.
+    // A sweep of 500 nodes is expensive, and those of 100 show that all shorter steps converge.
     limits.duffing.push_back(limits_by_phase(chebyshev_tables(order), phases, in_method ? 30 : 40));
     limits.impact.emplace_back();
     limits.three_masses.emplace_back();

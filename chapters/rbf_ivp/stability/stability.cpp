@@ -49,7 +49,8 @@ Ending run(const ivp::MethodInfo& method, const Stiff& problem, const ivp::Setti
   return ending;
 }
 
-/// The shortest steps that are tried: end / 2^this. Explicit steps are cheap, collocations dear.
+/// The shortest steps that are tried: end / 2^this. Explicit steps are cheap, those of collocations
+/// expensive.
 int most_halvings(const ivp::MethodInfo& method, bool quick) {
   const bool is_explicit =
       method.name == "euler" || method.name == "explicit" || method.name == "rk4" || method.name == "rk6";

@@ -34,9 +34,10 @@ Stiff by_series(std::string name, const Problem& problem, double end, double rat
 /// With published digits of its end; errors relative to each component.
 Stiff by_test_set(std::string name, const problems::TextProblem& problem, double end, double rate,
                   std::initializer_list<long double> digits) {
-  ivp::LongState truth(static_cast<Eigen::Index>(digits.size()));
-  std::copy(digits.begin(), digits.end(), truth.begin());
-  return {std::move(name), ivp::System(problem), problem.initial_state(), end, rate, truth, truth.cwiseAbs()};
+  ivp::LongState reference(static_cast<Eigen::Index>(digits.size()));
+  std::copy(digits.begin(), digits.end(), reference.begin());
+  return {std::move(name), ivp::System(problem), problem.initial_state(), end, rate,
+          reference,       reference.cwiseAbs()};
 }
 
 /// Near |x| = 2, where the motion creeps, the fast eigenvalue is -3 mu.

@@ -13,19 +13,19 @@ namespace nlmech::chapters::rbf_ivp {
 
 /// A stiff problem with its solution at the end.
 struct Stiff {
-  std::string name;      ///< for tables: "van der Pol 1000"
-  ivp::System system;    ///< the equations
-  ivp::State x0;         ///< state at time 0
-  double end;            ///< end time
-  double rate;           ///< of the fastest motion: the greatest |lambda| of the Jacobian, near enough
-  ivp::LongState truth;  ///< state at the end: by Taylor series in extended precision, or published
-  ivp::LongState size;   ///< what an error of each component is divided by
-  double absolute = 1;   ///< absolute over relative tolerance, below the least component that counts
-  int halvings = 23;     ///< of the interval, at most, for methods of fixed step
+  std::string name;          ///< for tables: "van der Pol 1000"
+  ivp::System system;        ///< the equations
+  ivp::State x0;             ///< state at time 0
+  double end;                ///< end time
+  double rate;               ///< of the fastest motion: the greatest |lambda| of the Jacobian, near enough
+  ivp::LongState reference;  ///< state at the end: by Taylor series in extended precision, or published
+  ivp::LongState size;       ///< what an error of each component is divided by
+  double absolute = 1;       ///< absolute over relative tolerance, below the least component that counts
+  int halvings = 23;         ///< of the interval, at most, for methods of fixed step
 
   /// Largest error of a component by its size; NaN if there is one.
   [[nodiscard]] double error(const ivp::State& found) const {
-    return static_cast<double>(((found.template cast<long double>() - truth).array() / size.array())
+    return static_cast<double>(((found.template cast<long double>() - reference).array() / size.array())
                                    .abs()
                                    .template maxCoeff<Eigen::PropagateNaN>());
   }

@@ -24,7 +24,7 @@ TEST(Claims, TwentyTermsOfTheLorenzSystemAreATruncation) {
   const auto field = [](double, const std::array<double, 3>& x) {
     return std::array{10 * (x[1] - x[0]), 28 * x[0] - x[1] - x[0] * x[2], x[0] * x[1] - 8.0 / 3 * x[2]};
   };
-  const auto truth = runge_kutta(field, std::array{0.0, 1.0, 0.0}, 0, 0.5, 20'000);
+  const auto reference = runge_kutta(field, std::array{0.0, 1.0, 0.0}, 0, 0.5, 20'000);
   const auto printed = ivp::integrate(system, x0, 0, 0.5, published_series(0.1, 20));
   const auto corrected = ivp::integrate(system, x0, 0, 0.5, accurate_series());
   ASSERT_TRUE(printed.status.ok() && corrected.status.ok());
@@ -32,7 +32,7 @@ TEST(Claims, TwentyTermsOfTheLorenzSystemAreATruncation) {
     // (0.5/20000)^4 times derivatives of some 1e8, and 20000 roundings that grow a hundredfold.
     expect_erratum("algebraic_series-truncation", {.printed = printed.x[i],
                                                    .corrected = corrected.x[i],
-                                                   .oracle = truth[static_cast<std::size_t>(i)],
+                                                   .oracle = reference[static_cast<std::size_t>(i)],
                                                    .tolerance = 1e-9});
   }
 }

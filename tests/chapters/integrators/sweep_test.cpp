@@ -21,7 +21,7 @@ TEST(ProblemSet, HasNamesOfItsOwnAndSolutionsAtSixteenTimes) {
     EXPECT_TRUE(names.insert(p.name).second) << p.name;
     EXPECT_EQ(p.times.size(), 16U) << p.name;
     EXPECT_EQ(p.times.back(), p.t1) << p.name;
-    EXPECT_TRUE(p.truth.size() == 16 || p.truth.empty()) << p.name;
+    EXPECT_TRUE(p.reference.size() == 16 || p.reference.empty()) << p.name;
     solved += p.has_solution() ? 1 : 0;
   }
   EXPECT_EQ(names.size(), 25U);
@@ -56,7 +56,7 @@ TEST(ProblemSet, EndsWhereTheLibrarysMethodsEnd) {
 TEST(ProblemSet, ErrorsAreRelativeOrBySize) {
   SetProblem p{"none", Kind::smooth, 1, 1, ivp::System(problems::TextProblem("duffing")), {1, 0}, 0,
                1,      {1.0}};
-  p.truth.push_back({2, 0.5});
+  p.reference.push_back({2, 0.5});
   p.flagged = {0, 4};
   EXPECT_EQ(p.error({2.5, 0.5}, 0), 0.25);
   EXPECT_EQ(p.error({2, 3.5}, 0), 0.75);

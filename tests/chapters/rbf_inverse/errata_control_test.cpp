@@ -109,7 +109,7 @@ TEST(ErrataControl, FreeInitialVelocityHasNoCostate) {
   EXPECT_NEAR((charged(d) - charged(-d)) / (2 * d), 0, 1e-5);
 }
 
-/// x' = u with J = 2 (x(0) - 1)^2 + integral u^2/2: an end cost of the begin.
+/// x' = u with J = 2 (x(0) - 1)^2 + integral u^2/2: an end cost of the start.
 struct Pull {
   static constexpr int states = 1;    ///< x
   static constexpr int controls = 1;  ///< u
@@ -174,7 +174,7 @@ TEST(ErrataControl, FirstRowOfTableIsForAFreeStart) {
 }
 
 // Eq. 5.24 has a derivative, of lambda2 as scanned, at the place of lambda1(T): lambda2' = -lambda1 turns the
-// sign, lambda1' is another number. The oracle is x1(T) - x1F of a flight under the force.
+// sign, lambda1' is another number. The oracle is x1(T) - x1F of an integration under the force.
 TEST(ErrataControl, EndConditionIsOnTheCostateItself) {
   const bvp::DuffingSettings settings = printed_settings(DuffingCase::free, 1);
   const bvp::Extremal e = free_extremal(settings);
@@ -205,7 +205,7 @@ std::vector<Eigen::Vector4d> extremal_from(Eigen::Vector4d z, double beta, doubl
 }
 
 // Eq. 5.33 gives f from T on, T included, where the extremal has -lambda2(T): f jumps. The oracle is the
-// flight of the initial values of tools/oracles/rbf_inverse_extremals.py.
+// trajectory of the initial values of tools/oracles/rbf_inverse_extremals.py.
 TEST(ErrataControl, ForceJumpsToTheHarmonicState) {
   constexpr double T = 1;
   const KnownExtremal& known = known_extremal(DuffingCase::harmonic, T);
@@ -225,8 +225,8 @@ TEST(ErrataControl, ForceJumpsToTheHarmonicState) {
 }
 
 // "Ill-posed" are problems whose solution is not there, not the only one, or does not depend continuously on
-// the data. It does: the co-states at 0 move with the target as the flight's derivatives have it, by a finite
-// amount, and not by one that double precision cannot tell from infinity. What fails is uniqueness.
+// the data. It does: the co-states at 0 move with the target as the trajectory's derivatives have it, by a
+// finite amount, and not by one that double precision cannot tell from infinity. What fails is uniqueness.
 TEST(ErrataControl, SplitConditionsAreNotIllPosed) {
   bvp::DuffingSettings settings = printed_settings(DuffingCase::free, 1);
   const Eigen::Vector4d first = free_extremal(settings).solution.first();

@@ -41,7 +41,7 @@ TEST(ErrataLambert, DistanceStandsInItsThirdPower) {
     velocity.row(j) = s.velocity.transpose();
   }
   const Eigen::MatrixX3d slope = d * velocity;
-  const double gravity = p.gravity.mu / p.from.squaredNorm();  // about 9 m/s^2, the largest on the way
+  const double gravity = p.gravity.mu / p.from.squaredNorm();  // about 9 m/s^2, the largest of the transfer
   double corrected = 0, printed = HUGE_VAL;
   for (Eigen::Index j = 1; j + 1 < nodes; ++j) {
     const Eigen::RowVector3d r = position.row(j);
@@ -90,7 +90,7 @@ TEST(ErrataLambert, PrintedShapeGivesNoMillimetres) {
 }
 
 // The terminal errors of Table 5.4 are 21 mm in all; they cannot be told from those of a transfer that aims
-// elsewhere: the end conditions of the collocation itself are met to rounding even where the flight misses by
+// elsewhere: the end conditions of the collocation itself are met to rounding even where the orbit misses by
 // metres.
 TEST(ErrataLambert, EndConditionsOfTheEquationsSayNothing) {
   const orbit::CollocatedTransfer t = orbit::collocate(printed_transfer(), printed_method());
@@ -103,7 +103,7 @@ TEST(ErrataLambert, EndConditionsOfTheEquationsSayNothing) {
 }
 
 // "Started at an arbitrary set of initial conditions": right for most, but what Newton's iteration ends on is
-// an orbit only if its flight says so. A success is never a root that misses.
+// an orbit only if its propagation says so. A success is never a root that misses.
 TEST(ErrataLambert, RandomStartsMostlyFindTheArc) {
   int arcs = 0;
   for (int seed = 1; seed <= 40; ++seed) {

@@ -66,7 +66,7 @@ TEST(GlobalVariants, PrintedShapeLosesDigits) {
   EXPECT_LT(worst[3], 1e-11);
 }
 
-TEST(NodeErrors, NothingFlownIsNaN) {
+TEST(NodeErrors, NothingIntegratedIsNaN) {
   const NodeErrors e = node_errors({});
   EXPECT_TRUE(std::isnan(e.states));
   EXPECT_TRUE(std::isnan(e.costates));
@@ -105,7 +105,7 @@ TEST(SingleShooting, LinearOscillatorInClosedForm) {
   EXPECT_NEAR(shot.first[3], ab[0], 1e-6);
 }
 
-TEST(SingleShooting, RootIsConfirmedByAnotherFlight) {
+TEST(SingleShooting, RootIsConfirmedByAnotherIntegrator) {
   const Shot shot = shoot_from_zeros(0.9, 1);
   ASSERT_TRUE(shot.status.ok()) << shot.status.text();
   const bvp::ExtremalProblem problem = duffing_problem(printed_settings(DuffingCase::fixed, 1));

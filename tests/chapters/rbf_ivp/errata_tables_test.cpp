@@ -37,7 +37,7 @@ struct Oscillation {
   const Case& exact;
   double (*load)(double);
   double t = 0, x = 0, v = 0;
-  std::vector<std::pair<double, double>> squares = {{0, 0}};  ///< times and errors; the begin counts
+  std::vector<std::pair<double, double>> squares = {{0, 0}};  ///< times and errors; the start counts
 
   [[nodiscard]] double acceleration(double time, double position) const {
     return load(time) - position - position * position * position;
@@ -182,12 +182,12 @@ double rows_explained(double end) {
 
 /// The whole second at which most of these rows come out as printed, by the few lines above.
 double end_that_explains_most() {
-  struct Flown {
+  struct Rerun {
     Oscillation motion;
     std::string printed;
   };
-  std::vector<Flown> rows;
-  const auto fly = [&rows](double during, double after, const std::string& printed, const auto& steps) {
+  std::vector<Rerun> rows;
+  const auto add = [&rows](double during, double after, const std::string& printed, const auto& steps) {
     rows.push_back({{impact_case(), impact}, printed});
     steps(rows.back().motion, during, static_cast<int>(std::lround(1 / during)));
     steps(rows.back().motion, after, static_cast<int>(std::lround(499 / after)));
@@ -195,15 +195,15 @@ double end_that_explains_most() {
   const auto rk4 = [](Oscillation& o, double h, int n) { o.runge_kutta(h, n); };
   const auto newmark = [](Oscillation& o, double h, int n) { o.hilber_hughes_taylor(h, n, 0); };
   const auto hht = [](Oscillation& o, double h, int n) { o.hilber_hughes_taylor(h, n); };
-  fly(0.1, 0.5, "0.399", rk4);
-  fly(0.05, 0.03, "2.88e-6", rk4);
-  fly(0.1, 0.5, "0.457", newmark);
-  fly(0.05, 0.03, "1.46e-2", newmark);
-  fly(0.1, 0.5, "0.405", hht);
+  add(0.1, 0.5, "0.399", rk4);
+  add(0.05, 0.03, "2.88e-6", rk4);
+  add(0.1, 0.5, "0.457", newmark);
+  add(0.05, 0.03, "1.46e-2", newmark);
+  add(0.1, 0.5, "0.405", hht);
   int most = -1;
   double best = 0;
   for (int end = 490; end <= 500; ++end) {
-    const auto explained = static_cast<int>(std::count_if(rows.begin(), rows.end(), [end](const Flown& row) {
+    const auto explained = static_cast<int>(std::count_if(rows.begin(), rows.end(), [end](const Rerun& row) {
       return std::abs(row.motion.rms(end) - std::stod(row.printed)) <= last_digit(row.printed) / 2;
     }));
     if (explained <= most) continue;
@@ -263,7 +263,7 @@ double rms_of_rk4_1(const ivp::System& system) {
     const double e = found[i] - fine.at(100 * i + 99);
     sum += e * e;
   }
-  return std::sqrt(sum / static_cast<double>(found.size() + 1));  // the begin counts
+  return std::sqrt(sum / static_cast<double>(found.size() + 1));  // the start counts
 }
 
 /// What Table 4.6 prints for RK4-1.

@@ -86,7 +86,7 @@ Record staircase() {
 
 TEST(Measures, RmsErrorChoosesPointsAndTime) {
   const Record record = staircase();
-  EXPECT_DOUBLE_EQ(rms_error(record, 0, Points::ends), std::sqrt(20.0 / 3));  // with the begin
+  EXPECT_DOUBLE_EQ(rms_error(record, 0, Points::ends), std::sqrt(20.0 / 3));  // with the start
   EXPECT_DOUBLE_EQ(rms_error(record, 0, Points::all), std::sqrt(30.0 / 4));
   EXPECT_DOUBLE_EQ(rms_error(record, 1, Points::all, 3), 10 * std::sqrt(14.0 / 3));
   EXPECT_DOUBLE_EQ(rms_error(record, 0, Points::ends, 2 * (1 - 1e-15)), std::sqrt(4.0 / 2));

@@ -1,4 +1,4 @@
-/// The readings: how a printed number is held against ours, and the chapter's own variants of Eq. 4.4.
+/// The readings: how a printed number is compared with ours, and the chapter's own variants of Eq. 4.4.
 #include <gtest/gtest.h>
 
 #include <cmath>

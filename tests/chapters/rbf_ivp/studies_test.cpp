@@ -178,19 +178,19 @@ TEST(StiffProblems, CountDigits) {
   const auto problems = stiff_problems(true);
   ASSERT_EQ(problems.size(), 6U);
   const Stiff& duffing = problems[0];
-  const Vector<double, 2> truth = duffing.truth.cast<double>();
-  EXPECT_GT(duffing.digits(truth), 15.5);
-  const double size = truth.cwiseAbs().maxCoeff();
-  EXPECT_NEAR(duffing.digits(truth + Vector<double, 2>(1e-5 * size, 0)), 5, 1e-6);
-  EXPECT_EQ(duffing.digits(3 * truth), 0);
+  const Vector<double, 2> reference = duffing.reference.cast<double>();
+  EXPECT_GT(duffing.digits(reference), 15.5);
+  const double size = reference.cwiseAbs().maxCoeff();
+  EXPECT_NEAR(duffing.digits(reference + Vector<double, 2>(1e-5 * size, 0)), 5, 1e-6);
+  EXPECT_EQ(duffing.digits(3 * reference), 0);
   EXPECT_EQ(duffing.digits(Vector<double, 2>(NAN, 0)), 0);
 }
 
 TEST(StiffProblems, EndWhereTheTestSetSays) {
   const auto expect = [](const auto& problem, std::vector<double> exact) {
-    ASSERT_EQ(problem.truth.size(), static_cast<Eigen::Index>(exact.size()));
-    for (Eigen::Index i = 0; i < problem.truth.size(); ++i)
-      EXPECT_DOUBLE_EQ(static_cast<double>(problem.truth[i]), exact[static_cast<std::size_t>(i)])
+    ASSERT_EQ(problem.reference.size(), static_cast<Eigen::Index>(exact.size()));
+    for (Eigen::Index i = 0; i < problem.reference.size(); ++i)
+      EXPECT_DOUBLE_EQ(static_cast<double>(problem.reference[i]), exact[static_cast<std::size_t>(i)])
           << problem.name;
   };
   expect(robertson(), published_end_state("Robertson"));
