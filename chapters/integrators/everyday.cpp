@@ -17,8 +17,12 @@ struct Printed {
   std::vector<std::string> events;  ///< at each row; may be empty
 };
 
-/// @param options equations and what is asked of them
-Printed printed(const comparison::TypedOptions& options) {
+/// @param every distance of rows in time
+Printed printed(const std::string& equation, const std::string& until, const std::string& every) {
+  comparison::TypedOptions options;
+  options.equation = equation;
+  options.until = until;
+  options.every = every;
   const comparison::UserProblem problem = comparison::problem_of(options)({});
   const comparison::RunOptions run =
       comparison::run_options(options, problem, problem.initial_state(options.initial));
@@ -52,17 +56,9 @@ struct Runs {
 constexpr double restitution = 0.8, gravity = 9.81, rate = 0.1;
 
 Runs runs() {
-  Runs all;
-  all.ball = printed({.equation = "y'' = -9.81; y(0) = 1; y'(0) = 0; when y = 0 falling: y' -> -0.8 y'",
-                      .until = "3.4",
-                      .every = "0.01"});
-  all.dose = printed(
-      {.equation = "c' = -0.1 c; c(0) = 0; at t = 0:12:60: c -> c + 5", .until = "72", .every = "0.25"});
-  all.rectifier = printed({.equation = "v' = (max(sin(t), 0) - v)/3; v(0) = 0",
-                           .until = "30",
-                           .every = "0.05",
-                           .events = {"peak: v' = 0"}});
-  return all;
+  return {printed("y'' = -9.81; y(0) = 1; y'(0) = 0; when y = 0 falling: y' -> -0.8 y'", "3.4", "0.01"),
+          printed("c' = -0.1 c; c(0) = 0; at t = 0:12:60: c -> c + 5", "72", "0.25"),
+          printed("v' = (max(sin(t), 0) - v)/3; v(0) = 0", "30", "0.05")};
 }
 
 void put(const Runs& all, scene::Show& show) {
