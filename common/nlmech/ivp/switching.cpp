@@ -57,7 +57,7 @@ class Walk {
   }
 
  private:
-  static constexpr int places = 8;          // of a step at which surfaces are looked at, at least
+  static constexpr int places = 4;          // of a step at which surfaces are looked at, at least
   static constexpr int most_repeated = 32;  // switches one after another at once,
   static constexpr double at_once = 1e-12;  // that is within this share of the whole time
 
@@ -212,10 +212,10 @@ class Walk {
 
   // A step of the method: the first switch in it ends the segment.
   bool seen(const System& smooth, const Step& step) {
-    double from = step.t0, part = (step.t1 - step.t0) / places;
+    double from = step.t0;
     margins(from, step.x0, before_);
     while (from != step.t1) {
-      const double to = next_place(step, from, part);
+      const double to = next_place(step, from);
       for (std::size_t i = 0; i < mode_.size(); ++i) {
         if (after_[i].value > 0) armed_[i] = true;
         const double beyond = after_[i].value < 0 ? to : dip(step, i, from, to);
@@ -234,33 +234,37 @@ class Walk {
   }
   // The next place after @p from at which the functions are looked at; after_ gets their margins there. A
   // step may be long against the changes of a function: that of a motion at constant speed has no end. So
-  // parts of it are halved until the functions there are what their values and rates at both ends say.
-  double next_place(const Step& step, double from, double& part) {
-    const double whole = (step.t1 - step.t0) / places, least = whole * 0x1p-30;
-    for (;; part /= 2) {
-      const double sum = from + part, to = earlier(sum, step.t1 - 1e-3 * part) ? sum : step.t1;
+  // parts of it are halved until the functions there are what their values and rates at both ends say. The
+  // next part is at most twice as long, in the next step too.
+  double next_place(const Step& step, double from) {
+    const double whole = std::abs(step.t1 - step.t0) / places, least = whole * 0x1p-30;
+    for (double part = std::min(part_, whole);; part /= 2) {
+      const double after = from + direction_ * part,
+                   to = earlier(after, step.t1 - direction_ * part / 16) ? after : step.t1;
       margins(to, step.at(to), after_);
-      if (std::abs(part) <= std::abs(least) || to == from || is_resolved(step, from, to)) {
-        part = std::abs(part) < std::abs(whole) ? 2 * part : whole;
-        return to == from ? step.t1 : to;
-      }
+      if (part > least && to != from && !is_resolved(step, from, to)) continue;
+      part_ = 2 * part;
+      return to == from ? step.t1 : to;
     }
   }
-  // Are the functions between two places the cubics through their values and rates there, as far as a place
-  // between shows that no period divides?
+  // Are the functions between two places the cubics through their values and rates there, as far as three
+  // places between show, which no period divides?
   bool is_resolved(const Step& step, double from, double to) {
-    constexpr double s = 0.3819660112501051, r = 1 - s, part_of_size = 0.1, noise = 1e-12;
-    const double h = std::abs(to - from), t = from + s * (to - from);
-    look(mode_, t, step.at(t));
-    for (std::size_t i = 0; i < mode_.size(); ++i) {
-      if (mode_[i] == 0) continue;  // shares have no rates
-      const Margin &a = before_[i], &b = after_[i];
-      const double cubic = r * r * ((1 + 2 * s) * a.value + s * h * a.slope) +
-                           s * s * ((1 + 2 * r) * b.value - r * h * b.slope);
-      const double here = margin(i).value,
-                   size = std::max({std::abs(a.value), std::abs(b.value), std::abs(here)});
-      greatest_[i] = std::max(greatest_[i], size);
-      if (std::abs(here - cubic) > part_of_size * size + noise * greatest_[i]) return false;
+    constexpr double part_of_size = 0.05, noise = 1e-12;
+    const double h = std::abs(to - from);
+    for (const double s : {0.3819660112501051, 0.1458980337503154, 0.7639320225002103}) {
+      const double r = 1 - s, t = from + s * (to - from);
+      look(mode_, t, step.at(t));
+      for (std::size_t i = 0; i < mode_.size(); ++i) {
+        if (mode_[i] == 0) continue;  // shares have no rates
+        const Margin &a = before_[i], &b = after_[i];
+        const double cubic = r * r * ((1 + 2 * s) * a.value + s * h * a.slope) +
+                             s * s * ((1 + 2 * r) * b.value - r * h * b.slope);
+        const double here = margin(i).value,
+                     size = std::max({std::abs(a.value), std::abs(b.value), std::abs(here)});
+        greatest_[i] = std::max(greatest_[i], size);
+        if (std::abs(here - cubic) > part_of_size * size + noise * greatest_[i]) return false;
+      }
     }
     return true;
   }
@@ -348,6 +352,7 @@ class Walk {
   std::vector<Margin> before_, after_;
   std::vector<bool> armed_;
   std::optional<Switch> found_;
+  double part_ = std::numeric_limits<double>::infinity();  // longest part of a step between two looks
   bool told_ = false;
   int repeated_ = 0;
   Solution solution_;

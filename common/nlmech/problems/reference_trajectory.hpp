@@ -225,7 +225,7 @@ Status walk_reference(const Problem& problem, const Vector<Real, Problem::dimens
         step.length = last ? Real(stop - t) : detail::short_step<Real>(log2_step);
         if (!(t + step.length > t)) return failure(Outcome::step_underflow);
         log2_step = detail::log2_of(step.length) - 1;
-      } while (!detail::is_solution(problem, step, scale));
+      } while (!detail::is_solution(problem, step, chosen.tolerance, scale));
       detail::add_compensated(x, carry, step.increment(step.length));
       if (!detail::all_finite(x)) return failure(Outcome::non_finite);
       t = last ? stop : Real(t + step.length);

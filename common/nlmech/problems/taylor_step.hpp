@@ -30,7 +30,7 @@ struct TaylorStep {
   [[nodiscard]] Vector<Real, n> rate(const Real& s) const {
     Vector<Real, n> sum = Vector<Real, n>::Zero(coefficient[0].size());
     for (std::size_t k = coefficient.size() - 1; k > 0; --k)
-      sum = (sum * s + static_cast<int>(k) * coefficient[k]).eval();
+      sum = (sum * s + coefficient[k] * Real(static_cast<int>(k))).eval();
     return sum;
   }
   /// The state at start + @p s.
@@ -111,12 +111,13 @@ template <class Real, int n>
 
 /// Does the sum of a series solve the equations within its step, which its coefficients alone do not show?
 /// Those of tanh(100 (t - 5)) at t = 0 are zero but for the first, in any precision. Asked for beside the
-/// end, where the equations may change; by a millionth of the state, where truncation leaves far less.
-/// @param log2_scale of the components, as of log2_step()
+/// end, where the equations may change; by a millionth of the state, or what is far more than truncation
+/// leaves.
+/// @param tolerance of the step, as of log2_step() @param log2_scale of the components, as of log2_step()
 template <class Real, int n, class Problem>
-[[nodiscard]] bool is_solution(const Problem& problem, const TaylorStep<Real, n>& step,
+[[nodiscard]] bool is_solution(const Problem& problem, const TaylorStep<Real, n>& step, double tolerance,
                                const std::vector<double>& log2_scale) {
-  using std::abs;
+  const double log2_share = std::max(-20.0, std::log2(tolerance) + 20);
   Vector<Real, n> slope(step.coefficient[0].size());
   for (const double part : {0.618, 0.999}) {
     const Real s = step.length * part;
@@ -127,7 +128,8 @@ template <class Real, int n, class Problem>
           std::max({log2_of(Real(step.length * slope[i])), log2_of(Real(step.length * rate[i])),
                     log2_scale[static_cast<std::size_t>(i)]});
       const Real defect = step.length * (slope[i] - rate[i]);
-      if (!(defect == defect) || log2_of(defect) > most - 20) return false;
+      const bool is_small = defect == 0 || log2_of(defect) <= most + log2_share;
+      if (!is_small || !(defect == defect)) return false;
     }
   }
   return true;
