@@ -32,7 +32,7 @@ Printed printed(const std::string& equation, const std::string& until, const std
   for (const std::string& line : scene::split(found.rows, '\n')) {
     const std::vector<std::string> cells = scene::split(line, ',');
     double t = 0, x = 0;
-    if (cells.size() < 3 || !scene::parse_number(cells[0], t) || !scene::parse_number(cells[1], x)) continue;
+    if (cells.size() < 2 || !scene::parse_number(cells[0], t) || !scene::parse_number(cells[1], x)) continue;
     all.t.push_back(t);
     all.x.push_back(x);
     all.events.push_back(cells.back());
@@ -66,7 +66,7 @@ void put(const Runs& all, scene::Show& show) {
   plot.panel("time, s", "height, m").curve("", all.ball.t, all.ball.x);
   plot.panel("time, h", "amount, mg").curve("", all.dose.t, all.dose.x);
   plot.panel("time", "voltage").curve("", all.rectifier.t, all.rectifier.x);
-  plot.size(960, 320);
+  plot.size(1000, 450);
 
   const double first = std::sqrt(2 / gravity);
   double bounce = first;

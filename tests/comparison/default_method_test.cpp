@@ -116,6 +116,7 @@ Trajectory usual_run(const std::string& text, double x0, double end) {
                            .t1 = end,
                            .settings = {},
                            .every = {},
+                           .order = problem.printed_order(""),
                            .limits = {.seconds = 60},
                            .verify = true};
   return usual_trajectory(problem, options, usual_method(problem, options));
