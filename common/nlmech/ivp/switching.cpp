@@ -238,7 +238,7 @@ class Walk {
   // Are the functions between two places the cubics through their values and rates there, as far as three
   // places between show, which no period divides?
   bool is_resolved(const Step& step, double from, double to) {
-    constexpr double part_of_size = 0.05, noise = 1e-12;
+    constexpr double part_of_size = 0.01, noise = 1e-12;
     const double h = std::abs(to - from);
     for (const double s : {0.3819660112501051, 0.1458980337503154, 0.7639320225002103}) {
       const double r = 1 - s, t = from + s * (to - from);
