@@ -8,6 +8,7 @@
 #include "nlmech/comparison/cost/accuracy.hpp"
 #include "nlmech/problems/texts.hpp"
 #include "tests/ivp/oracle.hpp"
+#include "tests/ivp/typed.hpp"
 
 namespace nlmech::comparison::reference_test {
 namespace {
@@ -81,6 +82,25 @@ TEST(ReferenceOf, TheDuffingOscillatorByTaylorSeries) {
         EXPECT_NEAR(static_cast<double>(r.states(i, static_cast<Eigen::Index>(k))), truth[i], 3e-16);
     }
   }
+}
+
+// At t = 0 the derivatives of the switch underflow in any precision, and all that the pulse's coefficients
+// tell is that it is far. (log cosh(675) - log cosh(475))/100 = 2 to 400 digits; sqrt(pi)/2 to 1e-4343.
+TEST(ReferenceOf, SeriesDoNotLeapAcrossWhatTheirCoefficientsDoNotShow) {
+  const auto end_of = [](const std::string& equation, double end) {
+    const Effort effort{.largest_step = watchful_step(0, end, 1e9)};
+    const Reference r = reference_of(ivp::testing::typed_problem(equation), ivp::State::Zero(1), 0,
+                                     look_at(0, end, 16), {}, effort);
+    EXPECT_TRUE(r.status.ok() && r.first.extended) << r.text();
+    return static_cast<double>(r.states(0, 15));
+  };
+  EXPECT_NEAR(end_of("x' = tanh(100 (t - 4.75))", 11.5), 2, 1e-15);
+  EXPECT_NEAR(end_of("x' = exp(-((t - 50)/0.5)^2)", 100), std::sqrt(std::acos(-1.0)) / 2, 1e-15);
+}
+
+// Two that agree to what is needed need not agree relative to what they are by chance at these times.
+TEST(Agree, OnWhatIsNearlyZero) {
+  EXPECT_TRUE(agree({giving("a", 1e-14), giving("b", 2e-14)}, one_step, {1e-9, 1e-9}, 1).status.ok());
 }
 
 // The test set's digits at 1e11 (E. Hairer, G. Wanner, Solving Ordinary Differential Equations II, IV.10),

@@ -136,7 +136,7 @@ Eigen::MatrixXd scales(const StatesAt& states, const Eigen::VectorXd& size, cons
 /// The verdict on a run that is not right to enough digits, or of which the reference does not tell.
 Verification with_condition(const Beside& all, const Reference& reference, const Eigen::VectorXd& size) {
   const Eigen::MatrixXd bound = (most_tolerances * all.weight).cwiseMax(most_amplified * all.moved);
-  Verification v = all.worst(Verdict::inexact, bound);
+  Verification v = all.worst(Verdict::wrong, bound);
   const double extent = size[v.component] > 0 ? size[v.component] : 1;
   const double allowed = v.allowed * v.error / std::max(v.tolerances, 1e-300);
   const double sure = v.error - v.doubt;  // the reference may be off by its doubt, and the run by less then
@@ -144,14 +144,13 @@ Verification with_condition(const Beside& all, const Reference& reference, const
       v.allowed > most_tolerances;  // else the tolerance is coarse, and no more to blame
   if (v.error >= 0.1 * extent && allowed >= 0.1 * extent && is_amplified) {
     v.verdict = Verdict::undetermined;
-  } else if (sure > allowed) {
-    v.verdict = Verdict::wrong;
-  } else if (!all.within(bound)) {
-    return {.reason = fmt::format(
-                "{}, which is less than the tolerance asks for; the run lies within {:.2g} of them",
-                reference.text(), v.error)};
+    return v;
   }
-  return v;
+  if (sure > allowed) return v;
+  if (all.within(bound)) return all.fewest_digits();
+  return {.reason =
+              fmt::format("{}, which is less than the tolerance asks for; the run lies within {:.2g} of them",
+                          reference.text(), v.error)};
 }
 
 /// "take --tolerance 1e-12 or another method": a tolerance that should suffice, if there is one.
