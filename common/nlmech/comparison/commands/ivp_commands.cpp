@@ -172,7 +172,7 @@ void add_integrate(scene::Commands& commands) {
     declare_common(options, typed, "--states");
     options.add("--method", typed.method,
                 "one of the methods below; without it the first that choose would list for the digits of the "
-                "tolerance");
+                "tolerance, or another one where its run fails or is wrong");
     declare_settings(options, typed.settings);
     options.add("--every", typed.every, "rows at this distance in time; without it the first and the last");
     options.add("--at", typed.at, "rows at these times too, with commas between: 1,2.5,3 pi");
