@@ -32,8 +32,8 @@ NOISE = 1e-10
 
 def is_timed(book, scene):
     """Has the scene a column of run times? Their data, tables and figures differ from run to run."""
-    file = book.out / f"results/{scene}.csv"
-    return file.exists() and ",time_" in "," + file.open(encoding="utf-8").readline()
+    files = [book.out / f"{folder}/{scene}.csv" for folder in ("results", "tables")]
+    return any(re.search(r"(^|,)\"?time[_ ]", file.open(encoding="utf-8").readline()) for file in files if file.exists())
 
 
 def run_times(rows):

@@ -117,6 +117,7 @@ template <class Real, int n>
 template <class Real, int n, class Problem>
 [[nodiscard]] bool is_solution(const Problem& problem, const TaylorStep<Real, n>& step, double tolerance,
                                const std::vector<double>& log2_scale) {
+  using std::isfinite;
   const double log2_share = std::max(-20.0, std::log2(tolerance) + 20);
   Vector<Real, n> slope(step.coefficient[0].size());
   for (const double part : {0.618, 0.999}) {
@@ -129,7 +130,7 @@ template <class Real, int n, class Problem>
                     log2_scale[static_cast<std::size_t>(i)]});
       const Real defect = step.length * (slope[i] - rate[i]);
       const bool is_small = defect == 0 || log2_of(defect) <= most + log2_share;
-      if (!is_small || !(defect == defect)) return false;
+      if (!is_small || !isfinite(defect)) return false;
     }
   }
   return true;

@@ -73,7 +73,7 @@ class Program {
   template <class T, class State, class Out>
   void run_in(T* place, const T& t, const State& x, std::size_t first, std::size_t last, Out& out) const {
     place[0] = t;
-    for (std::size_t i = 0; i < size_; ++i) place[i + 1] = x[static_cast<int>(i)];
+    for (std::size_t i = 0; i < size_; ++i) place[i + 1] = component(x, i);
     for (const Instruction& i : instructions_) carry_out(i, place);
     for (std::size_t i = first; i < last; ++i) {
       const Output& o = outputs_[i];
@@ -81,6 +81,14 @@ class Program {
     }
   }
 
+  // Containers of the standard library have an unsigned index, all others a signed one.
+  template <class State>
+  static decltype(auto) component(const State& x, std::size_t i) {
+    if constexpr (requires { typename State::size_type; })
+      return x[i];
+    else
+      return x[static_cast<int>(i)];
+  }
   // The common operations here; the others cost more than a call.
   template <class T>
   [[gnu::always_inline]] void carry_out(const Instruction& i, T* place) const {

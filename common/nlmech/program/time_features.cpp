@@ -183,8 +183,7 @@ std::vector<double> TimeFeatures::between(double t0, double t1) const {
       places.insert(places.end(), own.begin(), own.end());
     }
     std::ranges::sort(places);
-    const auto same = std::ranges::unique(places);
-    places.erase(same.begin(), same.end());
+    places.erase(std::unique(places.begin(), places.end()), places.end());
     constexpr std::size_t most = 10'000;
     if (places.size() > most) places.clear();
   }

@@ -51,7 +51,7 @@ class DualControl final : public ControlModel {
 
   void extremal_jacobian(double t, const Eigen::VectorXd& z, double mu, const Constraints& c,
                          Eigen::MatrixXd& j) const override {
-    if (j.cols() == 2 * n)
+    if (j.cols() == Eigen::Index{2} * n)
       set_jacobian<2 * n>(t, z, mu, c, j);
     else
       set_jacobian<2 * n + 1>(t, z, mu, c, j);

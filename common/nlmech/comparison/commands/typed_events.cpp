@@ -29,7 +29,7 @@ bool take_last(std::string& text, std::string_view word) {
 std::string take_name(std::string& text) {
   const std::size_t colon = text.find(':');
   if (colon == std::string::npos || text.find('=') < colon) return "";
-  const std::string name = scene::trimmed(text.substr(0, colon));
+  std::string name = scene::trimmed(text.substr(0, colon));
   text = scene::trimmed(text.substr(colon + 1));
   return name;
 }

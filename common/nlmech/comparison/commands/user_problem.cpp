@@ -8,7 +8,6 @@
 #include <filesystem>
 #include <memory>
 #include <mutex>
-#include <ranges>
 
 #include "nlmech/problems/texts.hpp"
 #include "nlmech/program/problem.hpp"
@@ -103,8 +102,8 @@ std::optional<program::NodeId> needs_positive(program::Graph& graph, const progr
 /// Does it depend on the state, and is not positive by the way in which it is written: abs(x), max(x, 0)?
 bool may_end(const program::Graph& graph, program::NodeId argument) {
   const std::vector<bool> part = program::parts_of(graph, {argument});
-  const auto states = std::ranges::subrange(part.begin() + 1, part.begin() + 1 + graph.size());
-  if (std::ranges::find(states, true) == states.end()) return false;
+  const auto states = part.begin() + 1, end = states + graph.size();
+  if (std::find(states, end, true) == end) return false;
   const program::Node& n = graph[argument];
   if (n.operation != program::Operation::choice || n.a != n.decides) return true;
   const program::Node& other = graph[n.b];

@@ -216,7 +216,7 @@ Verification verify(const ivp::System& system, const ivp::State& x0, double t0, 
   const Status status = amplification(way, reference, first.col(0), all.weight, effort.seconds, all.moved);
   if (!status.ok()) all.moved.setZero();
   if (all.surely_beyond()) {
-    const Verification v = all.fewest_digits();
+    Verification v = all.fewest_digits();
     if (v.digits >= enough_digits(run.tolerance.relative)) return v;
     if (!status.ok()) return all.worst(Verdict::wrong, all.weight);
   }
