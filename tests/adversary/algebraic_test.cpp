@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "nlmech/algebraic/named_solvers.hpp"
 #include "nlmech/algebraic/equations.hpp"
+#include "nlmech/algebraic/named_solvers.hpp"
 #include "nlmech/peers/algebraic/kinsol.hpp"
 #include "nlmech/program/dual.hpp"
 #include "tests/adversary/adversary.hpp"

@@ -7,8 +7,8 @@
 #include <limits>
 #include <stdexcept>
 
-#include "nlmech/orbit/gravity.hpp"
 #include "nlmech/orbit/expansion.hpp"
+#include "nlmech/orbit/gravity.hpp"
 #include "nlmech/program/dual.hpp"
 #include "tests/orbit/lambert_problems.hpp"
 

@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "nlmech/scene/cost/lines.hpp"
 #include "nlmech/scene/cost/drawing.hpp"
+#include "nlmech/scene/cost/lines.hpp"
 
 namespace nlmech::scene::cost_test {
 namespace {
