@@ -59,6 +59,14 @@ Double zeros are rows, and standard error says that rounding decides about them:
   $ swing "x^2 + x'^2 = 2 x^2 + 2 x'^2 - 1" > /dev/null
   integrators: * cannot be told from zero between t = * (glob)
 
+An event that is zero throughout has no row, and is named:
+
+  $ integrate "x' = -x" --initial x=0 --until 5 --event x=0
+  integrators: x=0 cannot be told from zero between t = 0 and 5: rows may be missing
+  t,x,event
+  0,0,
+  5,0,
+
 Names, and the n-th event:
 
   $ swing "low: x'=0 rising" | holds --where 'event=low' 'n = 2' 't = pi*(2*i + 1) +- 1e-8'

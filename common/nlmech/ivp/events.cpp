@@ -203,7 +203,11 @@ class EventFinder::Scan {
     int& sign = f_.signs_[event_];
     if (sign == 0) sign = slope_at(open_from_) * direction_;
     const int before = sign;
-    if (before == 0 || sign_at(open_to_) == -before) return passage(open_from_, open_to_);
+    if (before == 0 || sign_at(open_to_) == -before) {
+      passage(open_from_, open_to_);
+      if (sign == 0 && before == 0) f_.add_open(event_, open_from_, open_to_);  // zero throughout
+      return;
+    }
     if (!f_.status_.ok()) return;
     const int first = slope_at(open_from_), last = slope_at(open_to_);
     const bool turns = first != 0 && last == -first;

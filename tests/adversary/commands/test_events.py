@@ -126,8 +126,9 @@ def test_events_are_all_there(draw):
         return judged(0, 1, r.words) if close and all(any(abs(t - f) <= within for t in inside) for f in found) else wrong(f"{r.words}: {found}, {inside}")
     if "cannot be told" in r.errors:
         return undecided(r.words)
-    if a.touching:  # with a direction none, but for rounding
-        return judged(0, 1, r.words)
+    if a.touching:  # with a direction none, but for rounding there
+        stray = [f for f in found if all(abs(t - f) > within for t in inside + a.touching)]
+        return wrong(f"{r.words}: {stray}") if stray else judged(0, 1, r.words)
     if not matched(found, inside, max(within, 4 * EPS * m.end)):
         return wrong(f"{r.words}: {len(found)} zeros, {found[:9]}, for {len(inside)}, {sorted(inside)[:9]}")
     return judged(0, 1, r.words)
