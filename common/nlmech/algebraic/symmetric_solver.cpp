@@ -10,17 +10,8 @@
 #include "nlmech/support/doubles.hpp"
 
 namespace nlmech::algebraic {
-namespace {
 
 using Sparse = Eigen::SparseMatrix<double>;
-
-bool has_pattern_of(const Sparse& a, const Sparse& b) {
-  return a.rows() == b.rows() && a.nonZeros() == b.nonZeros() &&
-         std::equal(a.outerIndexPtr(), a.outerIndexPtr() + a.cols() + 1, b.outerIndexPtr()) &&
-         std::equal(a.innerIndexPtr(), a.innerIndexPtr() + a.nonZeros(), b.innerIndexPtr());
-}
-
-}  // namespace
 
 struct SymmetricSolver::Factors {
   bool is_sparse = false;

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
+#include <algorithm>
 #include <memory>
 
 namespace nlmech::algebraic {
@@ -16,6 +17,15 @@ struct Inertia {
   /// Are all positive?
   [[nodiscard]] bool is_positive() const { return negative == 0 && zero == 0; }
 };
+
+/// Have two compressed matrices their entries at the same places?
+template <class Number>
+[[nodiscard]] bool has_pattern_of(const Eigen::SparseMatrix<Number>& a,
+                                  const Eigen::SparseMatrix<Number>& b) {
+  return a.rows() == b.rows() && a.nonZeros() == b.nonZeros() &&
+         std::equal(a.outerIndexPtr(), a.outerIndexPtr() + a.cols() + 1, b.outerIndexPtr()) &&
+         std::equal(a.innerIndexPtr(), a.innerIndexPtr() + a.nonZeros(), b.innerIndexPtr());
+}
 
 /// Solves (S^-1 B S^-1 + sigma I) x = b for one B, many shifts sigma and a diagonal S of scales.
 ///

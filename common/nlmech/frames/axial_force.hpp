@@ -137,8 +137,9 @@ template <class Number>
     return {Number(0), false, Outcome::non_finite};
   const auto f = [&](const Number& n) { return balance_at<Number>(b, n, stability_functions<Number>(n)); };
   // n = -4 is a seam of stability_functions(), n = -3.99 is not.
-  const Number seam = -3.99;
-  if (const auto at = f(seam); at.value < 0) {
+  static const Number seam = -3.99;
+  static const StabilityFunctions<Number> at_seam = stability_functions<Number>(seam);
+  if (b.value(seam, at_seam) < 0) {
     const Number pole = FourPiSquared<Number>{}.high;
     // Smaller ones would take g_s'' beyond the range of double next to the pole.
     if (b.symmetric < 1e-190) return root_without_symmetric(b, pole, evaluations);

@@ -12,6 +12,7 @@
 /// elsewhere.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <concepts>
@@ -71,6 +72,13 @@ struct StabilitySeries {
   /// and 2.3. Some more are for the second derivative.
   static constexpr std::size_t terms =
       std::size_t{7} + std::numeric_limits<Number>::digits * (first == 1 ? 303 : 430) / 1000;
+  /// As many as count at y: members of a fine mesh need few.
+  [[nodiscard]] static std::size_t terms_at(const Number& y) {
+    using std::ilogb;
+    const double bits = (first == 1 ? 3.3 : 4.33) - 1 - ilogb(y);  // of a term, at least
+    return std::min(terms,
+                    std::size_t{7} + static_cast<std::size_t>(std::numeric_limits<Number>::digits / bits));
+  }
   std::array<Number, terms> coefficients{};  ///< of 1, y, y^2, ...
 
   constexpr StabilitySeries() {
@@ -95,8 +103,9 @@ template <int first, class T>
 [[nodiscard]] StabilityFunction<T> by_series(const T& y) {
   static const StabilitySeries<decltype(value_of(y)), first> series;
   const auto& u = series.coefficients;
-  T value(u.back()), slope(0), half_curvature(0);
-  for (std::size_t k = u.size() - 1; k-- > 0;) {
+  std::size_t k = series.terms_at(value_of(y)) - 1;
+  T value(u[k]), slope(0), half_curvature(0);
+  while (k-- > 0) {
     half_curvature = half_curvature * y + slope;
     slope = slope * y + value;
     value = value * y + u[k];

@@ -22,6 +22,7 @@ constexpr double enough_digits = 1e-7;
 /// of an eigenvalue.
 struct PathSystem::LongFactors {
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<long double>> ldlt;
+  Eigen::SparseMatrix<long double> analysed;  // for its pattern
 
   /// Factorises S^-1 B S^-1, which overwrites @p b. @return false if a pivot is zero or not finite
   bool factorise(Eigen::SparseMatrix<long double>& b, const Eigen::VectorXd& scale) {
@@ -29,7 +30,11 @@ struct PathSystem::LongFactors {
       for (Eigen::SparseMatrix<long double>::InnerIterator i(b, j); i; ++i)
         i.valueRef() /= static_cast<long double>(scale[i.row()]) * scale[j];
     }
-    ldlt.compute(b);
+    if (!has_pattern_of(analysed, b)) {
+      ldlt.analyzePattern(b);
+      analysed = b;
+    }
+    ldlt.factorize(b);
     return ldlt.info() == Eigen::Success && ldlt.vectorD().allFinite();
   }
 };
