@@ -49,7 +49,7 @@ void put_time(const Motions& m, scene::Show& show) {
   show.near("x at 375 s", end[0], -0.302938936512582, 1e-9, known);
   show.near("x' at 375 s", end[1], -0.198146428424553, 1e-9, known);
   show.at_most("greatest error of the printed steps to 750 s", m.departure.greatest(800), 3e-10,
-               "recorded: 7e-11; rounding, which scatters");
+               "regression value: 7e-11; rounding, which scatters");
   show.equals("zeros of x up to 28.14 s", crossings, 4, "two waves, as the paper describes");
 }
 

@@ -104,7 +104,7 @@ void check_guesses(const FromGuesses& all, const bvp::Extremal& best, scene::Sho
   const char* const least =
       "none costs less than the cheapest that any method found, to the root's own error";
   show.between("guesses of eleven that find an extremal", good, std::max(1.0, n * share - slack),
-               std::min(n, n * share + slack), "recorded of 100 other guesses; three deviations");
+               std::min(n, n * share + slack), "regression value of 100 other guesses; three deviations");
   show.between("guesses that find the cheapest", counts.cheapest, 0, good, "some of those");
   show.between("guesses that find a root that is no solution", counts.spurious, 0, n - good,
                "some of the others");
@@ -172,9 +172,10 @@ void put_errors(const std::vector<bvp::GlobalResult>& results, bool costates, sc
   panel.key("at screen 0.54, screen 0.01 center bottom maxrows 3 samplen 3");
   const auto name = [](std::size_t i) { return global_variants()[i].name; };
   tabulate(results, "derivative matrix", name, false, show);
-  show.between(costates ? "largest co-state error, printed shape" : "largest state error, printed shape",
-               worst, 1e-7, 1,
-               "recorded: 2e-6 to 0.7 by root, T = 0.5 to 6; rounding in a matrix of condition 4e17 decides");
+  show.between(
+      costates ? "largest co-state error, printed shape" : "largest state error, printed shape", worst, 1e-7,
+      1,
+      "regression value: 2e-6 to 0.7 by root, T = 0.5 to 6; rounding in a matrix of condition 4e17 decides");
 }
 
 /// Greatest errors of states and of co-states: a row of panels a case, a column a derivative matrix, on

@@ -118,7 +118,7 @@ void put_history(const CollocatedTransfer& printed, const CollocatedTransfer& po
   curve("that F and G, off Izzo's orbit", off_orbit(orbit_between(printed.v1, 0, 4320, 200), izzo.v1, part),
         scene::lines(2));
   curve("polynomial collocation, off Izzo's orbit", better, scene::linespoints(3));
-  const char* const by_rounding = "an independent program: 5 to 1800 m by unit of time, 0.2 m in all digits";
+  const char* const by_rounding = "regression value: 5 to 1800 m by unit of time, 0.2 m in all digits";
   show.between(part.name + " as printed, off F and G of their own velocity", largest(own), part.may_least,
                part.may_most, by_rounding);
   show.between(part.name + " as printed, off Izzo's orbit",
@@ -210,16 +210,16 @@ void put_errors(std::vector<CollocatedTransfer> printed, const CollocatedTransfe
                     {"Newton's iterations", &Row::iterations},
                     {"condition", &Row::condition, 2}});
   show.near("log10 of the condition of the printed functions", std::log10(in_seconds.condition), 17.3, 0.05,
-            "recorded: 1.9e17, as its logarithm; rounding is all there is");
+            "regression value: 1.9e17, as its logarithm; rounding is all there is");
   show.between("best of twelve units of time, as printed", {least.miss, "m"}, 0.05, 500,
-               "recorded: 4.7 m at best; rounding scatters it around 57 m");
+               "regression value: 4.7 m at best; rounding scatters it around 57 m");
   show.between("worst of twelve units of time, as printed", {most.miss, "m"}, 50, 1e5,
-               "recorded: 1.8 km at worst");
+               "regression value: 1.8 km at worst");
   show.near("miss with the printed shape and all digits", {printed_shape.miss, "m"}, 0.216, 0.7,
-            "recorded: 0.07, 0.20, 0.04 m with D from 60 digits; D in double has 12");
+            "regression value: 0.07, 0.20, 0.04 m with D from 60 digits; D in double has 12");
   show.at_most("miss with c T = 3 and all digits", {stable.miss, "m"}, 1e-3,
                "what the section claims, a millimetre");
-  show.at_most("miss of polynomials", {polynomial.miss, "m"}, 1e-4, "recorded: 4.9e-6 m; rounding");
+  show.at_most("miss of polynomials", {polynomial.miss, "m"}, 1e-4, "regression value: 4.9e-6 m; rounding");
   show.at_most("error of Izzo's initial velocity", {velocity_error(izzo.v1), "m/s"}, 8e-9,
                "twelve digits of tools/oracles/rbf_inverse_lambert.py");
 }
