@@ -39,7 +39,7 @@ void put_time(const Motions& m, scene::Show& show) {
             "{/:Italic x}")
       .x_range(3, 43.2)
       .y_range(-0.8, 0.8)
-      .key("outside bottom center horizontal samplen 3")
+      .key("below")
       .columns("forward Euler, h = 0.01 s", "t_s:euler", {"lines dashtype solid linewidth 1.8", 2})
       .columns("series, T = 0.125 s, N = 50", "t_s:series", {"lines linewidth 1.8", 1});
   show.figure().data(std::move(data));

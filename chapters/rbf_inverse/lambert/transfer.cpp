@@ -137,7 +137,7 @@ void put_geometry(const orbit::Transfer& izzo, scene::Show& show) {
                e = orbit::eccentricity_vector(start, mu).norm();
   const Vector3<double> ex = p.from.normalized(), n = orbit::cross(p.from, izzo.v1).normalized(),
                         ey = orbit::cross<double>(n, ex);
-  scene::Panel& panel = show.plot("Lambert's problem: two positions and a time make an orbit",
+  scene::Panel& panel = show.plot("Lambert's problem: two positions and a time determine the velocities",
                                   "in the plane of the orbit, along r_{0}, 1000 km", "across, 1000 km");
   show.figure().size(760, 480).columns({"panel", "curve", "x", "y"});
   panel.x_range(-2, 14).y_range(-2.6, 6.8).set("size ratio -1").key("below");
@@ -152,7 +152,27 @@ void put_geometry(const orbit::Transfer& izzo, scene::Show& show) {
   curve("the rest of the ellipse", orbit_between(izzo.v1, p.time, period, 300), 8);
   curve("r_{0}  at t_{0}", {centre, {0, start}}, 2);
   curve("r_{F}  at t_{F}", {centre, {p.time, {p.to, izzo.v2}}}, 3);
-  // oracle: rbf_inverse_lambert short eccentricity
+  // Velocities as what they cover in 300 s; heads on the radii.
+  const auto arrow = [&](const Vector3<double>& from, const Vector3<double>& to, int style) {
+    panel.set(
+        fmt::format("arrow from {:.4f},{:.4f} to {:.4f},{:.4f} head filled size 0.35,18 front linestyle {} "
+                    "dashtype solid",
+                    from.dot(ex) / 1e6, from.dot(ey) / 1e6, to.dot(ex) / 1e6, to.dot(ey) / 1e6, style));
+  };
+  for (const auto& [at, v, name] :
+       {std::tuple(p.from, izzo.v1, "{/:Bold v}_0"), {p.to, izzo.v2, "{/:Bold v}_F"}}) {
+    const Vector3<double> tip = at + 300 * v;
+    arrow(at, tip, 5);
+    panel.note(name, tip.dot(ex) / 1e6 + 0.2, tip.dot(ey) / 1e6 + 0.3);
+  }
+  arrow(0.95 * p.from, p.from, 2);
+  arrow(0.95 * p.to, p.to, 3);
+  // oracle: rbf_inverse_lambert short v? ?, short eccentricity
+  const char* program = "tools/oracles/rbf_inverse_lambert.py, sixteen digits of the components";
+  show.near("speed at t_0", {izzo.v1.norm(), "m/s"},
+            std::hypot(2774.846990602542, 7217.023034335538, 1625.933890597796), 1e-12, program);
+  show.near("speed at t_F", {izzo.v2.norm(), "m/s"},
+            std::hypot(2318.442484931668, 5654.937801363560, 1551.140505838072), 1e-12, program);
   show.near("eccentricity of the transfer", e, 0.96281, 1e-5, "tools/oracles/rbf_inverse_lambert.py");
   show.near("periapsis of the transfer", {(1 - e) / reciprocal / 1000, "km"}, 252, 1,
             "a (1 - e) by the same program");
