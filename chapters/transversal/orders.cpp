@@ -57,8 +57,9 @@ std::vector<Fall> all_falls() {
   all.push_back(fall_of(reference, problem, {1, 0}, 4, ivp::MtlBasis::interpolet, 7));
   const problems::TextProblem pair("two-dof");
   const ivp::State start = pair.initial_state();
-  all.push_back(fall_of(Reference(pair, start.cast<long double>(), 0, end), pair, start, 3, ivp::MtlBasis::lagrange, 6));
-  all.back().name = "two degrees of freedom, p = 3";
+  all.push_back(fall_of(Reference(pair, start.cast<long double>(), 0, end), pair, start, 3,
+                        ivp::MtlBasis::lagrange, 6));
+  all.back().name = "two masses, p = 3";
   return all;
 }
 

@@ -159,11 +159,11 @@ void put_geometry(const orbit::Transfer& izzo, scene::Show& show) {
                     "dashtype solid",
                     from.dot(ex) / 1e6, from.dot(ey) / 1e6, to.dot(ex) / 1e6, to.dot(ey) / 1e6, style));
   };
-  for (const auto& [at, v, name] :
-       {std::tuple(p.from, izzo.v1, "{/:Bold v}_0"), {p.to, izzo.v2, "{/:Bold v}_F"}}) {
+  for (const auto& [at, v, name, above] :
+       {std::tuple(p.from, izzo.v1, "{/:Bold v}_0", -0.4), {p.to, izzo.v2, "{/:Bold v}_F", 0.7}}) {
     const Vector3<double> tip = at + 300 * v;
     arrow(at, tip, 5);
-    panel.note(name, tip.dot(ex) / 1e6 + 0.2, tip.dot(ey) / 1e6 + 0.3);
+    panel.note(name, tip.dot(ex) / 1e6, tip.dot(ey) / 1e6 + above);
   }
   arrow(0.95 * p.from, p.from, 2);
   arrow(0.95 * p.to, p.to, 3);
