@@ -48,7 +48,7 @@ void draw(const std::vector<std::string>& labels, double start, double end, scen
   };
   panel.columns("reference", of(line), {"lines linecolor rgb '#c9c9c9' linewidth 9 dashtype solid", 1}, 0);
   const int count = static_cast<int>(labels.size());
-  const auto size = [count](int i) { return 0.7 + 0.15 * (count - i); };
+  const auto size = [count](int i) { return 0.6 + 0.1 * (count - i); };
   for (int i = 1; i <= count; ++i) panel.columns("", of(line), {"lines linewidth 1.4", i}, i);
   for (int i = 1; i <= count; ++i)
     panel.columns("", of(step_end), {fmt::format("points pointsize {:.2f}", size(i)), i}, i);
@@ -71,8 +71,7 @@ void put(const Example& example, const Comparison& figure, const Records& record
       "{/:Italic t} (s)", figure.symbol);
   std::vector<std::string> labels = figure.methods;
   if (!figure.also_inferred.empty())
-    labels.push_back(
-        fmt::format("{}, {}", figure.also_inferred, example.row(figure.also_inferred).as_inferred));
+    labels.emplace_back("inferred");  // wider ones leave no room for two rows
   draw(labels, c.t1 - example.window, c.t1, panel);
   show.figure().data(std::move(data));
   for (std::size_t i = 0; i < figure.methods.size(); ++i) {
