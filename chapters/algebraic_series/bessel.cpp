@@ -95,9 +95,9 @@ void put(scene::Show& show) {
   show.near("error of 20 terms, J_0, T = 10, tau = 0.01", error(zero, near_zero, 20), 5.2, 0.02,
             "tools/oracles/algebraic_series_sums.py: 5.2; half a unit of its last digit");
   show.at_most("error of 100 terms, J_2, T = 5, tau = 0.01", error(two, near_zero, 100), 4e-27,
-               "recorded in fewer digits: 2e-27, rounding");
+               "regression value in fewer digits: 2e-27, rounding");
   show.at_most("error of 100 terms, J_0, T = 10, tau = 0.01", error(zero, near_zero, 100), 8e-26,
-               "recorded in fewer digits: 4e-26, rounding");
+               "regression value in fewer digits: 4e-26, rounding");
   show.near("ratio of the last coefficients of the solution with A_0 = 1, A_1 = 0",
             growth_of_the_free_solution(2, 5, 400), 1, 0.02,
             "a singularity at tau = 0: the ratio tends to 1/rho = 1 like 1 + O(1/i)");

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <ranges>
@@ -23,7 +25,11 @@ scene::Table data_of(const Motion& m, double end) {
 }
 
 void put_time(const Motion& m, scene::Show& show) {
-  scene::Plot& plot = show.plots("Forced Duffing: the printed steps are right to the eye");
+  double greatest = 0;  // of u, as far as it is drawn
+  for (const Both& b : m.path)
+    if (b.t <= 50) greatest = std::max(greatest, std::abs(b.printed[0] - b.exact[0]));
+  scene::Plot& plot =
+      show.plots(fmt::format("Forced Duffing: the printed steps err by {:.2g} to t = 50", greatest));
   plot.stacked({4, 3}).data(data_of(m, 50));
   plot.panel("", "{/:Italic u}").x_range(0, 143).columns("", "tau:u", {"lines linewidth 1.6", 1});
   plot.panel("{/:Italic τ} = {/:Italic t}/{/:Italic T}, {/:Italic T} = 0.35", "error, printed steps")

@@ -28,7 +28,7 @@ void put_time(const Motion& m, scene::Show& show) {
             "{/:Italic v}")
       .x_range(0, 20)
       .y_range(-30, 30)
-      .key("outside bottom center horizontal samplen 3")
+      .key("below")
       .columns("T = 0.1, N = 20, as printed", "t:v_printed", {"lines dashtype solid linewidth 1.6", 2})
       .columns("solution", "t:v", {"lines linewidth 1.6", 1});
   show.figure().data(data_of(m.path));

@@ -39,7 +39,7 @@ void put_time(const Motions& m, scene::Show& show) {
             "{/:Italic x}")
       .x_range(3, 43.2)
       .y_range(-0.8, 0.8)
-      .key("outside bottom center horizontal samplen 3")
+      .key("below")
       .columns("forward Euler, h = 0.01 s", "t_s:euler", {"lines dashtype solid linewidth 1.8", 2})
       .columns("series, T = 0.125 s, N = 50", "t_s:series", {"lines linewidth 1.8", 1});
   show.figure().data(std::move(data));
@@ -49,7 +49,7 @@ void put_time(const Motions& m, scene::Show& show) {
   show.near("x at 375 s", end[0], -0.302938936512582, 1e-9, known);
   show.near("x' at 375 s", end[1], -0.198146428424553, 1e-9, known);
   show.at_most("greatest error of the printed steps to 750 s", m.departure.greatest(800), 3e-10,
-               "recorded: 7e-11; rounding, which scatters");
+               "regression value: 7e-11; rounding, which scatters");
   show.equals("zeros of x up to 28.14 s", crossings, 4, "two waves, as the paper describes");
 }
 

@@ -163,7 +163,7 @@ void put(const std::vector<Problem>& all, scene::Show& show) {
   put_table(all, show);
   const Problem &lorenz = all[0], &duffing = all[1], &oscillator = all[2];
   const char* pole =
-      "recorded by the root test at order 50: the amplitude of a pole, up to 600, to the power 1/50";
+      "regression value by the root test at order 50: the amplitude of a pole, up to 600, to the power 1/50";
   show.near("least radius of convergence, Lorenz", lorenz.radii.least(), 0.119, 0.15, pole);
   show.near("least radius of convergence, Duffing", duffing.radii.least(), 0.524, 0.15, pole);
   show.near("least radius of convergence, oscillator", oscillator.radii.least(), 1.19, 0.15, pole);
@@ -177,7 +177,7 @@ void put(const std::vector<Problem>& all, scene::Show& show) {
   show.near("Duffing as printed: error above 0.1 from", duffing.first_above(0.35, 20, 0.1), 37.5, 0.02,
             times);
   show.at_most("Duffing, T = 0.1, N = 20: greatest error", duffing.with(0.1, 20).greatest(100), 2e-11,
-               "recorded: 2e-12; rounding scatters tenfold");
+               "regression value: 2e-12; rounding scatters tenfold");
   show.at_most("Duffing by the radius: greatest error", duffing.with(0, 0).greatest(100), 1e-10,
                "rounding, amplified as with T = 0.1");
   show.at_most("Lorenz by the radius: error at t = 20", lorenz.with(0, 0).greatest(20), 1e-6,

@@ -90,6 +90,8 @@ void measure_claims(const Maps& corrected, const Maps& printed, scene::Show& sho
     return std::min(before.latitude.magnitude / map.latitude.magnitude,
                     before.height.magnitude / map.height.magnitude);
   };
+  const auto earth = nlmech::geodesy::Ellipsoid::wgs84();
+  show.measured("elgohary/eq-2.45/WGS 84/p", earth.a() / earth.b() - 1);
   const std::string claim = "elgohary/claim-2.4/";
   show.measured(claim + "order 4/latitude error, order of magnitude", printed[3]->latitude.magnitude,
                 corrected[3]->latitude.magnitude);

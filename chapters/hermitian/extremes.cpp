@@ -147,7 +147,7 @@ void put(const std::vector<Attempt>& all, scene::Show& show) {
                "tolerance 1e-8; the motion forgets its errors between leaps");
   show.at_most("evaluations for mu = 1000, steps chosen, tolerance 1e-8",
                of(all, "van der Pol, mu = 1000", "laier", "tolerance 1e-08").evaluations, 60000,
-               "fixed steps: 8.2 million for an error of 5e-4; recorded");
+               "fixed steps: 8.2 million for an error of 5e-4; regression value");
   show.at_most("fast Duffing, smooth start: greatest error of Laier", std::ranges::max(smooth("laier")),
                4e-12, "twice the fast part of the start, 1e-12: it stays, its phase is lost");
   // A run that failed has no error and compares false.

@@ -165,7 +165,7 @@ void put(const std::vector<RunEnd>& all, scene::Show& show) {
                2e-3, "the frequency's shift 3 m/(8 w) = 3.75e-4 is what sampling at w h = 10 can miss");
   show.at_most("error of the oscillatory start, h = 0.0005",
                error("Duffing, w = 1000, m = 1, oscillatory start, to t = 1", blind({.step = 5e-4})), 1e-6,
-               "recorded: 1e-6 to 1e-8 below w h = 0.6");
+               "regression value: 1e-6 to 1e-8 below w h = 0.6");
   show.at_most("error of the linear oscillator, w h = 1e6",
                error("linear oscillator, w h = 1e+06, one block", blind({.step = 1e3})), 1e-8,
                "3e6 roundings of the angle: 7e-10, and as much by squaring");

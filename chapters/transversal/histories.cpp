@@ -72,9 +72,9 @@ void put(const Histories& all, scene::Show& show) {
   show.equals("does RK6 overflow at h = 0.21", coarse.rk6.overflows(), 1, "as the paper says");
   show.equals("does MTL finish at h = 0.21", coarse.mtl.status.ok(), 1, "as the paper says");
   show.between("MTL's error at h = 0.21", coarse.mtl.error, 0.5, 4,
-               "recorded: an error of the size of the motion over a longer time");
+               "regression value: an error of the size of the motion over a longer time");
   show.between("MTL's error at h = 0.05 over that of RK6", fine.mtl.error / fine.rk6.error, 2, 200,
-               "recorded: a factor of 43 over a longer time");
+               "regression value: a factor of 43 over a longer time");
 }
 
 }  // namespace

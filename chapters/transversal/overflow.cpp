@@ -79,7 +79,7 @@ Fates fates(double e2, bool quick) {
 }
 
 void check(const std::string& label, const Fates& all, double rk6, double rk4, scene::Show& show) {
-  const char* recorded = "recorded; steps in hundredths are the resolution";
+  const char* recorded = "regression value; steps in hundredths are the resolution";
   show.near("RK6 overflows from h, " + label, all.overflow_from("rk6"), rk6, 0.0101 / rk6, recorded);
   show.near("RK4 overflows from h, " + label, all.overflow_from("rk4"), rk4, 0.0101 / rk4, recorded);
   show.between(
@@ -94,7 +94,7 @@ void check(const std::string& label, const Fates& all, double rk6, double rk4, s
                "beyond the 0.21 of the paper; nothing bounds the roots that a block's equations may have");
   show.between("error of RK6 over that of p = 3 at h = 0.1, " + label,
                all.at("rk6", 0.1).error / all.at("mtl 3", 0.1).error, 0, 0.5,
-               "order 6 against 4; a seventh and a quarter are recorded");
+               "order 6 against 4; a seventh and a quarter are regression values");
 }
 
 /// "RK6"; "MTL p = 3" with an italic p.

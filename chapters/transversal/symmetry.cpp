@@ -86,7 +86,7 @@ void put(const std::vector<Long>& all, scene::Show& show) {
                    {"there and back", &Long::back, 1},
                    {"determinant - 1", &Long::area, 2}});
   const double energies[] = {1.4e-3, 3.8e-5, 4.4e-5, 4.8e-6, 2.3e-6}, areas[] = {-2.0e-4, -2.5e-6, -1.3e-6};
-  const char* recorded = "recorded, two digits";
+  const char* recorded = "regression value, two digits";
   for (std::size_t i = 0; i < 5; ++i) {
     show.near("error of the energy, " + all[i].name, all[i].greatest(), energies[i], 0.04, recorded);
     show.between("growth of that error, " + all[i].name, all[i].growth(), 0.95, 1.05,
@@ -95,7 +95,8 @@ void put(const std::vector<Long>& all, scene::Show& show) {
                  "roundings of 1200 steps, 2e-16 each, growing linearly with time");
   }
   for (std::size_t i = 0; i < 3; ++i)
-    show.near("determinant of a block less 1, " + all[i].name, all[i].area, areas[i], 0.04, recorded);
+    show.near("determinant of a block less 1, " + all[i].name, all[i].area, areas[i], 0.04,
+              "tools/oracles/transversal_motions.py, two digits");
   show.between("growth of the error of the energy, rk4", all[5].growth(), 2.5, 3.5,
                "a drift, linear in time: three times the first third's");
 }

@@ -43,7 +43,7 @@ def check(source, out, *chapters):
     print(f"{len(printed)} published values, {len(missed)} fail")
 
     shown = completeness.collect(places, printed, out, chapters)
-    lists.write(source / "tables/COMPLETENESS.md", completeness.page(shown))
+    lists.write(source / "tables/COMPLETENESS.md", completeness.page(shown, completeness.read_future(source, out, chapters)))
     lacking = [f"INCOMPLETE {s.place.source} {s.place.name}: {s.lacks()}" for s in shown if s.lacks()]
     print(f"{len(shown)} figures and tables, {len(lacking)} incomplete")
 

@@ -1,8 +1,9 @@
-"""tables/COMPLETENESS.md: what stands behind each figure and table of the sources: its scene, what was drawn, what was checked."""
+"""tables/COMPLETENESS.md: what stands behind each figure and table of the sources: its scene, what was drawn, what was checked; and what
+became of the work that the sources leave to the future."""
 import re
 
 from guide import chapter_page
-from lists import read_quantities, read_rows
+from lists import Refused, read_quantities, read_rows
 from markdown import table
 
 # Gnuplot gives every curve a group of its own, named by the terminal of style.gp; one without a stroke or a mark shows nothing.
@@ -10,9 +11,18 @@ CURVE = re.compile(r'id="nlmech_plot_1.*?<(?:path|use|polygon|image)', re.DOTALL
 INTRODUCTION = """# What is shown
 
 Every figure and table of the sources is a scene: drawn anew, with quantities that are checked against independent values each time. \
-*Complete* means that there are curves or rows, at least one such quantity, and that all pass. Written by `make check`.
+*Complete* means that there are curves or rows, at least one such quantity, and that all pass. The CMES paper prints the numbers of \
+Tables 4.2, 4.4 and 4.6 without the rows of MCPI: they are counted for both sources and judged in [Published beside \
+reproduced](REPRODUCTION.md) once. Written by `make check`.
 
 """
+FUTURE = """
+## Future work of the sources
+
+What the sources name as possible or to be done. The list is `tables/future_work.csv`.
+
+"""
+FUTURE_HEADER = ["source", "place", "item", "chapter", "scene", "state", "reason"]
 
 
 def rows_of(file):
@@ -26,7 +36,9 @@ class Shown:
     def __init__(self, place, out, built, values):
         self.place, self.built = place, built
         self.drawn, self.numbers, self.checked, self.passed = True, 0, 0, 0
-        self.published = sum((value.source, value.place) == (place.source, place.name) for value in values)
+        # A paper that repeats another source's table has no method that came later.
+        self.published = sum(value.place in place.scenes and (value.source == place.source or not value.row.startswith("MCPI"))
+                             for value in values if value.chapter == place.chapter)
         for scene in place.scenes:
             self.add_scene(out, f"{place.chapter}/{scene}")
 
@@ -58,11 +70,27 @@ class Shown:
 
 
 def collect(places, values, out, chapters):
-    return [Shown(place, out, place.chapter in chapters, values) for place in places if place.kind in ("figure", "table")]
+    return [Shown(place, out, place.chapter in chapters, values) for place in places if place.kind in ("figure", "table", "algorithm")]
 
 
-def page(shown):
-    """Counts by source, then one row a figure or table."""
+def read_future(source, out, chapters):
+    """Rows of tables/future_work.csv with links. A scene of a chapter that is built has to be there."""
+    rows = []
+    for where, (name, place, item, chapter, scene, state, reason) in read_rows(source / "tables/future_work.csv", len(FUTURE_HEADER),
+                                                                              FUTURE_HEADER):
+        for wrong, what in ((state not in ("done", "in part", "not done"), f"{state!r} is no state"),
+                            ((state == "done") != (not reason), "a reason for all that is not done, and for nothing else"),
+                            (state == "done" and not scene, "done, and no scene"),
+                            (scene and chapter in chapters and not (out / f"results/{chapter}/{scene}.json").exists(),
+                             f"no scene {scene!r} of {chapter}")):
+            if wrong:
+                raise Refused(f"{where}: {what}")
+        rows.append([name, place, item, chapter, f"[{scene}]({chapter_page(chapter)}#{scene})" if scene else "", state, reason])
+    return rows
+
+
+def page(shown, future):
+    """Counts by source, one row a figure or table, and the future work."""
     sources = {source: [s for s in shown if s.place.source == source] for source in sorted({s.place.source for s in shown})}
     totals = [[source, sum(s.place.kind == "figure" for s in group), sum(s.place.kind == "table" for s in group),
                sum(s.checked for s in group), sum(s.state() == "INCOMPLETE" for s in group)] for source, group in sources.items()]
@@ -71,4 +99,4 @@ def page(shown):
         text += f"\n## Figures and tables of {source}\n\n" + table(
             ["scene", "chapter", "subject", "rows of data", "checks that pass", "numbers printed", "state"],
             [[s.links(), s.place.chapter, s.place.subject, s.numbers, s.passed, s.published, s.state()] for s in group])
-    return text
+    return text + FUTURE + table(FUTURE_HEADER, future)

@@ -1,4 +1,4 @@
-"""tables/ERRATA.md and tables/<chapter>/errata.md: misprints of the sources, each entry with the test that proves it."""
+"""tables/ERRATA.md and tables/<chapter>/errata.md: misprints and refuted claims of the sources, each with the test that proves it."""
 import dataclasses
 import re
 
@@ -8,15 +8,16 @@ from markdown import table
 
 PAGE = "errata"
 HEADER = ["id", "source", "place", "kind", "printed", "correct", "effect", "scan", "test", "misses", "within"]
-KINDS = ["formula", "number", "claim", "wording"]
+KINDS = ["formula", "number", "setting", "wording", "refuted"]
 COLUMNS = ["place", "printed", "correct", "printed misses by", "corrected within", "effect"]
 INTRODUCTION = """# Errata of the sources
 
-{} entries. A test evaluates each printed form and its correction beside an oracle that uses neither: a closed form, another program \
+{} misprints, and {} claims that are refuted. A test evaluates each printed form and its correction beside an oracle that uses neither: a closed form, another program \
 in more digits, another set of equations, or, where the question is which setting a table belongs to, the other numbers that it \
 prints. It fails if the printed form comes closer than ten times the tolerance, or the correction does not come within it. Both \
-distances stand here, relative to the oracle or to the scale that the test names; a form without a value misses by nan. The {} entries \
-without numbers are slips of wording with nothing to compute. The sources at hand are scanned text: where scanning may have made the \
+distances stand here, relative to the oracle or to the scale that the test names; `nan` marks a printed form that cannot be evaluated. \
+The {} entries without numbers are slips of wording with nothing to compute. A refuted claim is no misprint: [Claims in \
+prose](CLAIMS.md) judges it, and here stands what is found in its place. The sources at hand are scanned text: where scanning may have made the \
 misprint, the entry says so. Written by `make check` from `tables/errata`.
 
 """
@@ -24,13 +25,13 @@ misprint, the entry says so. Written by `make check` from `tables/errata`.
 
 @dataclasses.dataclass
 class Erratum:
-    """A misprint. The columns of tables/errata/<chapter>.csv, which its README explains."""
+    """A misprint or a refuted claim. The columns of tables/errata/<chapter>.csv, which its README explains."""
     chapter: str  # name of the file
     id: str  # "geodesy-2.45"
     source: str
     place: str
     kind: str
-    printed: str  # in the syntax of the pages
+    printed: str  # in the syntax of the pages; of a refuted claim, its text in tables/claims.csv
     correct: str
     effect: str
     scan: str
@@ -45,7 +46,7 @@ def checked_erratum(where, chapter, cells):
     computed = entry.kind != "wording"
     for wrong, what in (
             (not entry.id.startswith(f"{chapter}-"), f"{entry.id!r} does not begin with '{chapter}-'"),
-            (entry.kind not in KINDS, f"{entry.kind!r} is no kind of misprint"),
+            (entry.kind not in KINDS, f"{entry.kind!r} is no kind of entry"),
             (entry.scan not in ("no", "perhaps"), f"{entry.scan!r} is neither no nor perhaps"),
             (computed != bool(entry.tests), f"{entry.id}: a test for all but wording"),
             (not all(re.match(r"[^:]*:[^.]*\.", name) for name in entry.tests), f"{test!r} is not of the form program:Suite.Name"),
@@ -71,7 +72,8 @@ def read_errata(source):
 def cells(entry):
     """"no" is not worth a word."""
     scan = "perhaps an error of the scan" if entry.scan == "perhaps" else ""
-    effect = "; ".join(text for text in (entry.effect, scan) if text)
+    refuted = "a claim, refuted" if entry.kind == "refuted" else ""
+    effect = "; ".join(text for text in (refuted, entry.effect, scan) if text)
     return [entry.place, entry.printed, entry.correct, entry.misses, entry.within, effect]
 
 
@@ -89,10 +91,11 @@ def page(errata, guide):
     r"""Counts by chapter and kind, which are its contents, then a section a chapter. Formulas of a page, \f$x\f$, are written as forges
     show them: $`x`$. The book turns them back."""
     chapters = guide.by_chapter(errata)
-    contents = table(["chapter", "formulas", "numbers", "claims", "wording"], [
+    contents = table(["chapter", "formulas", "numbers", "settings", "wording", "refuted claims"], [
         [section_link(PAGE, chapter, guide.title(chapter)), *(sum(e.kind == kind for e in entries) for kind in KINDS)]
         for chapter, entries in chapters.items()])
-    text = INTRODUCTION.format(len(errata), sum(not e.tests for e in errata)) + contents
+    refuted = sum(e.kind == "refuted" for e in errata)
+    text = INTRODUCTION.format(len(errata) - refuted, refuted, sum(not e.tests for e in errata)) + contents
     for chapter, entries in chapters.items():
         text += (f"\n{section_mark(PAGE, chapter)}\n## {guide.title(chapter)}\n\n{source_title(entries[0].source)}. What they change, "
                  f"[the chapter]({chapter_page(chapter)}) shows.\n\n{linked_table(entries, guide)}")

@@ -2,6 +2,7 @@
 import re
 
 SOURCES = {
+    "cmes": "T. A. Elgohary, L. Dong, J. L. Junkins and S. N. Atluri, CMES 100(3) (2014)",
     "elgohary": "T. A. Elgohary, dissertation, Texas A&M University (2015)",
     "filipich-rosales": "C. P. Filipich and M. B. Rosales, A straightforward approach to solve ordinary nonlinear differential systems",
     "laier": "J. E. Laier, High-order algorithm for non-linear dynamics",

@@ -23,7 +23,7 @@ def places():
 
 
 def test_every_figure_and_table_is_a_scene(built, places):
-    shown = [row for row in places if row["kind"] in ("figure", "table") and row["chapter"] in built]
+    shown = [row for row in places if row["kind"] in ("figure", "table", "algorithm") and row["chapter"] in built]
     assert shown or not built
     assert not [(row["source"], row["place"], row["subject"], scene) for row in shown for scene in row["scenes"]
                 if scene not in built[row["chapter"]]]
@@ -87,7 +87,7 @@ def test_printed_numbers_use_their_words_rightly(published):
 
 
 def test_places_use_their_words_rightly(places):
-    assert not [row for row in places if row["kind"] not in {"figure", "table", "claim", "equation"}]
+    assert not [row for row in places if row["kind"] not in {"figure", "table", "algorithm", "claim", "equation"}]
     for kind, start in (("figure", "fig-"), ("table", "table-")):
         assert not [row for row in places if (row["kind"] == kind) != row["place"].startswith(start)]
     assert not [row for row in places if not (row["chapter"] and row["subject"])]

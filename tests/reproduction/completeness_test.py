@@ -26,7 +26,7 @@ def test_counts_what_is_there(shown):
     figure, table, foreign = shown()  # a claim is neither
     assert (figure.numbers, figure.checked, figure.passed, table.published, foreign.built) == (2, 1, 1, 1, False)
     assert [s.lacks() for s in shown()] == ["", "", ""]
-    page = completeness.page(shown())
+    page = completeness.page(shown(), [])
     for line in ("| roy | 1 | 1 | 2 | 0 |", "| [fig-1](../docs/chapters/moon.md#fig-1) | moon | craters | 2 | 1 | 0 | complete |",
                  "| [table-1](../docs/chapters/moon.md#table-1) |", "| fig-9 | sun | spots | 0 | 0 | 0 | not built |"):
         assert line in page
@@ -42,7 +42,7 @@ def test_of_a_figure_that_several_scenes_show(folder, shown):
     figure = shown()[1]
     assert (figure.lacks(), figure.numbers, figure.checked) == ("", 3, 2)
     assert ("| fig-7: [fig-1](../docs/chapters/moon.md#fig-1), [fig-2](../docs/chapters/moon.md#fig-2) | moon |"
-            in completeness.page(shown()))
+            in completeness.page(shown(), []))
 
 
 @pytest.mark.parametrize("file, text, lacks", [
@@ -54,10 +54,26 @@ def test_of_a_figure_that_several_scenes_show(folder, shown):
 def test_sees_what_is_missing(folder, shown, file, text, lacks):
     folder.put(file, text)
     assert shown()[0].lacks() == lacks
-    assert "| INCOMPLETE |" in completeness.page(shown())
+    assert "| INCOMPLETE |" in completeness.page(shown(), [])
 
 
 def test_refuses_a_broken_record(folder, shown):
     file = folder.put("results/moon/fig-1.json", "{")
     with pytest.raises(Refused, match=f"{file}: no JSON"):
         shown()
+
+
+@pytest.mark.parametrize("row, wanted", [
+    ("roy,5,more,moon,fig-1,done,", None), ("roy,5,more,sun,fig-9,done,", None), ("roy,5,more,moon,,not done,no craters", None),
+    ("roy,5,more,moon,fig-1,later,", "'later' is no state"), ("roy,5,more,moon,fig-7,done,", "no scene 'fig-7' of moon"),
+    ("roy,5,more,moon,,not done,", "a reason for all that is not done, and for nothing else"),
+    ("roy,5,more,moon,,done,", "done, and no scene")])
+def test_future_work_has_a_scene_or_a_reason(folder, shown, row, wanted):
+    file = folder.put("tables/future_work.csv", f"{','.join(completeness.FUTURE_HEADER)}\n{row}\n")
+    if wanted:
+        with pytest.raises(Refused) as refused:
+            completeness.read_future(folder.path, folder.path, ["moon"])
+        assert str(refused.value) == f"{file}: line 2: {wanted}"
+    else:
+        page = completeness.page(shown(), completeness.read_future(folder.path, folder.path, ["moon"]))
+        assert "## Future work of the sources" in page and "| roy | 5 | more |" in page

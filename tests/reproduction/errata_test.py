@@ -46,7 +46,7 @@ def test_every_column_is_read(read):
     ("moon-1,elgohary,(1),formula,a,b,,no,unit_moon:A.B,1,\n", "line 2: moon-1: misses and within for all but wording"),
     ("moon-1,elgohary,(1),wording,a,b,,no,,1,1e-9\n", "line 2: moon-1: misses and within for all but wording"),
     ("moon-1,elgohary,(1),formula,a,b,,no,A.B,1,1e-9\n", "line 2: 'A.B' is not of the form program:Suite.Name"),
-    ("moon-1,elgohary,(1),slip,a,b,,no,,,\n", "line 2: 'slip' is no kind of misprint"),
+    ("moon-1,elgohary,(1),slip,a,b,,no,,,\n", "line 2: 'slip' is no kind of entry"),
     ("moon-1,elgohary,(1),wording,a,b,,ocr,,,\n", "line 2: 'ocr' is neither no nor perhaps"),
     ("sun-1,elgohary,(1),wording,a,b,,no,,,\n", "line 2: 'sun-1' does not begin with 'moon-'"),
     ("moon-1,elgohary\n", "line 2: 2 of 11 cells")])
@@ -63,8 +63,9 @@ def test_another_header_is_refused(folder, read):
 
 
 def test_pages_show_both_forms_with_their_distances(page, read):
-    text = page(moon=SIGN.replace("Sign ", "Other ") + CAPTION, sun="sun-a,roy,(7),claim,3,4,,no,unit_sun:A.B,0.25,1e-9\n")
-    assert "3 entries" in text and "The 1 entries without numbers" in text
+    text = page(moon=SIGN.replace("Sign ", "Other ") + CAPTION, sun="sun-a,roy,(7),refuted,3,4,,no,unit_sun:A.B,0.25,1e-9\n")
+    assert "2 misprints, and 1 claims that are refuted" in text and "The 1 entries without numbers" in text
+    assert "| 0.25 | 1e-9 | a claim, refuted | `unit_sun:A.B` |" in text
     assert ("| 0.5 | 1e-12 | the other side; perhaps an error of the scan | `unit_moon:Errata.Other` `unit_moon:Errata.Twice` |" in text)
     table = errata.chapter_table(read(), "moon")
     assert "unit_" not in table, "names of tests are for the page of all"
@@ -74,7 +75,7 @@ def test_pages_show_both_forms_with_their_distances(page, read):
 def test_the_page_has_a_section_a_chapter_with_links_to_scenes_and_tests(page, read):
     sun = r'sun-1,elgohary,"Table 1, C3",formula,\f$+|a|\f$,"\f$-a\f$, \f$b\f$",,no,chapter_sun:Errata.Sign unit_sun:A.B,2,1e-9' + "\n"
     text = page(moon="moon-2,roy,before (2),wording,left,right,,no,,,\n", sun=sun)
-    assert "| [The Sun](#errata_sun) | 1 | 0 | 0 | 0 |" in text and "| [moon](#errata_moon) | 0 | 0 | 0 | 1 |" in text
+    assert "| [The Sun](#errata_sun) | 1 | 0 | 0 | 0 | 0 |" in text and "| [moon](#errata_moon) | 0 | 0 | 0 | 1 | 0 |" in text
     assert text.index('<a id="errata_sun"></a>\n## The Sun') < text.index('<a id="errata_moon"></a>\n## moon'), "as in places.csv"
     assert (r"| [Table 1](../docs/chapters/sun.md#table-1), C3 | $`+\|a\|`$ | $`-a`$, $`b`$ | 2 | 1e-9 |  | "
             "[Sign](../tests/chapters/sun/errata_test.cpp) `unit_sun:A.B` |") in text

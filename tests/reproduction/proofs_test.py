@@ -8,6 +8,7 @@ import subprocess
 import pytest
 from conftest import SOURCE
 
+import claims
 import errata
 import lists
 
@@ -72,6 +73,26 @@ def test_of_printed_numbers_are_those_that_the_files_name():
     assert misprints
     for value in misprints:
         assert (value.expected, sources.get(value.erratum)) == ("differs", value.source), value.name
+
+
+def test_one_place_has_one_verdict():
+    """A printed number that is a misprint is judged as one, a refuted claim is listed and does not hold, and a claim that rests on a
+    printed number is not judged against its row."""
+    places = lists.read_places(SOURCE)
+    values = {value.name: value for value in lists.read_values(SOURCE, places)}
+    listed = claims.read_claims(SOURCE / "tables/claims.csv")
+    verdicts = {(claim.source, claim.text): claim.expected for claim in listed}
+    assert len(verdicts) == len(listed), "two claims with the same words"
+    named = {value.erratum for value in values.values()}
+    for entry in errata.read_errata(SOURCE):
+        assert entry.kind != "number" or entry.id in named, f"{entry.id}: no row of tables/published names it"
+        if entry.kind == "refuted":
+            assert verdicts.get((entry.source, entry.printed)) == claims.FAILS, f"{entry.id}: no such claim, or it is not refuted"
+    opposite = {claims.HOLDS: ["does not hold"], claims.FAILS: ["holds", "reproduced"]}
+    for claim in listed:
+        if claim.scene == claims.PRINTED:
+            value = values[f"{claim.source}/{claim.quantity}"]
+            assert value.expected not in opposite.get(claim.expected, []), f"{claim.text}: {claim.expected}; {value.expected}"
 
 
 def test_every_chapter_has_a_list(built):

@@ -334,10 +334,8 @@ TEST(Errata, TheStiffnessHoldsTheBendingStiffness) {
 TEST(Errata, TenModesDoNotMeetTheTip) {
   const Parameters p = table_3_1();
   const double exact = oracle::pole(p, 2348.2, 2400);  // after the hub-locked frequency 2348.19
-  expect_erratum("gss_control-figure-3.5", {.printed = diagonalise(assumed_modes(p, 10)).omega[9],
-                                            .corrected = poles(Plant(p), 10).omega[9],
-                                            .oracle = exact,
-                                            .tolerance = 1e-12});
+  EXPECT_NEAR(diagonalise(assumed_modes(p, 10)).omega[9] / exact, 1.17, 0.005);
+  EXPECT_NEAR(poles(Plant(p), 10).omega[9], exact, 1e-12 * exact);
 }
 
 // The closed form is right on paper and loses digits: e^(2 q L) at high frequency, 1/omega^2 at low.

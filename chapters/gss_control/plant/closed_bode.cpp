@@ -114,6 +114,9 @@ void put(const Figure& f, scene::Show& show) {
               "tools/oracles/gss_control_loop.py, four digits");
     show.near("largest theta/theta_f in dB", {20 * std::log10(peak.size), "dB"}, f.designed ? 0.82 : 13.70,
               1e-2, "tools/oracles/gss_control_loop.py, two decimals");
+    show.near("phase at 1000 rad/s, modulus",
+              {std::abs(std::arg(f.value(loop)(1000))) * 180 / std::numbers::pi, "deg"}, 180, 1e-3,
+              "the rigid body's k1/(J s^2 + k3 s): -180 degrees less k3/(1000 J) at most");
   } else {
     const double peak = std::max(largest(modulus, 52.1, 52.7).size, largest(modulus, 51.5, 53).size);
     show.near("flexible peak of y(2 ft)/theta_f near 52 rad/s", {peak, "ft/rad"}, f.designed ? 0.794 : 0.721,

@@ -90,7 +90,7 @@ void draw_appendage_axes(scene::Show& show) {
   d.arc("body", {0, 0}, c.radius, 0, 2 * std::numbers::pi);
   d.arrow(foot, point - 0.05 * (point - foot), "force");
   d.text("{/:Italic y}", foot + 0.45 * (point - foot) + Spot{0.3, 0.05});
-  // Lengths, measured below the axis b_1.
+  // Lengths, measured below the axis b_1; the whole one above the tip, clear of n_1.
   const Spot below = -0.45 * c.across();
   const auto measure = [&](double from, double to, const std::string& name, double offset) {
     const Spot shift = offset * below;
@@ -100,11 +100,11 @@ void draw_appendage_axes(scene::Show& show) {
   };
   measure(0, c.radius, "{/:Italic r}", 1);
   measure(c.radius, c.radius + at * c.length, "{/:Italic x}", 1);
-  measure(c.radius, c.radius + c.length, "{/:Italic L}", 2.6);
+  measure(c.radius, c.radius + c.length, "{/:Italic L}", -5.2);
   d.turn({0, 0}, 7.6, 0, c.angle);
   d.text("{/:Italic θ}", 7.95 * direction(0.4 * c.angle));
   d.text("hub", {-0.5, 0.75});
-  d.text("{/:Italic m} {/:Italic I}_{tip}", c.beam(1) + Spot{0.15, 0.6});
+  d.text("{/:Italic m} {/:Italic I}_{tip}", c.beam(1) + Spot{0.95, 0});
   // The drawn shape is a clamped one: it leaves the hub along b_1, and carries no moment at its tip.
   const auto xi = [](double t) { return t * t * (3 - t) / 2; };
   constexpr double h = 1e-3;

@@ -10,7 +10,7 @@ namespace {
 /// @param cycle relative residual after Newton's iterations with A_nd as printed
 /// @param tolerance of all rows, relative
 void check(const Results& all, double least, double most, double cycle, double tolerance, scene::Show& show) {
-  show.between("iterations of Newton", all.count(0), least, most, "recorded");
+  show.between("iterations of Newton", all.count(0), least, most, "regression value");
   show.equals("iterations of Newton, A_nd as printed", all.other_count(0), 1000,
               "a cycle: tools/oracles/homotopy_williams.py");
   show.near("relative residual of Newton, A_nd as printed",

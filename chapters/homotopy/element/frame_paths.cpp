@@ -105,7 +105,7 @@ void show_lee(const Walked& lee, scene::Show& show) {
     if (p.load < 0.5 && down(p) > 40) back = std::min(back, down(p));
   }
   show.between("least displacement of the load after its snap back", back, 50.3, 51.2,
-               "50.8 by a walk of another program, places of steps");
+               "regression value 50.8, places of steps");
 }
 
 // ----------------------------------------------------------------------------------------- shallow arch
@@ -134,7 +134,7 @@ void show_arch(const Walked& arch, scene::Show& show) {
   show.near("lower limit load, 16 elements a half", arch.points(Kind::minimum).at(0).load, 14.2531501017,
             1e-10, program);
   show.between("load of the first bifurcation", forks[0].load, 26.5, 27.5,
-               "near 27.0, between two places of a displacement-controlled walk of another program");
+               "regression value near 27.0, between two places of a displacement-controlled path");
   show.between("drop of the crown at the first bifurcation", arch.motion("crown.y", -1)(forks[0]), 0.74, 0.76,
                "the same walk");
   show.at_most("distance of the end of a tilted branch from the second bifurcation",

@@ -205,9 +205,10 @@ void put(const std::vector<Toggle>& toggles, scene::Show& show) {
     const auto converged = std::ranges::count_if(homotopies, [&](const char* name) {
       return std::isfinite(toggles[i].problem.of(name).least_error());
     });
-    show.at_most(
-        fmt::format("scalar homotopies that converge, height {}, 16 elements", settings[i].height), converged,
-        0, "recorded: none of several steps in 2500 iterations, and more elements are worse conditioned");
+    show.at_most(fmt::format("scalar homotopies that converge, height {}, 16 elements", settings[i].height),
+                 converged, 0,
+                 "regression value: none of several steps in 2500 iterations, and more elements are worse "
+                 "conditioned");
   }
 }
 

@@ -176,10 +176,10 @@ void check_starts(const std::vector<Census>& starts, scene::Show& show) {
   show.between("median of Newton over starts, Williams, 43.79 lb", newton.quantile(0.5), 7, 9, reason);
   show.between("90 % of starts need at most, Williams, 43.79 lb", newton.quantile(0.9), 56, 84, reason);
   show.at_most("greatest count over starts, Williams, 43.79 lb", newton.quantile(1), 600,
-               "recorded: 399; half as many again for what rounding does");
+               "regression value: 399; half as many again for what rounding does");
   show.at_most("starts that do not converge, Williams, 43.79 lb", newton.unfinished(), 0, reason);
   show.at_most("greatest count over starts, element, 43.79 lb", elements.quantile(1), 430,
-               "recorded: 285; half as many again");
+               "regression value: 285; half as many again");
   show.at_most("starts that converge with d_5 held constant", 1 - held.unfinished(), 0,
                "no start of 1001 in 1000 iterations: tools/oracles/homotopy_williams.py");
   show.between("median residual after 1000 iterations with d_5 held constant", median(held.residuals), 0.03,
@@ -193,7 +193,7 @@ void check_window(const std::vector<Census>& window, scene::Show& show) {
   const auto printed = [&](const std::string& row) {
     return static_cast<int>(show.printed("elgohary/table-" + row + "/iterations"));
   };
-  const char* reason = "recorded over the same steps; chaotic counts scatter";
+  const char* reason = "regression value over the same steps; chaotic counts scatter";
   show.between("median count, Table 2.3, steps 0.873 to 0.916", lottery.quantile(0.5), 70, 140, reason);
   show.between("share of 345 iterations or more, Table 2.3",
                lottery.at_least(printed("2.3/Scalar fixed-point homotopy")), 0.002, 0.08, reason);
@@ -211,8 +211,8 @@ void put(const Study& s, scene::Show& show) {
                8 * std::numeric_limits<double>::epsilon(),
                "the same formula for one unknown; eight roundings");
   show.between("least step that takes 30 iterations, Table 2.2", s.window_of_30_low, 0.8825, 0.8840,
-               "recorded: 0.883");
-  show.between("greatest such step", s.window_of_30_high, 0.9050, 0.9065, "recorded: 0.906");
+               "regression value: 0.883");
+  show.between("greatest such step", s.window_of_30_high, 0.9050, 0.9065, "regression value: 0.906");
   check_starts(s.starts, show);
   check_window(s.window, show);
 }

@@ -133,9 +133,11 @@ void draw_steps(scene::Panel& panel, const Stepped& steps) {
   for (const bool up : {true, false}) {
     std::vector<LoadPoint> found;
     std::ranges::copy_if(up ? steps.up : steps.down, std::back_inserter(found), &LoadPoint::found);
-    // The legend names the symbols once; the colours are those of the lines.
-    panel.curve(williams ? fmt::format("found, {}", to_string(up)) : "", found, &LoadPoint::deflection,
-                &LoadPoint::load, triangles(up, williams ? 1 : 5));
+    panel.curve("", found, &LoadPoint::deflection, &LoadPoint::load, triangles(up, williams ? 1 : 5));
+    // The legend names the symbols once, in grey: their colours are those of the lines.
+    if (williams)
+      panel.also(fmt::format("keyentry with {} linecolor rgb soft_ink title 'found, {}'",
+                             triangles(up, 0).with, to_string(up)));
   }
   for (const bool up : {true, false}) {
     for (const auto& [before, after] : jumps(steps, up))

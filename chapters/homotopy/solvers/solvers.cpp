@@ -150,7 +150,7 @@ void draw(const Solvers& s, scene::Show& show) {
 // oracle: homotopy_frames toggle 0.44 of 4 maximum, toggle 0.44 of 1 drop *, toggle 0.44 of 4 drop just
 // above *
 void check_numbers(const Solvers& s, scene::Show& show) {
-  const char *recorded = "recorded with the same start and tolerance",
+  const char *recorded = "regression value with the same start and tolerance",
              *program = "tools/oracles/homotopy_frames.py, all its digits";
   double worst = 0;
   for (const auto& row : s.trials) {
@@ -169,10 +169,10 @@ void check_numbers(const Solvers& s, scene::Show& show) {
   show.equals("iterations of Newton, one element, 43.79 lb", count("newton", 0), 8, recorded);
   show.equals("iterations of Newton, four elements, 0.32 in, 27.11 lb", count("newton", 2), 7, recorded);
   show.between("iterations of Newton, W_L(1 - 1e-9)", count("newton", below_fold), 17, 19,
-               "recorded 18; the error halves with every step, and may end a step off");
+               "regression value 18; the error halves with every step, and may end a step off");
   show.between("iterations of the optimal iterative algorithm, one element, 43.79 lb",
                count("optimal-iterative", 0), 18, 40,
-               "recorded 27; in one variable damped Newton by 0.95, chaotic at the fold");
+               "regression value 27; in one variable damped Newton by 0.95, chaotic at the fold");
   show.near("deflection under 43.79 lb, one element", {drop("energy-trust-region", 0), "in"}, 0.621922545486,
             1e-11, program);
   show.near("deflection under 44 lb, one element", {drop("energy-trust-region", 1), "in"}, 0.623070489, 1e-9,
@@ -207,7 +207,7 @@ void check_counts(const Solvers& s, scene::Show& show) {
       passed += solved(name, load) ? 1 : 0;
     show.at_most(
         fmt::format("of eight methods without a path or an energy, how many solve four elements, {}", label),
-        passed, 0, "recorded: scalar homotopies not in 2500 steps, the others stuck");
+        passed, 0, "regression value: scalar homotopies not in 2500 steps, the others stuck");
   }
   for (std::size_t k = 0; k < loads.size(); ++k)
     show.between(fmt::format("solvers that find an equilibrium, {}", loads[k].label), s.reached(k), 5,

@@ -5,21 +5,22 @@
 namespace nlmech::chapters::homotopy::williams_results {
 namespace {
 
-const char* const recorded = "recorded";
+const char* const recorded = "regression value";
 
 void check_low_load(const Results& all, scene::Show& show) {
   show.between("iterations of Newton", all.count(0), 6, 7, recorded);
   show.equals("iterations of Newton, d_5 held constant", all.other_count(0), 12, recorded);
-  show.equals("iterations of the homotopy", all.count(1), 30, "recorded: 30 for steps from 0.883 to 0.906");
+  show.equals("iterations of the homotopy", all.count(1), 30,
+              "regression value: 30 for steps from 0.883 to 0.906");
 }
 
 void check_near_load(const Results& all, scene::Show& show) {
   show.between("iterations of Newton", all.count(0), 20, 399,
-               "recorded: 79 to 125 by how the formula is written, 399 at most of 20 001 starts");
+               "regression value: 79 to 125 by how the formula is written, 399 at most of 20 001 starts");
   show.equals("iterations of Newton, d_5 held constant", all.other_count(0), 1000,
               "no start of 1001 converges: tools/oracles/homotopy_williams.py");
   show.between("iterations of the homotopy", all.count(1), 31, 927,
-               "recorded: from 31 to 927 for steps that reproduce Table 2.2");
+               "regression value: from 31 to 927 for steps that reproduce Table 2.2");
 }
 
 }  // namespace

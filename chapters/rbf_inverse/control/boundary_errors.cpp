@@ -83,7 +83,7 @@ void check(const std::vector<Row>& rows, const Cases& cases, scene::Show& show) 
   show.at_most("largest residual at either end, any T and guess", largest_residual(cases), 1e-14,
                "some roundings of targets and co-states below 16");
   show.between("least co-state error of the same solutions, T = 2", least_error, 1e-7, 1,
-               "recorded: 2e-6 and more");
+               "regression value: 2e-6 and more");
 }
 
 void measure(const std::vector<Row>& rows, const Cases& cases, const Variants& variants, scene::Show& show) {

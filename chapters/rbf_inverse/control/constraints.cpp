@@ -85,9 +85,10 @@ void put_bounded(const std::vector<Bounded>& all, scene::Show& show) {
               {"lambda2(0)", [](const Bounded& b) { return b.first(3); }, 8},
               {"miss of the integrated end", [](const Bounded& b) { return b.found(b.extremal.miss); }, 2}});
   const Bounded& at_15 = all[1];
-  show.near("peak of the unbounded force", {all[0].control.peak(), "1/s^2"}, 16.409, 1e-3, "recorded");
+  show.near("peak of the unbounded force", {all[0].control.peak(), "1/s^2"}, 16.409, 1e-3,
+            "regression value");
   show.near("cost at 15", at_15.extremal.cost, 122.3004593, 1e-6,
-            "recorded, its smoothing 1e-4 as well; steps of 0.01");
+            "regression value, its smoothing 1e-4 as well; steps of 0.01");
   show.near("lambda1(0) at 15", at_15.first(2).value_or(NAN), -21.30021353, 1e-5, "the same");
   show.near("lambda2(0) at 15", at_15.first(3).value_or(NAN), 0.9462278952, 1e-5, "the same");
   show.at_most("largest force at 15", {at_15.control.peak(), "1/s^2"}, 15, "the clip itself");

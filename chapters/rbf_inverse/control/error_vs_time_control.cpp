@@ -140,7 +140,7 @@ void put(const std::vector<scene::ProblemLines>& problems, scene::Show& show) {
     for (std::size_t i = show.quick() ? 0 : 2; i < attempts.size(); ++i)
       worst = std::max(worst, attempts[i].error.value_or(HUGE_VAL));
     show.between("largest error of 20 and more nodes, Gaussian, printed shape" + name, worst, 1e-7, 1e-1,
-                 "recorded: no convergence with the nodes");
+                 "regression value: no convergence with the nodes");
     if (multiple_shooting_available())
       show.at_most("least error, multiple shooting" + name, problem.of(shooting).least_error(), 1e-8,
                    "a tolerance of 1e-12 in each step");

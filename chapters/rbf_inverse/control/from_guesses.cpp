@@ -58,7 +58,7 @@ void put(const std::vector<const FromGuesses*>& all, scene::Show& show) {
   for (const auto& [time, known] : {std::pair{1, 0.80}, {2, 0.42}, {5, 0.01}})
     show.between(fmt::format("share of guesses that find an extremal, T = {}", time),
                  sums[time].share(&GuessCounts::good), std::max(0.0, known - 0.2), known + 0.2,
-                 "recorded of 600 other guesses; sampling");
+                 "regression value of 600 other guesses; sampling");
   const double good = sums[inferred].share(&GuessCounts::good);
   show.between("saddles among the six that are drawn, T = 2", saddles, 1, 6,
                "x1x1 from zeros at least, by the second variation");

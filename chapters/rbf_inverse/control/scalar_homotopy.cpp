@@ -127,10 +127,11 @@ void put(const std::vector<Flow>& all, scene::Show& show) {
     if (f.factor != Factor::inverse) condition = std::min(condition, f.condition);
     if (f.which == DuffingCase::fixed) fixed = std::min(fixed, f.residual);
   }
-  show.between("least relative residual, equations as they are or rows scaled", raw, 5e-4, 1e300,
-               "recorded: no decrease, or a plateau at 1e-3 to 1e-2 after 20 000 iterations; half of that");
+  show.between(
+      "least relative residual, equations as they are or rows scaled", raw, 5e-4, 1e300,
+      "regression value: no decrease, or a plateau at 1e-3 to 1e-2 after 20 000 iterations; half of that");
   show.between("the same of the fixed case, any factor", fixed, 1e-8, 1e300,
-               "recorded: no convergence in 20 000 iterations");
+               "regression value: no convergence in 20 000 iterations");
   show.between("least condition at the root, equations as they are or rows scaled", condition, 1e3, HUGE_VAL,
                "its square, which gradient descent takes in order, is a hundred times 6000 or more");
   // Eq. 2.16 with a step of 1 is x - (|F|^2/2) w/|w|^2, w = B^T F. For a linear F it has w.(x - root) =
@@ -142,7 +143,7 @@ void put(const std::vector<Flow>& all, scene::Show& show) {
                easiest.nearer, std::pow(remains, static_cast<double>(easiest.iterations) / 2),
                "gradient descent with Polyak's steps: each leaves 1 - 3/(4 cond^2) of the square at most");
   show.between("Newton's iterations, free, T = 1", all.front().newton, 2, 12,
-               "recorded: 2 to 7, the last to confirm");
+               "regression value: 2 to 7, the last to confirm");
 }
 
 }  // namespace

@@ -157,7 +157,7 @@ double always_converges(const std::vector<Row>& rows) {
 }
 
 void check(const std::vector<Row>& rows, scene::Show& show) {
-  const char* const program = "an independent program, with another integrator";
+  const char* const program = "regression value, of a program with another integrator";
   show.between("longest T up to which shooting converges at every beta, from zeros and ones",
                {always_converges(rows), "s"}, show.quick() ? 0.5 : 0.75, 1.5, program);
   if (show.quick()) return;  // three final times say nothing of the others

@@ -68,10 +68,10 @@ void put(const scene::ProblemLines& all, scene::Show& show) {
                              {all}, show);
   const double scale = printed_transfer().to.norm();
   show.at_most("miss of Izzo's arc", {all.of(izzo).least_error() * scale, "m"}, 1e-6,
-               "2e-9 to 7e-8 m; recorded; kappa eps |r_F| is 1e-7 m");
+               "2e-9 to 7e-8 m; regression value; kappa eps |r_F| is 1e-7 m");
   show.at_most("least miss of collocation",
                {std::min(all.of(positions).least_error(), all.of(both).least_error()) * scale, "m"}, 1e-4,
-               "6e-7 m; recorded with 61 nodes; rounding");
+               "6e-7 m; regression value with 61 nodes; rounding");
 }
 
 }  // namespace

@@ -76,7 +76,7 @@ void put(const std::vector<Row>& all, scene::Show& show) {
     if (r.basis == "polynomials") least_share = std::min(least_share, double(r.arc) / r.starts);
   }
   show.between("least share of starts that polynomials lead to the short arc", least_share, 0.9, 1,
-               "recorded: 60 of 60, and all single starts");
+               "regression value: 60 of 60, and all single starts");
   show.at_most("starts that lead to another arc", others, 6,
                "a tenth of the random starts; none was seen among sixty");
 }

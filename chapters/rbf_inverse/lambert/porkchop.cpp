@@ -112,7 +112,8 @@ void put_earth_to_mars(const Porkchop& grid, scene::Show& show) {
                                 .arrival_tics = dated_tics(grid.arrivals)}));
   const std::vector<Row> least = put_minima(grid, show);
   const char* const program =
-      "recorded: least by other code (universal variables of Bate, Mueller and White, bisection) over "
+      "regression value: least by other code (universal variables of Bate, Mueller and White, bisection) "
+      "over "
       "continuous times; a grid with steps of days is a little above";
   const auto check = [&](const std::string& name, const Row& row, double known) {
     show.between(name, {row.value / 1e3, "km/s"}, known / 1e3 * (1 - 1e-9), known / 1e3 * 1.002, program);
@@ -121,9 +122,9 @@ void put_earth_to_mars(const Porkchop& grid, scene::Show& show) {
   check("least excess speed at the departure", least[1], 2968.19185617);
   check("least excess speed at the arrival", least[2], 2697.71255038);
   show.between("departure of the least sum", {least[0].departure / day, "days"}, 1253.4 - 5, 1253.4 + 5,
-               "recorded: 1253.4; flat, so that two steps of the grid are allowed");
+               "regression value: 1253.4; flat, so that two steps of the grid are allowed");
   show.between("arrival of the least sum", {least[0].arrival / day, "days"}, 1457.1 - 8, 1457.1 + 8,
-               "recorded: 1457.1; two steps");
+               "regression value: 1457.1; two steps");
 }
 
 }  // namespace

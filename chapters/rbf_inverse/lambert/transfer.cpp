@@ -118,7 +118,7 @@ void put_history(const CollocatedTransfer& printed, const CollocatedTransfer& po
   curve("that F and G, off Izzo's orbit", off_orbit(orbit_between(printed.v1, 0, 4320, 200), izzo.v1, part),
         scene::lines(2));
   curve("polynomial collocation, off Izzo's orbit", better, scene::linespoints(3));
-  const char* const by_rounding = "an independent program: 5 to 1800 m by unit of time, 0.2 m in all digits";
+  const char* const by_rounding = "regression value: 5 to 1800 m by unit of time, 0.2 m in all digits";
   show.between(part.name + " as printed, off F and G of their own velocity", largest(own), part.may_least,
                part.may_most, by_rounding);
   show.between(part.name + " as printed, off Izzo's orbit",
@@ -137,7 +137,7 @@ void put_geometry(const orbit::Transfer& izzo, scene::Show& show) {
                e = orbit::eccentricity_vector(start, mu).norm();
   const Vector3<double> ex = p.from.normalized(), n = orbit::cross(p.from, izzo.v1).normalized(),
                         ey = orbit::cross<double>(n, ex);
-  scene::Panel& panel = show.plot("Lambert's problem: two positions and a time make an orbit",
+  scene::Panel& panel = show.plot("Lambert's problem: two positions and a time determine the velocities",
                                   "in the plane of the orbit, along r_{0}, 1000 km", "across, 1000 km");
   show.figure().size(760, 480).columns({"panel", "curve", "x", "y"});
   panel.x_range(-2, 14).y_range(-2.6, 6.8).set("size ratio -1").key("below");
@@ -152,7 +152,27 @@ void put_geometry(const orbit::Transfer& izzo, scene::Show& show) {
   curve("the rest of the ellipse", orbit_between(izzo.v1, p.time, period, 300), 8);
   curve("r_{0}  at t_{0}", {centre, {0, start}}, 2);
   curve("r_{F}  at t_{F}", {centre, {p.time, {p.to, izzo.v2}}}, 3);
-  // oracle: rbf_inverse_lambert short eccentricity
+  // Velocities as what they cover in 300 s; heads on the radii.
+  const auto arrow = [&](const Vector3<double>& from, const Vector3<double>& to, int style) {
+    panel.set(
+        fmt::format("arrow from {:.4f},{:.4f} to {:.4f},{:.4f} head filled size 0.35,18 front linestyle {} "
+                    "dashtype solid",
+                    from.dot(ex) / 1e6, from.dot(ey) / 1e6, to.dot(ex) / 1e6, to.dot(ey) / 1e6, style));
+  };
+  for (const auto& [at, v, name, above] :
+       {std::tuple(p.from, izzo.v1, "{/:Bold v}_0", -0.4), {p.to, izzo.v2, "{/:Bold v}_F", 0.7}}) {
+    const Vector3<double> tip = at + 300 * v;
+    arrow(at, tip, 5);
+    panel.note(name, tip.dot(ex) / 1e6, tip.dot(ey) / 1e6 + above);
+  }
+  arrow(0.95 * p.from, p.from, 2);
+  arrow(0.95 * p.to, p.to, 3);
+  // oracle: rbf_inverse_lambert short v? ?, short eccentricity
+  const char* program = "tools/oracles/rbf_inverse_lambert.py, sixteen digits of the components";
+  show.near("speed at t_0", {izzo.v1.norm(), "m/s"},
+            std::hypot(2774.846990602542, 7217.023034335538, 1625.933890597796), 1e-12, program);
+  show.near("speed at t_F", {izzo.v2.norm(), "m/s"},
+            std::hypot(2318.442484931668, 5654.937801363560, 1551.140505838072), 1e-12, program);
   show.near("eccentricity of the transfer", e, 0.96281, 1e-5, "tools/oracles/rbf_inverse_lambert.py");
   show.near("periapsis of the transfer", {(1 - e) / reciprocal / 1000, "km"}, 252, 1,
             "a (1 - e) by the same program");
@@ -210,16 +230,16 @@ void put_errors(std::vector<CollocatedTransfer> printed, const CollocatedTransfe
                     {"Newton's iterations", &Row::iterations},
                     {"condition", &Row::condition, 2}});
   show.near("log10 of the condition of the printed functions", std::log10(in_seconds.condition), 17.3, 0.05,
-            "recorded: 1.9e17, as its logarithm; rounding is all there is");
+            "regression value: 1.9e17, as its logarithm; rounding is all there is");
   show.between("best of twelve units of time, as printed", {least.miss, "m"}, 0.05, 500,
-               "recorded: 4.7 m at best; rounding scatters it around 57 m");
+               "regression value: 4.7 m at best; rounding scatters it around 57 m");
   show.between("worst of twelve units of time, as printed", {most.miss, "m"}, 50, 1e5,
-               "recorded: 1.8 km at worst");
+               "regression value: 1.8 km at worst");
   show.near("miss with the printed shape and all digits", {printed_shape.miss, "m"}, 0.216, 0.7,
-            "recorded: 0.07, 0.20, 0.04 m with D from 60 digits; D in double has 12");
+            "regression value: 0.07, 0.20, 0.04 m with D from 60 digits; D in double has 12");
   show.at_most("miss with c T = 3 and all digits", {stable.miss, "m"}, 1e-3,
                "what the section claims, a millimetre");
-  show.at_most("miss of polynomials", {polynomial.miss, "m"}, 1e-4, "recorded: 4.9e-6 m; rounding");
+  show.at_most("miss of polynomials", {polynomial.miss, "m"}, 1e-4, "regression value: 4.9e-6 m; rounding");
   show.at_most("error of Izzo's initial velocity", {velocity_error(izzo.v1), "m/s"}, 8e-9,
                "twelve digits of tools/oracles/rbf_inverse_lambert.py");
 }

@@ -57,14 +57,14 @@ scene::Scene against_all(const Subject& subject, const Case& (*problem)(), const
 
 std::vector<scene::Scene> scenes() {
   return {against_all({"duffing", "Free Duffing oscillator to t = 500", 2e-7, 2e-5,
-                       "recorded: 5.4e-6 at the best of its steps; rounding scatters tenfold"},
+                       "regression value: 5.4e-6 at the best of its steps; rounding scatters tenfold"},
                       free_duffing_case, free_duffing_steps()),
           against_all({"impact", "Impact on the Duffing oscillator to t = 500", 1e-8, 2e-5,
                        "rounding in the derivatives, condition 1e15: as for the free oscillator, at smaller "
                        "amplitude"},
                       impact_case, impact_steps()),
           against_all({"three-dof", "Three masses to t = 200", 8e-10, 8e-8,
-                       "recorded: 7.7e-9 at h = 20; rounding scatters tenfold"},
+                       "regression value: 7.7e-9 at h = 20; rounding scatters tenfold"},
                       three_mass_case, three_mass_steps())};
 }
 

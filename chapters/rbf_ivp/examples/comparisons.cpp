@@ -38,20 +38,23 @@ double distance(const Record& record, const Case& c, int component) {
 
 using Records = std::vector<const Record*>;
 
-/// The reference is the first block of the data, methods are the others.
-void draw(const Comparison& figure, double start, double end, scene::Panel& panel) {
+/// The reference is the first block of the data, runs are the others. Symbols that are drawn first are
+/// larger, so that none is hidden.
+void draw(const std::vector<std::string>& labels, double start, double end, scene::Panel& panel) {
   panel.place(0.12, 0.97, 0.13, 0.79).set("title offset 0,2.4").x_range(start, end);
   panel.key("at screen 0.535, screen 0.91 center top horizontal maxrows 2 samplen 2.5");
   const auto of = [](int kind) {
     return fmt::format("(column('kind') == {} ? column('t_s') : NaN):x", kind);
   };
   panel.columns("reference", of(line), {"lines linecolor rgb '#c9c9c9' linewidth 9 dashtype solid", 1}, 0);
-  const int count = static_cast<int>(figure.methods.size());
+  const int count = static_cast<int>(labels.size());
+  const auto size = [count](int i) { return 0.6 + 0.1 * (count - i); };
   for (int i = 1; i <= count; ++i) panel.columns("", of(line), {"lines linewidth 1.4", i}, i);
-  for (int i = 1; i <= count; ++i) panel.columns("", of(step_end), {"points pointsize 0.9", i}, i);
-  for (int i = 1; const std::string& method : figure.methods)
+  for (int i = 1; i <= count; ++i)
+    panel.columns("", of(step_end), {fmt::format("points pointsize {:.2f}", size(i)), i}, i);
+  for (int i = 1; const std::string& label : labels)
     panel.also(fmt::format("keyentry with linespoints linestyle {} linewidth 1.4 pointsize 0.9 title '{}'",
-                           i++, method));
+                           i++, label));
 }
 
 void put(const Example& example, const Comparison& figure, const Records& records, scene::Show& show) {
@@ -64,11 +67,14 @@ void put(const Example& example, const Comparison& figure, const Records& record
     off += distance(*record, c, figure.component) > visible ? 1 : 0;
   }
   scene::Panel& panel = show.plot(
-      fmt::format("{}: {} of {} methods have left {}", example.title, off, records.size(), figure.symbol),
+      fmt::format("{}: {} of {} runs have left {}", example.title, off, records.size(), figure.symbol),
       "{/:Italic t} (s)", figure.symbol);
-  draw(figure, c.t1 - example.window, c.t1, panel);
+  std::vector<std::string> labels = figure.methods;
+  if (!figure.also_inferred.empty())
+    labels.emplace_back("inferred");  // wider ones leave no room for two rows
+  draw(labels, c.t1 - example.window, c.t1, panel);
   show.figure().data(std::move(data));
-  for (std::size_t i = 0; i < records.size(); ++i) {
+  for (std::size_t i = 0; i < figure.methods.size(); ++i) {
     const Row& row = example.row(figure.methods[i]);
     if (row.nominal)
       row.nominal->check("RMS error of " + figure.methods[i], row.nominal_error(*records[i]), show);
@@ -80,6 +86,7 @@ void put(const Example& example, const Comparison& figure, const Records& record
 scene::Scene comparison(const Example& example, const Comparison& figure) {
   std::vector<scene::Result<Record>> results;
   for (const std::string& method : figure.methods) results.push_back(example.nominal(example.row(method)));
+  if (!figure.also_inferred.empty()) results.push_back(example.inferred(example.row(figure.also_inferred)));
   const auto show = [example, figure](const Records& records, scene::Show& to) {
     put(example, figure, records, to);
   };

@@ -61,7 +61,7 @@ void add_impact(Scenes& scenes) {
   const Example example = impact_rows();
   scenes.push_back(histories(example, "histories-impact", both_settings(false)));
   std::ranges::move(histories_of_rows(example, 17), std::back_inserter(scenes));
-  scenes.push_back(comparison(example, {29, 0, "x(t)", methods_of("1", false)}));
+  scenes.push_back(comparison(example, {29, 0, "x(t)", methods_of("1", false), "RBF-Coll-1"}));
   scenes.push_back(result_table(example));
 }
 

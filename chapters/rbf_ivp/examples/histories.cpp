@@ -142,7 +142,8 @@ std::string finding(const std::vector<Curve>& lines, Shown shown) {
       *std::ranges::max_element(lines, {}, [](const Curve& c) { return greatest(c.points); });
   const double largest = greatest(worst.points);
   const auto lost = std::ranges::find_if(worst.points, [](const TimeError& p) { return p.error > 1; });
-  if (lost != worst.points.end()) return fmt::format("{} above 1 from {:.0f} s on", word_for(shown), lost->t);
+  if (lost != worst.points.end())
+    return fmt::format("{} first above 1 at {:.0f} s", word_for(shown), lost->t);
   const std::string size = size_text(largest);
   const double exponent = growth_exponent(worst.points);
   // Less is not told from a level by the eye.

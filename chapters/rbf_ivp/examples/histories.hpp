@@ -41,6 +41,7 @@ struct Comparison {
   int component;                     ///< of the state
   std::string symbol;                ///< "x_1(t)"
   std::vector<std::string> methods;  ///< rows of the example
+  std::string also_inferred = {};    ///< one of them whose inferred reading is drawn too
 };
 
 /// "fig-4.<figure>": the reference, dense output and step ends of each method.

@@ -31,7 +31,7 @@ Expected about(double value, double relative, const char* reason) {
 Expected scattered(double low, double high) {
   constexpr double widened = 3;  // other compilers and processors round elsewhere
   return {low / widened, high * widened,
-          "recorded: the range over which results scattered when nodes were moved by roundings, "
+          "regression value: the range over which results scattered when nodes were moved by roundings, "
           "three times as wide to both sides"};
 }
 

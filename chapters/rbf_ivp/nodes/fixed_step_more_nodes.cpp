@@ -61,13 +61,13 @@ void put(const std::vector<Row>& rows, scene::Show& show) {
   show.between("least error of RBF-Coll with 60 and more nodes, free Duffing", least("duffing", &Row::rbf),
                1e-7, 1e-3,
                "no convergence: its matrix differentiates this motion with errors of 1e-5 to 1e-4 whatever "
-               "the number of nodes; recorded");
+               "the number of nodes; regression value");
   show.at_most("least error of LGL with 60 and more nodes, free Duffing", least("duffing", &Row::lgl), 1e-12,
-               "recorded: 1.3e-13 a step at 60 nodes; ten steps");
+               "regression value: 1.3e-13 a step at 60 nodes; ten steps");
   show.between("least error of RBF-Coll with 60 nodes, three masses", least("three-masses", &Row::rbf), 1e-7,
                1e-3, "no convergence, as above");
   show.near("error of LGL with 60 nodes, three masses", least("three-masses", &Row::lgl), 3.3e-10, 0.05,
-            "recorded with two digits");
+            "regression value with two digits");
 }
 
 }  // namespace

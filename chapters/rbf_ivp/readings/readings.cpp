@@ -61,12 +61,12 @@ void check(const Questions& questions, scene::Show& show) {
                  reason);
   };
   explained("end time and period 4.2", "P exact, to 100 P", 7, 9,
-            "recorded: nine rows; ODE45-1 and HHT-1 lie within a tenth of a unit of the edge");
-  explained("end time and period 4.2", "P = 4.77, to 500 s", 0, 3, "recorded: 500 s misses");
+            "regression value: nine rows; ODE45-1 and HHT-1 lie within a tenth of a unit of the edge");
+  explained("end time and period 4.2", "P = 4.77, to 500 s", 0, 3, "regression value: 500 s misses");
   explained("end time 4.4", "499 s", 5, 5,
             "tools/oracles/rbf_ivp_methods.py: all but HHT-2, probably a misprint");
   explained("alpha of HHT and its form 4.2 4.4 4.6", "alpha = -0.1, form of 1977", 4, 5,
-            "recorded: all but HHT-2 of Table 4.4; HHT-1 of Table 4.2 lies on the edge");
+            "regression value: all but HHT-2 of Table 4.4; HHT-1 of Table 4.2 lies on the edge");
   const char* both_rows = "both rows, of which 4.4 and x3 are tools/oracles/rbf_ivp_methods.py";
   explained("restart of the explicit rows 4.4", "v(t_1 - h/2), read as v(t_1 - h/2), to 499 s", 2, 2,
             both_rows);

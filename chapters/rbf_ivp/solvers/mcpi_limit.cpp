@@ -221,7 +221,8 @@ void check_order_100(const Limits& limits, scene::Show& show) {
   show.near("contraction factor at P/2 from the solution, order 100", at_half_a_period(chebyshev_tables(100)),
             at_half_a_period(legendre_tables(120)), 0.01, by_legendre);
   show.at_most("steps of 0.53 P from the maximum before one diverges, order 100",
-               first ? static_cast<double>(*first) : HUGE_VAL, 5, "recorded: 0.53 P diverges at once");
+               first ? static_cast<double>(*first) : HUGE_VAL, 5,
+               "regression value: 0.53 P diverges at once");
 }
 
 void check_order_500(const Limits& limits, scene::Show& show) {
@@ -251,9 +252,9 @@ void put(const Limits& limits, scene::Show& show) {
                (tables_of_cosines(100).integral - chebyshev_tables(100).integral).cwiseAbs().maxCoeff(),
                1e-14, "both are right to 1e-15 times a few roundings");
   show.near("largest step, impact, order 100", {limits.impact[3].value_or(NAN), "s"}, 3, 0.01,
-            "recorded: 3 s converges, 4 s does not");
+            "regression value: 3 s converges, 4 s does not");
   show.near("largest step, three masses, order 100", {limits.three_masses[3].value_or(NAN), "s"}, 5.25, 0.05,
-            "recorded: 5 s converges, 6 s does not");
+            "regression value: 5 s converges, 6 s does not");
   show.measured("elgohary/claim-4.4.1/MCPI/largest step before divergence", limits.of(100).least);
 }
 

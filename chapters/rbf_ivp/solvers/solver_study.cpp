@@ -207,12 +207,13 @@ void put(const Study& study, scene::Show& show) {
     table.push_back({columns.at(i).name, [i](const Row& r) { return iterations_cell(r, i); }});
   show.table(study.rows, table);
   show.between("largest length for Newton", {study.longest_newton, "P"}, 2, 2.45,
-               "recorded: 2 P converges, 2.5 P does not, for any number of nodes");
+               "regression value: 2 P converges, 2.5 P does not, for any number of nodes");
   show.between("largest length for Picard", {study.longest_picard, "P"}, 0.5, 0.6,
                "0.55 P from the maximum by Chebyshev nodes, scene mcpi-limit; a step of the grid either way");
   show.equals("does damped Newton converge at 4 P?", study.rows[6].solves[1].is_solution, 1,
               "its residual falls with every step");
-  show.between("iterations of Newton, N = 7, P/10", study.rows[0].iterations(0), 3, 4, "recorded: 3 to 4");
+  show.between("iterations of Newton, N = 7, P/10", study.rows[0].iterations(0), 3, 4,
+               "regression value: 3 to 4");
   if (!show.quick()) check_flows(study.rows, show);
 }
 

@@ -225,7 +225,7 @@ void check_windows(scene::Show& show) {
   constexpr auto lobatto = NodeFamily::legendre_gauss_lobatto, radau = NodeFamily::left_end_and_radau;
   constexpr double threshold = 1.001;  // of |R|: below lies the truncation of radial functions themselves
   const int per_unit = show.quick() ? 10 : 20;
-  const char *recorded = "recorded with two or three digits",
+  const char *recorded = "regression value with two or three digits",
              *formula = "|R| by the formula for the nodes (Hairer & Wanner II, Theorem IV.3.9), 50 digits";
   const auto windows = [&](NodeFamily family, int nodes, double shape) {
     const Eigen::VectorXd times = (collocation::nodes(family, nodes).array() + 1) / 2;

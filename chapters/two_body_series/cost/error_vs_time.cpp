@@ -137,7 +137,7 @@ void check(const comparison::Costs& m, const Subject& subject, scene::Show& show
   show.between("error of the printed steps",
                m.lines.lines[2].attempts[static_cast<std::size_t>(subject.printed)].error.value_or(HUGE_VAL),
                subject.low, subject.high,
-               "recorded at the end of 20 orbits; the median of others within a factor of ten");
+               "regression value at the end of 20 orbits; the median of others within a factor of ten");
 }
 
 scene::Scene scene_of(const Subject& subject) {

@@ -75,7 +75,7 @@ void check(const Records& r, const Orbit& orbit, scene::Show& show) {
   const auto by_norm = [&](const char* name, const EnergyRecord& record, double norm) {
     const double last = norm * std::sqrt(3. / (orbit.steps * 20));
     show.between(std::string("greatest energy error of ") + name, greatest(record), last / 3, 3 * last,
-                 "the recorded norm over points whose errors grow with time");
+                 "the regression value of the norm over points whose errors grow with time");
   };
   const bool low = orbit.order == low_orbit().order;
   by_norm("Analytic-Cont", r.series, low ? 1.19e-7 : 1.02e-11);

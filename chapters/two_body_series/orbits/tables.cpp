@@ -127,7 +127,7 @@ Known known(const Orbit& orbit) {
             "tools/oracles/two_body_series_steps.py, three digits",
             11,
             14,
-            "recorded: 11.7, 11.7 and 13.0",
+            "tools/oracles/two_body_series_steps.py: 11.7, 11.7 and 13.1",
             7.6,
             0.02,
             "tools/oracles/two_body_series_steps.py: 7.6 m"};
@@ -137,7 +137,7 @@ Known known(const Orbit& orbit) {
           "tools/oracles/two_body_series_steps.py, as far above rounding as this",
           1.8e4,
           4e4,
-          "recorded: 2.6e4, 3.2e4 and 2.2e4",
+          "tools/oracles/two_body_series_steps.py: 2.5e4, 3.2e4 and 2.2e4",
           2.4e-3,
           0.5,
           "tools/oracles/two_body_series_steps.py: 2.4e-3 m, near rounding"};
@@ -157,7 +157,7 @@ void check(const std::vector<Line>& lines, const Known& known, scene::Show& show
     const auto norm = [&](Propagator p) { return line_of(lines, p, orbits).ours; };
     show.near(name(Propagator::series), norm(Propagator::series), known.series[i], known.share, known.oracle);
     show.near(name(Propagator::ode45), norm(Propagator::ode45), known.ode45[i], 0.02,
-              "recorded with the published step control, three digits");
+              "regression value with the published step control, three digits");
     for (const Propagator p : {Propagator::rkn1210, Propagator::universal})
       show.at_most(name(p), norm(p), 2e-12,
                    "rounding: 2000 points of 1e-15, each seven roundings of terms up to 12 |E|");

@@ -179,7 +179,7 @@ void put(const Outcome& m, scene::Show& show) {
   check_radii(m.radii, show);
   const auto periapsis = [&](std::size_t i) { return m.radii[i].at[m.radii[i].at.size() / 2].radius; };
   const Choice &low = m.choices[0], &high = m.choices[1], &fifty = m.choices[2], &divergent = m.choices[4];
-  const char* program = "recorded, four digits";
+  const char* program = "regression value, four digits";
   show.near("radius at the periapsis, e = 0.1", periapsis(0), 1.998, 3e-4, program);
   show.near("radius at the periapsis, e = 0.7", periapsis(1), 0.1815, 5e-4, program);
   show.near("h over radius, low orbit", low.ratio, 0.126, 4e-3, program);

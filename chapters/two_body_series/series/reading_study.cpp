@@ -211,7 +211,7 @@ void add_panel(scene::Panel& panel, int first_block, scene::Table& data, const S
 }
 
 void draw(const Study& low, const Study& high, scene::Show& show) {
-  scene::Plot& plot = show.plots("No pair of degrees gives the printed errors");
+  scene::Plot& plot = show.plots("No pair of degrees gives the printed errors with the printed steps");
   scene::Table data({{"curve", 3, true}, {"steps"}, {"distance"}});
   scene::Panel& left = plot.panel("steps an orbit", "max(ours/printed, printed/ours) − 1");
   left.x_range(18.8, 25.2).log_y(1e-2, 1e4).set("margins screen 0.12, screen 0.52, screen 0.13, screen 0.74");
@@ -255,7 +255,7 @@ void check_norms(scene::Show& show) {
   const Norms ours = norms_of_f_and_g(high_orbit(), 1e-6), known = {3.85e-12, 5.53e-12, 7.81e-12};
   for (std::size_t i = 0; i < ours.size(); ++i)
     show.near(fmt::format("norm of HEO F&G, Newton to 1e-6, {} orbits", revolutions[i]), ours[i], known[i],
-              0.1, "recorded; a tenth of it is rounding of both");
+              0.1, "regression value; a tenth of it is rounding of both");
 }
 
 void check_fits(const Study& study, double share, scene::Show& show) {
@@ -264,7 +264,7 @@ void check_fits(const Study& study, double share, scene::Show& show) {
   show.equals(fmt::format("readings within 10 % with the printed steps, {}", orbit.name),
               std::ranges::count_if(study.trials.at_printed_steps,
                                     [&](const Trial& t) { return fits(t.norms, printed); }),
-              0, "recorded: none");
+              0, "regression value: none");
   show.near(fmt::format("step over radius of convergence at the periapsis, {}", orbit.name),
             period_of(orbit) / orbit.steps / orbit::convergence_radius(orbit.start, earth_mu), share, 0.005,
             "2 pi/steps over acosh(1/e) - sqrt(1 - e^2) by hand, three digits");

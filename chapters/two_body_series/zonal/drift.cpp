@@ -264,15 +264,15 @@ void check(const std::vector<Outcome>& all, scene::Show& show) {
                                                                     {0.7, division, 5e-13, "1.3e-13"},
                                                                     {0.7, compensated, 2e-13, "4.8e-14"}})
     show.at_most(fmt::format("energy error at the end, {}, e = {:g}", method, e), end(e, method), most,
-                 fmt::format("recorded: {} after ten thousand orbits; walks scatter", recorded));
+                 fmt::format("regression value: {} after ten thousand orbits; walks scatter", recorded));
   show.at_most("position error at the end, division, compensated, e = 0.1",
                of(0.1, compensated).drift.position.back(), 5e-9,
-               "recorded: 1.1e-9 after ten thousand orbits; walks scatter");
+               "regression value: 1.1e-9 after ten thousand orbits; walks scatter");
   show.between("energy error at the end, reciprocals, compensated, e = 0.1", end(0.1, reciprocals), 1e-14,
-               2e-12, "recorded: 5.1e-13 after ten thousand orbits, in proportion to their number");
+               2e-12, "regression value: 5.1e-13 after ten thousand orbits, in proportion to their number");
   show.between("reciprocals over division at the end, compensated, e = 0.1",
                end(0.1, reciprocals) / end(0.1, compensated), 3, 100,
-               "recorded: 30 after ten thousand orbits, and a third of the exponent's gap before");
+               "regression value: 30 after ten thousand orbits, and a third of the exponent's gap before");
 }
 
 void put(const std::vector<Outcome>& all, scene::Show& show) {

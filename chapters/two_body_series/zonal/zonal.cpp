@@ -292,7 +292,7 @@ void check(const std::vector<Study>& all, scene::Show& show) {
     rkn = std::max({rkn, s.by_rkn_j2, s.by_rkn_j6});
     change = std::max({change, s.in_double.energy, energy_change(s)});
   }
-  const char* range = "recorded: 995 to 1920 km";
+  const char* range = "regression value: 995 to 1920 km";
   show.near("least distance from Kepler after a day", {least, "km"}, 995, 1e-3, range);
   show.near("greatest distance from Kepler after a day", {greatest, "km"}, 1920, 1e-3, range);
   show.at_most("greatest distance from rkn1210", {rkn, "m"}, 1e-3,

@@ -65,34 +65,6 @@ double printed(const std::string& place, const std::string& method, int orbits, 
   return found->value;
 }
 
-/// In how many of the three rows of a table one number is the smaller.
-template <class Less>
-int count_rows(const Less& less) {
-  int count = 0;
-  for (const int orbits : revolutions) count += less(orbits) ? 1 : 0;
-  return count;
-}
-
-// "Almost achieved the same accuracy as the analytical F&G": the table has it the other way round.
-TEST(Errata, RungeKuttaIsTheMoreAccurateInPrint) {
-  const int rows = count_rows([](int orbits) {
-    return printed("table-3.2", "RKN12(10)", orbits, "energy error norm") <
-           printed("table-3.2", "F&G", orbits, "energy error norm");
-  });
-  expect_erratum("two_body_series-table-3.2",
-                 {.printed = 0, .corrected = 3, .oracle = static_cast<double>(rows), .tolerance = eps});
-}
-
-// ode45 "proved useful" for 20 orbits, as if not for 5 and 10: the printed times.
-TEST(Errata, Ode45IsTheFasterOneInEveryRow) {
-  const int rows = count_rows([](int orbits) {
-    return printed("table-3.3", "ode45", orbits, "simulation time") <
-           printed("table-3.3", "Analytic-Cont", orbits, "simulation time");
-  });
-  expect_erratum("two_body_series-table-3.3-ode45",
-                 {.printed = 1, .corrected = 3, .oracle = static_cast<double>(rows), .tolerance = eps});
-}
-
 /// Two-norm of the energy error of Lagrange's F and G at the first @p points points.
 double norm_of_f_and_g(const Orbit& orbit, int points) {
   const double before = orbit::energy(orbit.start, earth_mu), step = period_of(orbit) / orbit.steps;

@@ -82,7 +82,7 @@ struct Place {
   std::string source;   ///< "elgohary"
   std::string name;     ///< "fig-2.23"
   std::string chapter;  ///< that owns it
-  std::string kind;     ///< "figure", "table", "claim" or "equation"
+  std::string kind;     ///< "figure", "table", "algorithm", "claim" or "equation"
   std::string subject;  ///< what it is about
   /// That show it: those of its own name, or where one source repeats another, the other's.
   std::vector<std::string> scenes;
