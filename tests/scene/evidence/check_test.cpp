@@ -45,7 +45,7 @@ class Check : public ::testing::Test {
     scenes_.back().content = Content([=](Show& show) {
       show.table(std::vector{value}, {{"x", [](double x) { return x; }}});
       show.near("x", value, 1, 0.1, "by definition");
-      for (const auto& [name, m] : measured) show.measured(name, m.nominal, m.inferred);
+      for (const auto& [name, m] : measured) show.measured(name, m.nominal, m.inferred, m.setting);
     });
   }
   void add_failing(const std::string& sentence) {
