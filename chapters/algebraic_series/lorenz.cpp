@@ -42,6 +42,13 @@ void put_time(const Motion& m, scene::Show& show) {
   show.near("u(20) with the printed steps", end.printed[0], -4.78, 2e-3,
             "tools/oracles/algebraic_series_motions.py: -4.78; half a unit of its last digit, and "
             "rounding of 1e-7");
+  const auto greatest = [&](bool printed) {
+    double size = 0;
+    for (const Both& b : m.path) size = std::max(size, (printed ? b.printed : b.exact).cwiseAbs().maxCoeff());
+    return size;
+  };
+  show.between("greatest component by the printed steps over that of the solution",
+               greatest(true) / greatest(false), 0.8, 1.2, "both stay on the attractor");
   show.near("error of the printed steps at t = 0.5", m.departure.error.at(4), 0.83, 0.01,
             "tools/oracles/algebraic_series_motions.py: 0.83; half a unit of its last digit");
   show.near("time at which the printed steps err by more than 1", m.departure.first_above(1).value_or(NAN),

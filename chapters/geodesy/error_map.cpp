@@ -53,11 +53,14 @@ Reading reading_of(Form form) {
     case Form::corrected: return {"corrected", ""};
     case Form::extended: return {"extended", "; extended precision"};
     case Form::projected: return {"projected", "; height by projection on the normal"};
-    case Form::printed: break;
-  }
-  return {"printed",
+    case Form::printed:
+      return {
+          "printed",
           "; Table 2.6 as printed, with the equals sign in C8 read as minus and the dimension of the last "
           "term of C9 repaired"};
+    case Form::literal: break;
+  }
+  return {"literal", "; Table 2.6 as printed, in metres, with the equals sign in C8 read as minus"};
 }
 
 }  // namespace
@@ -71,7 +74,9 @@ ErrorMap error_map(Form form, int order, bool quick, double longitude_deg) {
   map.height_km.back() = 35000;
   const nlmech::geodesy::PerturbationSeries method{
       order, form == Form::projected ? HeightFrom::projection : HeightFrom::series};
-  const auto table = form == Form::printed ? printed_series() : nlmech::geodesy::corrected_series();
+  const auto table = form == Form::printed   ? printed_series()
+                     : form == Form::literal ? literal_series()
+                                             : nlmech::geodesy::corrected_series();
   if (form == Form::extended)
     fill<Extended>(map, method, table, longitude_deg * degree);
   else

@@ -26,7 +26,8 @@ enum class Form {
   corrected,  ///< corrected coefficients, double precision
   extended,   ///< the same with a 64-bit significand: the truncation error alone
   projected,  ///< height by projection instead of by the series
-  printed     ///< Table 2.6 as printed; the dissertation ends at order 4
+  printed,    ///< Table 2.6 as printed but for C8's equals sign and C9's dimension; it ends at order 4
+  literal     ///< the same with the last term of C9 as it is printed, b in metres
 };
 
 /// Latitudes -90..90 deg in steps of 0.25 (quick: 1), heights 200..35000 km in 60 (quick: 30) equal ratios.

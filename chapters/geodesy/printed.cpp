@@ -67,6 +67,12 @@ nlmech::geodesy::SeriesTable printed_series() {
   return table;
 }
 
+nlmech::geodesy::SeriesTable literal_series() {
+  PrintedCoefficient c9 = printed_coefficients()[8];
+  c9.by_height[2] = 135 * 6356752;  // 135 b^3 = (135 b) b^2
+  return with_printed(printed_series(), c9);
+}
+
 std::string polynomial_text(const std::vector<int>& by_height) {
   const auto power = [](const char* name, std::size_t n) {
     return n == 0 ? std::string() : n == 1 ? std::string(name) : fmt::format("{}^{}", name, n);

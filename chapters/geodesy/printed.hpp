@@ -37,6 +37,10 @@ struct PrintedCoefficient {
 /// The corrected table with all of C1 to C10 as printed.
 [[nodiscard]] nlmech::geodesy::SeriesTable printed_series();
 
+/// The same with the last term of C9 as it is printed, 135 b^3 h_0^2 among terms of degree 4: the unit of
+/// length then matters; b is in metres.
+[[nodiscard]] nlmech::geodesy::SeriesTable literal_series();
+
 /// "37b^3 - 66b^2h0 + 33bh0^2 - 4h0^3"
 [[nodiscard]] std::string polynomial_text(const std::vector<int>& by_height);
 

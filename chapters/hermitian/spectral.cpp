@@ -50,15 +50,16 @@ double edge(double stable, double unstable) {
   return stable;
 }
 
-/// Greatest distance of Laier's spectral radius from 1 for z from 0.01 to 10^4.
-double distance_from_one() {
+/// Least and greatest spectral radius of Laier's pair for z from 0.01 to 10^4.
+std::pair<double, double> radii_of_laier() {
   const HermitianStep laier = ivp::solved_for_end(ivp::laier);
-  double worst = 0;
+  double least = HUGE_VAL, greatest = 0;
   for (int i = 0; i <= 6000; ++i) {
-    const double z = std::pow(10, -2 + i / 1000.0);
-    worst = std::max(worst, std::abs(ivp::amplification(laier, z).spectral_radius - 1));
+    const double radius = ivp::amplification(laier, std::pow(10, -2 + i / 1000.0)).spectral_radius;
+    least = std::min(least, radius);
+    greatest = std::max(greatest, radius);
   }
-  return worst;
+  return {least, greatest};
 }
 
 void draw(const std::vector<Spectrum>& all, scene::Show& show) {
@@ -118,11 +119,18 @@ void put(const std::vector<Spectrum>& all, scene::Show& show) {
   for (const Spectrum& s : all)
     same = std::max({same, std::abs(s.radius[1] - s.radius[2]), std::abs(s.radius[1] - s.radius[3]),
                      std::abs(s.period[1] - s.period[2]), std::abs(s.period[1] - s.period[3])});
-  show.at_most("distance of Laier's spectral radius from 1, z from 0.01 to 10000", distance_from_one(), 4e-16,
-               "the determinant is 1: rounding");
-  show.near("begin of the window of instability", edge(3, 3.3), std::sqrt(10.0), 1e-9,
+  const auto [least, greatest] = radii_of_laier();
+  const char* half_trace =
+      "half trace (z^4 - 60 z^2 + 144)/(z^4 + 12 z^2 + 144), within -1 and 1 for every z, and the "
+      "determinant "
+      "is 1: rounding";
+  show.between("greatest spectral radius of Laier, h omega from 0.01 to 10000", greatest, 1 - 4e-16,
+               1 + 4e-16, half_trace);
+  show.between("least spectral radius of Laier, h omega from 0.01 to 10000", least, 1 - 4e-16, 1 + 4e-16,
+               half_trace);
+  show.near("start of the window of instability of Argyris", edge(3, 3.3), std::sqrt(10.0), 1e-9,
             "half trace -1: z^2 = 10");
-  show.near("end of the window of instability", edge(3.6, 3.3), std::sqrt(12.0), 1e-9,
+  show.near("end of the window of instability of Argyris", edge(3.6, 3.3), std::sqrt(12.0), 1e-9,
             "half trace -1: z^2 = 12");
   show.near("last stable h omega of Argyris", edge(7, 9), std::sqrt(60.0), 1e-9, "half trace 1: z^2 = 60");
   show.near("spectral radius of Argyris for a very long step", far, 3 + std::sqrt(8.0), 1e-9, "half trace 3");

@@ -102,6 +102,7 @@ class Value:
     inferred: float = None
     verdict: str = NOT_BUILT
     fails: bool = False
+    setting: str = ""  # of the runs behind both numbers
 
     @property
     def name(self):
@@ -131,14 +132,14 @@ def add_verdicts(values, out, chapters):
     """What the checks of these chapters left under `out`."""
     checks = {}
     for chapter in chapters:
-        rows = read_rows(out / f"results/{chapter}/check.csv", 5)
+        rows = read_rows(out / f"results/{chapter}/check.csv", 6)
         checks[chapter] = {cells[0]: (where, *cells[1:]) for where, cells in rows}
     for value in values:
         if value.chapter not in checks:
             continue
         if value.name not in checks[value.chapter]:
             raise Refused(f"results/{value.chapter}/check.csv does not list {value.name}")
-        where, nominal, inferred, value.verdict, passes = checks[value.chapter][value.name]
+        where, nominal, inferred, value.verdict, passes, value.setting = checks[value.chapter][value.name]
         try:
             value.nominal, value.inferred = (float(cell) if cell else None for cell in (nominal, inferred))
         except ValueError as error:

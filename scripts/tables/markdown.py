@@ -9,9 +9,10 @@ def number(value, digits=3):
 
 
 def nominal(value):
-    """What the text as it stands gives for a printed number: four digits, or the range that the list states in their place."""
+    """What the text as it stands gives for a printed number: four digits, the range that the list states in their place, or why it cannot
+    be run."""
     if value.nominal is None:
-        return ""
+        return value.found if value.found.startswith("cannot be run") else ""
     return number(value.nominal, 4) if value.fails else value.range_by_rounding() or number(value.nominal, 4)
 
 

@@ -16,8 +16,9 @@ rounding* stands in place of a number that differs from machine to machine withi
 
 
 def reading(value):
-    """How the text was understood, with the evidence for it."""
-    return f"{value.reading} ({value.tried} tried; explains {value.explains} rows)" if value.tried else value.reading
+    """The setting that ran, and how the text was understood, with the evidence for it."""
+    text = "; ".join(part for part in (value.setting, value.reading) if part)
+    return f"{text} ({value.tried} tried; explains {value.explains} rows)" if value.tried else text
 
 
 def reading_and_reason(value):

@@ -49,7 +49,7 @@ def judged(folder):
     """Judges rows in a folder with a chapter that is built, one that is not, and each kind of evidence."""
     folder.put("tables/places.csv", f"{PLACES}roy,table-1,moon,table,tides,\nroy,table-2,sun,table,heat,\n")
     folder.put("tables/published/roy.csv", f"{PUBLISHED}table-1,low,height,1,m,value,,,differs,digits,,,,,\n")
-    folder.put("results/moon/check.csv", f"{CHECKED}roy/table-1/low/height,3,4,differs,1\n")
+    folder.put("results/moon/check.csv", f"{CHECKED}roy/table-1/low/height,3,4,differs,1,\n")
     folder.put("results/moon/fig-1.json", '{"quantities": [{"name": "radius", "value": 2.5}]}')
     folder.put("tables/ratios.json", '{"quantities": [{"name": "faster", "value": 10}, {"name": "word", "value": "holds"}]}')
 

@@ -15,7 +15,7 @@ def shown(folder):
     for name, text in (("tables/places.csv", f"{PLACES}roy,fig-1,moon,figure,craters,\nroy,table-1,moon,table,tides,\n"
                         "roy,claim-1,moon,claim,none of these,\nlaier,fig-9,sun,figure,spots,\n"),
                        ("tables/published/roy.csv", f"{PUBLISHED}table-1,r,q,1,1,value,,,context,,,,,,\n"),
-                       ("results/moon/check.csv", f"{CHECKED}roy/table-1/r/q,,,context,1\n"),
+                       ("results/moon/check.csv", f"{CHECKED}roy/table-1/r/q,,,context,1,\n"),
                        ("results/moon/fig-1.csv", "x,y\n0,0\n\n1,1\n"), ("results/moon/fig-1.json", PASSING),
                        ("figures/moon/fig-1.svg", CURVE), ("tables/moon/table-1.csv", "x\n1\n"), ("results/moon/table-1.json", PASSING)):
         folder.put(name, text)

@@ -10,7 +10,7 @@ sys.path.insert(0, str(SOURCE / "scripts/tables"))
 
 PLACES = "source,place,chapter,kind,subject,scenes\n"
 PUBLISHED = ("place,row,quantity,value,unit,kind,nominal,inferred,expected,tolerance,because,tried,explains,erratum,reading\n")
-CHECKED = "name,nominal,inferred,verdict,passes\n"
+CHECKED = "name,nominal,inferred,verdict,passes,setting\n"
 
 
 class Folder:

@@ -35,7 +35,7 @@ def test_the_page_has_a_section_a_chapter_with_contents_that_lead_to_it(page):
     text = page({"roy": "claim-3,a,x,1.5,1,value,,,reproduced,digits,,,,,\n",
                  "elgohary": "table-1,t|u,x,1.5,lb,value,,,differs,digits,noise,3,1 of 2,,as printed\n",
                  "laier": "table-9,b,x,1,1,value,,,reproduced,digits,,,,,\n"},
-                {"moon": "roy/claim-3/a/x,1.51,,reproduced,1\n", "sun": "elgohary/table-1/t|u/x,1.51,1.234567,differs,1\n"})
+                {"moon": "roy/claim-3/a/x,1.51,,reproduced,1,\n", "sun": "elgohary/table-1/t|u/x,1.51,1.234567,differs,1,\n"})
     assert "| [The Sun](#reproduction_sun) | 0 | 0 | 0 | 0 | 1 | 0 | 0 | 0 | 0 | 0 | 0 |" in text
     assert "| [moon](#reproduction_moon) | 1 |" in text
     assert (text.index('<a id="reproduction_sun"></a>\n## The Sun\n\nT. A. Elgohary')
@@ -47,14 +47,24 @@ def test_the_page_has_a_section_a_chapter_with_contents_that_lead_to_it(page):
     assert "| [table-9](../docs/chapters/mars.md#table-9) | b | x | 1 | digits |  |  | not built |" in text
 
 
+def test_a_reading_begins_with_the_setting_that_ran(page):
+    text = page({"elgohary": ONE.replace(",,,,,", ",,,,,after 499 s")}, {"sun": "elgohary/table-1/a/x,1.5,,reproduced,1,at all nodes\n"})
+    assert "| reproduced | at all nodes; after 499 s |" in text
+
+
+def test_a_text_that_cannot_be_run_says_so_in_place_of_a_number(page):
+    row = 'table-1,a,x,1.5,1,value,cannot be run: no load,,differs,digits,,,,,\n'
+    assert "| digits | cannot be run: no load | 2 | differs |" in page({"elgohary": row}, {"sun": "elgohary/table-1/a/x,,2,differs,1,\n"})
+
+
 def test_a_miss_names_the_verdict_that_is_expected(page):
-    assert "| 7 |  | differs (FAILS: expected reproduced) |" in page({"elgohary": ONE}, {"sun": "elgohary/table-1/a/x,7,,differs,0\n"})
+    assert "| 7 |  | differs (FAILS: expected reproduced) |" in page({"elgohary": ONE}, {"sun": "elgohary/table-1/a/x,7,,differs,0,\n"})
 
 
 def test_what_is_context_is_folded_away(page):
     rows = [f"table-1,{row},x,1.5,lb,time,,,{expected},,,,,,{reading}\n"
             for row, expected, reading in (("a", "context", "in MATLAB"), ("b", "reproduced", ""), ("c", "context", ""))]
-    text = page({"elgohary": "".join(rows)}, {"sun": "".join(f"elgohary/table-1/{row}/x,,,context,1\n" for row in "abc")})
+    text = page({"elgohary": "".join(rows)}, {"sun": "".join(f"elgohary/table-1/{row}/x,,,context,1,\n" for row in "abc")})
     judged, fold = text.split("<details>\n<summary>")
     assert "2 run times" in fold and "| a | x | 1.5 lb | in MATLAB |" in fold.split("</details>")[0]
     assert "| b | x |" in judged and "| a |" not in judged and "| b |" not in fold
@@ -67,13 +77,13 @@ def test_what_is_context_is_folded_away(page):
     ("", "-inf", 1, "-inf"), ("", "nan", 0, "nan"), ("", "0.00012345678", 1, "0.0001235")])
 def test_a_range_stands_in_place_of_a_number_that_depends_on_rounding(folder, page, found, nominal, passes, wanted):
     page({"elgohary": f"table-1,a,x,1,1,value,{found},,differs,digits,,,,,\n"},
-         {"sun": f"elgohary/table-1/a/x,{nominal},,differs,{passes}\n"})
+         {"sun": f"elgohary/table-1/a/x,{nominal},,differs,{passes},\n"})
     assert markdown.nominal(folder.values("sun")[0]) == wanted
 
 
 def test_names_have_every_character(folder, page):
     page({"elgohary": 'table-1,"a; ""b"", c","two\nlines",1,1,value,,,context,,,,,,\n'},
-         {"sun": '"elgohary/table-1/a; ""b"", c/two\nlines",1.0000000000000002,,context,1\n'})
+         {"sun": '"elgohary/table-1/a; ""b"", c/two\nlines",1.0000000000000002,,context,1,\n'})
     value, = folder.values("sun")
     assert (value.name, value.nominal) == ('elgohary/table-1/a; "b", c/two\nlines', 1 + 2**-52)
 
@@ -83,8 +93,8 @@ def test_what_lacks_a_verdict_or_is_broken_is_refused_with_its_place(folder, pag
     published = folder.path / "tables/published/elgohary.csv"
     for rows, checked, wanted in (
             (ONE, "", "results/sun/check.csv does not list elgohary/table-1/a/x"),
-            (ONE, "elgohary/table-1/a/x,1\n", f"{results}: line 2: 2 of 5 cells"),
-            (ONE, "elgohary/table-1/a/x,one,,differs,0\n", f"{results}: line 2: could not convert string to float: 'one'"),
+            (ONE, "elgohary/table-1/a/x,1\n", f"{results}: line 2: 2 of 6 cells"),
+            (ONE, "elgohary/table-1/a/x,one,,differs,0,\n", f"{results}: line 2: could not convert string to float: 'one'"),
             ("table-1,a\n", "", f"{published}: line 2: 2 of 15 cells"),
             ('\n\ntable-1,"a\n', "", f"{published}: line 4: a quote is never closed"),
             (ONE.replace(",a,", ',"a\nb",') + "\ntable-1\n", "", f"{published}: line 5: 1 of 15 cells"),

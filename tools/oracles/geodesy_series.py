@@ -56,7 +56,7 @@ def errors(latitude, height, orders):
 
 def printed():
     """C6 with -110 for -10 and C3 with 4 for 1, C8 with 431 for 421 and without its last term: differences of h_4, phi_3 and phi_4."""
-    height = latitude = mp.mpf(0)
+    height = latitude = literal = mp.mpf(0)
     for kilometres in range(200, 35001, 100):
         h = mp.mpf(kilometres) * 1000
         for degrees in range(20, 71):
@@ -65,8 +65,12 @@ def printed():
             third = s / (6 * radius**3) * 9 * B * h * h * P**3
             fourth = s / (4 * radius**4) * (10 * B**3 * h + 2 * h**4) * w * w * P**4
             latitude = max(latitude, abs(third + fourth) / DEGREE)
+            # C9: 135 b^3 h0^2 for 135 b^2 h0^2, b in metres.
+            ninth = s / (4 * radius**4) * 135 * (B**3 - B**2) * h * h * w * P**4
+            literal = max(literal, abs(third + fourth + ninth) / DEGREE)
     row("order 4 as printed: height", height, 4)
     row("order 4 as printed: latitude", latitude, 3)
+    row("order 4 with C9 in metres: latitude", literal, 3)
 
 
 def main():

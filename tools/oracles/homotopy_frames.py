@@ -4,6 +4,7 @@ import math as doubles
 from mpmath import mp
 
 from shared.chain import Chain, Member, Path, Problem
+from shared.fixed_point import on_falling_branch
 from shared.rows import head, row
 
 mp.dps = 32
@@ -91,6 +92,14 @@ def toggles():
         four.root(lambda p: p[0] - limit * (1 + mp.mpf("1e-9")), mp.mpf("0.61"), mp.mpf("0.62"), mp.mpf("1e-13")), 9)
 
 
+def falling():
+    """Starts between the limit points from which the fixed-point homotopy (2.15, corrected) by Euler's rule comes to the falling branch."""
+    path = toggle("0.44", 1)
+    count = sum(on_falling_branch(lambda d: path.at(d)[:2], load, start, 0.22711, 0.48003)
+                for load in (34, 36, 38, 41) for start in (0.25, 0.3, 0.35, 0.4, 0.45))
+    row("toggle 0.44 of 1 starts that lead to the falling branch", count, 2)
+
+
 def others():
     for elements in (5, 10, 20):
         problem, at = lee(elements)
@@ -115,6 +124,7 @@ def others():
 def main():
     head()
     toggles()
+    falling()
     others()
 
 

@@ -4,6 +4,7 @@ import math as doubles
 
 from mpmath import mp
 
+from shared.fixed_point import on_falling_branch
 from shared.rows import head, row
 
 mp.dps = 30
@@ -68,6 +69,14 @@ def williams():
     for name, w in (("d5 linearised", Williams(mp, "0.44", linear=True)), ("0.5 for 0.6", Williams(mp, "0.44", bowing="0.5")),
                     ("F cos(beta)", Williams(mp, "0.44", cosine=True)), ("l the half span", Williams(mp, "0.44", length=span))):
         row(f"Williams 0.44 limit with {name}", w.load(root(w.slope, "0.2", "0.3")), 5)
+
+
+def falling():
+    """As in homotopy_frames.py, of this equation."""
+    w = Williams(doubles, "0.44")
+    count = sum(on_falling_branch(lambda d: (w.load(d), w.slope(d)), load, start, 0.22819, 0.49473)
+                for load in (34, 36, 38, 41) for start in (0.25, 0.3, 0.35, 0.4, 0.45))
+    row("Williams 0.44 starts that lead to the falling branch", count, 2)
 
 
 class Element:
@@ -177,6 +186,7 @@ def census():
 def main():
     head()
     williams()
+    falling()
     elements()
     census()
 

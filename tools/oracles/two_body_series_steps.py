@@ -1,5 +1,6 @@
 """Analytic continuation of Elgohary 2015, Tables 3.2 and 3.3, with fixed steps: position to degree K, velocity to degree L of Taylor's
 series of Kepler's motion, free of rounding. Energy errors are |E/E(0) - 1| after each step, their norm the root of the sum of squares."""
+import math as doubles
 from decimal import Decimal as D
 
 from mpmath import mp
@@ -54,6 +55,31 @@ def norms(name, degrees, steps, orbits=(5, 10, 20)):
     return found, r
 
 
+def printed(name, order, steps, orbits=(5, 10, 20)):
+    """The norms with derivatives by (3.62), (3.66) and (3.68) as printed, in doubles: C(3, 2) for 3/2, and no bracket in the sum."""
+    (x, y), (u, v) = [[float(a) for a in pair] for pair in ORBITS[name]]
+    mu, step = float(MU), float(period(*[[D(a) for a in pair] for pair in ORBITS[name]])) / steps
+    at = lambda: (u * u + v * v) / 2 - mu / doubles.hypot(x, y)
+    start, found, total = at(), [], 0.0
+    for k in range(1, max(orbits) * steps + 1):
+        r, f, g = [(x, y), (u, v)], [], []
+        for n in range(order - 1):
+            f.append(sum(doubles.comb(n, m) * (r[m][0] * r[n - m][0] + r[m][1] * r[n - m][1]) for m in range(n + 1)))
+            if n == 0:
+                g.append(f[0] ** -1.5)
+            else:
+                terms = [doubles.comb(n - 1, m) * 3 * f[m + 1] * g[n - 1 - m] + f[m] * g[n - m] for m in range(1, n)]
+                g.append(-(1.5 * f[1] * g[n - 1] + sum(terms)) / f[0])
+            r.append(tuple(-mu * sum(doubles.comb(n, m) * r[m][c] * g[n - m] for m in range(n + 1)) for c in (0, 1)))
+        terms = [step**j / doubles.factorial(j) for j in range(order + 1)]
+        x, y = (sum(terms[j] * r[j][c] for j in range(order + 1)) for c in (0, 1))
+        u, v = (sum(terms[j] * r[j + 1][c] for j in range(order)) for c in (0, 1))
+        total += (at() / start - 1) ** 2
+        if k in [n * steps for n in orbits]:
+            found.append(doubles.sqrt(total))
+    return found
+
+
 def kepler(name, time):
     """Position by Kepler's equation. Both states stand at their periapsis or apoapsis to rounding: elements from the state."""
     r, v = [[mp.mpf(a) for a in pair] for pair in ORBITS[name]]
@@ -78,6 +104,9 @@ def main():
             r, v = [[D(a) for a in pair] for pair in ORBITS[name]]
             truth = kepler(name, mp.mpf(str(20 * period(r, v))))
             row(f"{name} position error after 20 orbits", mp.hypot(*[mp.mpf(str(a)) - b for a, b in zip(end, truth)]), 2)
+    for name, order, steps, count in (("LEO", 10, 25, 3), ("HEO", 30, 100, 2)):
+        for orbits, value in zip((5, 10, 20), printed(name, order, steps)):
+            row(f"{name} by (3.66) as printed {orbits} orbits", value, count)
 
 
 main()

@@ -64,10 +64,12 @@ void both_models(double height, const BothStepped& steps, scene::Show& show) {
     check_least_slopes(*williams, *element, show);
   }
   if (height == 0.44) {
+    // oracle: homotopy_williams Williams 0.44 starts that lead to the falling branch
+    // oracle: homotopy_frames toggle 0.44 of 1 starts that lead to the falling branch
     for (const auto& [name, model] : {std::pair("Williams", Model::williams), {"element", Model::element}})
       show.equals(fmt::format("starts between the limit points that lead to the falling branch, {}", name),
                   found_from_the_falling_branch(model), 20,
-                  "all of them: the curve has one root between the limit points under each of the loads");
+                  "tools/oracles/homotopy_williams.py and homotopy_frames.py: all of them");
   }
   check_steps(steps.williams, "Williams", show);
   check_steps(steps.element, "element", show);

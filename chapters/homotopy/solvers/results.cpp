@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <utility>
 
 #include "chapters/printed_values.hpp"
+#include "nlmech/support/stopwatch.hpp"
 
 namespace nlmech::chapters::homotopy {
 namespace {
@@ -32,6 +34,10 @@ Ran run(const PrintedRow& row, Model model) {
   Ran ran;
   ran.scale = toggle.scale();
   ran.count = iterate(toggle, row.iteration, &ran.trace);
+  for (int k = 1; k <= 16; ++k) {
+    LoadedToggle other(model, row.height, row.load * (1 + k * std::numeric_limits<double>::epsilon()));
+    ran.scattered.push_back(iterate(other, row.iteration).iterations);
+  }
   return ran;
 }
 
@@ -64,11 +70,9 @@ std::string name_of(const PrintedRow& row, bool count) {
   return fmt::format("elgohary/{}/{}/{}", row.table, row.method, quantity);
 }
 
-/// The residual as the row prints it: Williams' equation |F| itself, elements |F| over that at rest; in Table
-/// 2.4 Newton's is too large for that, and taken for pounds of load.
+/// The residual as the text has it: Williams' equation |F| itself, elements |F| over that at rest.
 double accuracy_of(const PrintedRow& row, const Ran& ran) {
-  if (!row.relative) return ran.count.residual;
-  return ran.count.residual / ran.scale * (row.accuracy > 1 ? row.load : 1);
+  return row.relative ? ran.count.residual / ran.scale : ran.count.residual;
 }
 
 /// A line of the table.
@@ -80,10 +84,10 @@ struct Line {
   [[nodiscard]] const std::string& method() const { return row.method; }
   [[nodiscard]] int printed() const { return row.printed; }
   [[nodiscard]] double accuracy() const { return row.accuracy; }
-  [[nodiscard]] int count() const { return exact.count.iterations; }
+  [[nodiscard]] std::string count() const { return exact.count_text(); }
   [[nodiscard]] double residual() const { return exact.count.residual; }
   [[nodiscard]] double relative() const { return exact.count.residual / exact.scale; }
-  [[nodiscard]] int other_count() const { return other.count.iterations; }
+  [[nodiscard]] std::string other_count() const { return other.count_text(); }
   [[nodiscard]] double other_relative() const { return other.count.residual / other.scale; }
 };
 
@@ -93,10 +97,17 @@ void put_table(const Results& all, scene::Show& show) {
   for (std::size_t i = 0; i < all.printed.size(); ++i) {
     const PrintedRow& row = all.printed[i];
     const Ran &exact = *all.exact[i], &other = *all.misprinted[i];
-    show.measured(name_of(row, true), all.count(i), all.other_count(i));
-    show.measured(name_of(row, false), accuracy_of(row, exact), accuracy_of(row, other));
+    // The text as it stands has the derivative of Williams' equation, and A_nd without the factor l.
+    const bool swapped = row.model != Model::williams;
+    const auto in_order = [swapped](double with_derivative, double with_other) {
+      return swapped ? scene::Measured{with_other, with_derivative}
+                     : scene::Measured{with_derivative, with_other};
+    };
+    const scene::Measured ours = in_order(exact.median_count(), other.median_count()),
+                          accuracy = in_order(accuracy_of(row, exact), accuracy_of(row, other));
+    show.measured(name_of(row, true), ours.nominal, ours.inferred);
+    show.measured(name_of(row, false), accuracy.nominal, accuracy.inferred);
     const scene::PublishedValue& value = values.at(name_of(row, true));
-    const scene::Measured ours{all.count(i), all.other_count(i)};
     lines.push_back(
         {row, exact, other, std::string(to_string(scene::judge(value, ours).verdict)), value.reading});
   }
@@ -191,6 +202,14 @@ Row row_of(const History& h) {
 }
 
 }  // namespace
+
+double Ran::median_count() const { return median({scattered.begin(), scattered.end()}); }
+
+std::string Ran::count_text() const {
+  const auto [least, most] = std::ranges::minmax(scattered);
+  if (least == most && most == count.iterations) return std::to_string(least);
+  return fmt::format("{:g} ({} to {})", median_count(), least, most);
+}
 
 scene::Scene result_table(const std::string& table, const std::string& title,
                           const std::function<void(const Results&, scene::Show&)>& check) {

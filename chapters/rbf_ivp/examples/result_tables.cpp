@@ -15,7 +15,7 @@ struct Line {
   std::string method, setting, published = "N/A", reading;
   scene::Verdict judged = scene::Verdict::context;
   std::string name = {};  ///< as PublishedValue::name(); empty if no error is printed
-  double nominal = 0, inferred = 0;
+  scene::Measured errors = {};
   double milliseconds = 0;
   Statistics statistics = {};
 
@@ -26,7 +26,17 @@ struct Line {
 
 using Records = std::vector<const Record*>;
 
-std::vector<Line> lines(const Example& example, const Records& nominal, const Records& inferred,
+/// Both errors; none as printed where the text cannot be run.
+scene::Measured errors_of(const Example& example, const Row& row, const Record& literal,
+                          const Record& inferred) {
+  const Case& c = example.made();
+  std::string setting = row.setting_text(c);
+  if (!example.borrowed.empty()) setting += "; " + example.borrowed;
+  return {*row.missing == '\0' ? std::optional(row.nominal_error(literal)) : std::nullopt,
+          row.inferred_error(inferred, c.inferred_end), std::move(setting)};
+}
+
+std::vector<Line> lines(const Example& example, const Records& literal, const Records& inferred,
                         const std::vector<const double*>& times) {
   const auto printed = printed_values(example.table);
   std::vector<Line> all;
@@ -34,17 +44,17 @@ std::vector<Line> lines(const Example& example, const Records& nominal, const Re
     const Row& row = example.rows[i];
     Line line{.method = row.method,
               .setting = row.setting,
-              .reading = row.how,
-              .nominal = row.nominal_error(*nominal[i]),
-              .inferred = row.inferred_error(*inferred[i], example.made().inferred_end),
+              .reading = {},
+              .errors = errors_of(example, row, *literal[i], *inferred[i]),
               .milliseconds = *times[i],
-              .statistics = nominal[i]->statistics};
+              .statistics = literal[i]->statistics};
+    line.reading = line.errors.setting;
     if (!row.row.empty()) {
       line.name = fmt::format("elgohary/{}/{}/{}", example.table, row.row, example.quantity);
       const scene::PublishedValue& value = printed.at(line.name);
       line.published = value.printed;
-      line.judged = scene::judge(value, {line.nominal, line.inferred}).verdict;
-      if (!value.reading.empty()) line.reading = value.reading;
+      line.judged = scene::judge(value, line.errors).verdict;
+      if (!value.reading.empty()) line.reading += "; " + value.reading;
     }
     all.push_back(std::move(line));
   }
@@ -54,8 +64,8 @@ std::vector<Line> lines(const Example& example, const Records& nominal, const Re
 void put(const Example& example, const std::vector<Line>& lines, scene::Show& show) {
   show.table(lines, {{"method", &Line::method},
                      {"setting", &Line::setting},
-                     {"RMS error, nominal", &Line::nominal, 4},
-                     {"RMS error, inferred", &Line::inferred, 4},
+                     {"RMS error, nominal", [](const Line& l) { return l.errors.nominal; }, 4},
+                     {"RMS error, inferred", [](const Line& l) { return l.errors.inferred; }, 4},
                      {"published", &Line::published},
                      {"verdict", &Line::verdict},
                      {"time (ms)", &Line::milliseconds, 2},
@@ -65,20 +75,23 @@ void put(const Example& example, const std::vector<Line>& lines, scene::Show& sh
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const Line& line = lines[i];
     const Row& row = example.rows[i];
-    if (row.nominal) row.nominal->check("RMS error of " + line.method, line.nominal, show);
+    const scene::Measured& errors = line.errors;
+    // Figures check what runs with the exact period.
+    const std::optional<Expected>& nominal = row.literal_procedure ? row.literal : row.nominal;
+    if (nominal && errors.nominal) nominal->check("RMS error of " + line.method, *errors.nominal, show);
     if (row.inferred)
-      row.inferred->check("RMS error of " + line.method + ", inferred reading", line.inferred, show);
-    if (!line.name.empty()) show.measured(line.name, line.nominal, line.inferred);
+      row.inferred->check("RMS error of " + line.method + ", inferred reading", *errors.inferred, show);
+    if (!line.name.empty()) show.measured(line.name, errors.nominal, errors.inferred, errors.setting);
   }
 }
 
 }  // namespace
 
 scene::Scene result_table(const Example& example) {
-  std::vector<scene::Result<Record>> nominal, inferred;
+  std::vector<scene::Result<Record>> literal, inferred;
   std::vector<scene::Result<double>> times;
   for (const Row& row : example.rows) {
-    nominal.push_back(example.nominal(row));
+    literal.push_back(example.literal(row));
     inferred.push_back(example.inferred(row));
     times.push_back(example.time(row));
   }
@@ -89,7 +102,7 @@ scene::Scene result_table(const Example& example) {
   return {.name = example.table,
           .title = example.title + ": step, error and time of each run, published beside ours",
           .place = "Table " + example.table.substr(6),
-          .content = scene::Content(show, nominal, inferred, times)};
+          .content = scene::Content(show, literal, inferred, times)};
 }
 
 }  // namespace nlmech::chapters::rbf_ivp

@@ -38,25 +38,31 @@ struct Row {
   std::string row;      ///< of `tables/published/elgohary.csv`: "RK4-1 (P/10)"; empty: no error is printed
   std::string method;   ///< in tables: "RK4-1"
   std::string setting;  ///< step, tolerance, order, nodes, in words without commas: "P/10"
-  Points points = Points::ends;      ///< at which the error is taken
-  int inferred_component = 0;        ///< whose error the printed one seems to be; the text says the first
-  std::optional<Expected> nominal;   ///< of the nominal error
-  std::optional<Expected> inferred;  ///< of the inferred error
-  std::string as_printed = {};       ///< settings as printed, in a figure that shows other ones too
-  std::string as_inferred = {};      ///< those other ones
+  Points points = Points::ends;          ///< at which the error is taken
+  int inferred_component = 0;            ///< whose error the printed one seems to be; the text says the first
+  std::optional<Expected> nominal;       ///< of the nominal error
+  std::optional<Expected> inferred;      ///< of the inferred error
+  std::optional<Expected> literal = {};  ///< of the error with the period as printed
+  std::string as_printed = {};           ///< settings as printed, in a figure that shows other ones too
+  std::string as_inferred = {};          ///< those other ones
+  const char* missing = "";              ///< what the text leaves out, so that it cannot be run; else empty
+  std::optional<double> inferred_end = {};  ///< the end of the inferred reading, if not the example's
 
   std::string run = {};               ///< the name of its result without the example's: "rk4-1"
   std::string how = {};               ///< settings as printed, in words
   Procedure procedure = {};           ///< with them
   std::string how_inferred = {};      ///< settings of the inferred reading, in words
   Procedure inferred_procedure = {};  ///< with them; empty: those as printed
+  Procedure literal_procedure = {};   ///< with the period as printed; empty: `procedure`
 
   /// RMS error to the printed end.
   [[nodiscard]] double nominal_error(const Record& record) const { return rms_error(record, 0, points); }
-  /// RMS error to the end @p until under the inferred reading.
+  /// RMS error under the inferred reading, to its end, which is @p until where the row has none of its own.
   [[nodiscard]] double inferred_error(const Record& record, double until) const {
-    return rms_error(record, inferred_component, points, until);
+    return rms_error(record, inferred_component, points, inferred_end.value_or(until));
   }
+  /// The setting behind the printed number's two errors, in words: points, ends, component.
+  [[nodiscard]] std::string setting_text(const Case& c) const;
 };
 
 /// An example with its rows.
@@ -68,6 +74,8 @@ struct Example {
   std::string quantity;        ///< as in `elgohary.csv`: "position RMS error"
   double window;               ///< length of time before the end over which figures compare solutions, s
   std::vector<Row> rows = {};  ///< in the order of the table
+
+  std::string borrowed = {};  ///< what no row of the table can do without, and where it is from
 
   /// Adds a row with its run, and with that of the inferred reading if it has other settings.
   void add(Row row, const std::string& run, const std::string& how, const Procedure& procedure,
@@ -85,7 +93,12 @@ struct Example {
     if (found == rows.end()) throw std::out_of_range("no row " + method);
     return *found;
   }
-  /// The run with settings as printed.
+  /// The run with settings as printed, and the period as printed if the steps are fractions of it.
+  [[nodiscard]] scene::Result<Record> literal(const Row& row) const {
+    return row.literal_procedure ? recorded(row.run + "-printed-period", row.how, row.literal_procedure)
+                                 : nominal(row);
+  }
+  /// The run with settings as printed; steps are fractions of the exact period.
   [[nodiscard]] scene::Result<Record> nominal(const Row& row) const {
     return recorded(row.run, row.how, row.procedure);
   }

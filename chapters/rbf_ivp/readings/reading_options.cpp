@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <stdexcept>
 
 #include "chapters/rbf_ivp/readings/explicit_variants.hpp"
@@ -305,37 +306,79 @@ Question picard_scheme(const Printed& printed, bool quick) {
   return q;
 }
 
-Question derivative_matrix(const Printed& printed) {
-  const double P = duffing_period();
-  Question q{"derivative matrix of RBF-Coll", "4.2 4.4 4.6", "", "linear systems", {}};
-  for (const auto inversion : {collocation::Inversion::solve, collocation::Inversion::inverse}) {
+Question ode45_points(const Printed& printed) {
+  Question q{"points of ODE45", "4.2", "", "four values a step", {}};
+  for (const Points points : {Points::all, Points::ends}) {
     Score s;
-    const auto count = [&](const Setting& setting, const std::string& row, Points points,
-                           RbfCollocation method, double later_shape = 0) {
-      method.inversion = inversion;
-      const double noise = std::stod(printed.at(setting.table + "/" + row + " " + setting.steps));
-      try {
-        RbfCollocation during = method, after = method;
-        during.step = setting.first;
-        after.step = setting.second;
-        if (later_shape > 0) after.shape = later_shape;
-        const Record kept =
-            run_on(setting.table, setting.second > 0 ? in_two_phases(during, after) : throughout(during));
-        s.count_noise(noise, rms_error(kept, 0, points, case_of(setting.table).inferred_end));
-      } catch (const Failure&) {
-        s.count_noise(noise, HUGE_VAL);
-      }
-    };
-    count({"table-4.2", "(P/10)", P / 10}, "RBF-Coll-1", Points::ends, {.nodes = 7, .shape = 0.77});
-    count({"table-4.2", "(P)", P}, "RBF-Coll-2", Points::all, {.nodes = 35});
-    count({"table-4.4", "(0.1; 0.5)", 0.1, 0.5}, "RBF-Coll-1", Points::ends, {.nodes = 7, .shape = 2.5},
-          0.66);
-    count({"table-4.4", "(0.5; 6)", 0.5, 6}, "RBF-Coll-2", Points::ends, {.nodes = 35});
-    count({"table-4.6", "(0.625)", 0.625}, "RBF-Coll-1", Points::ends, {.nodes = 7, .shape = 0.35});
-    count({"table-4.6", "(20)", 20}, "RBF-Coll-2", Points::ends, {.nodes = 35, .shape = 0.39});
-    q.options.push_back(
-        {inversion == collocation::Inversion::solve ? q.chosen : "product with the inverse", s});
+    for (const auto& [row, tolerance] : {std::pair("ODE45-1", 1e-6), {"ODE45-2", 1e-9}}) {
+      const Answer a{"table-4.2", row, run_on("table-4.2", throughout(Ode45{tolerance, tolerance}))};
+      s.count(a.printed(printed), a.rms(a.inferred_end(), points));
+    }
+    q.options.push_back({points == Points::all ? q.chosen : "step ends", s});
   }
+  return q;
+}
+
+/// A row of RBF-Coll.
+struct RadialRun {
+  std::string table;
+  double printed;                ///< its error
+  Points chosen;                 ///< at which the inferred reading takes the error
+  std::optional<Record> record;  ///< none if a step is not solved
+};
+
+std::vector<RadialRun> radial_runs(const Printed& printed, collocation::Inversion inversion) {
+  const double P = duffing_period();
+  std::vector<RadialRun> all;
+  const auto add = [&](const Setting& setting, const std::string& row, Points points, RbfCollocation method,
+                       double later_shape = 0) {
+    method.inversion = inversion;
+    RadialRun& run = all.emplace_back(RadialRun{
+        setting.table, std::stod(printed.at(setting.table + "/" + row + " " + setting.steps)), points, {}});
+    RbfCollocation during = method, after = method;
+    during.step = setting.first;
+    after.step = setting.second;
+    if (later_shape > 0) after.shape = later_shape;
+    try {
+      run.record =
+          run_on(setting.table, setting.second > 0 ? in_two_phases(during, after) : throughout(during));
+    } catch (const Failure&) {
+      run.record.reset();
+    }
+  };
+  add({"table-4.2", "(P/10)", P / 10}, "RBF-Coll-1", Points::ends, {.nodes = 7, .shape = 0.77});
+  add({"table-4.2", "(P)", P}, "RBF-Coll-2", Points::all, {.nodes = 35});
+  add({"table-4.4", "(0.1; 0.5)", 0.1, 0.5}, "RBF-Coll-1", Points::ends, {.nodes = 7, .shape = 2.5}, 0.66);
+  add({"table-4.4", "(0.5; 6)", 0.5, 6}, "RBF-Coll-2", Points::ends, {.nodes = 35});
+  add({"table-4.6", "(0.625)", 0.625}, "RBF-Coll-1", Points::ends, {.nodes = 7, .shape = 0.35});
+  add({"table-4.6", "(20)", 20}, "RBF-Coll-2", Points::ends, {.nodes = 35, .shape = 0.39});
+  return all;
+}
+
+/// @param points of all rows; none: those chosen
+Score score_noise(const std::vector<RadialRun>& runs, std::optional<Points> points = {}) {
+  Score s;
+  for (const RadialRun& run : runs)
+    s.count_noise(run.printed, run.record ? rms_error(*run.record, 0, points.value_or(run.chosen),
+                                                      case_of(run.table).inferred_end)
+                                          : HUGE_VAL);
+  return s;
+}
+
+Question radial_points(const std::vector<RadialRun>& runs) {
+  Question q{
+      "points of RBF-Coll", "4.2 4.4 4.6", "", "all nodes for RBF-Coll-2 of Table 4.2, else step ends", {}};
+  q.options = {{q.chosen, score_noise(runs)},
+               {"step ends", score_noise(runs, Points::ends)},
+               {"all nodes", score_noise(runs, Points::all)}};
+  return q;
+}
+
+Question derivative_matrix(const Printed& printed, const std::vector<RadialRun>& solved) {
+  Question q{"derivative matrix of RBF-Coll", "4.2 4.4 4.6", "", "linear systems", {}};
+  q.options = {
+      {q.chosen, score_noise(solved)},
+      {"product with the inverse", score_noise(radial_runs(printed, collocation::Inversion::inverse))}};
   return q;
 }
 
@@ -353,7 +396,7 @@ void Score::count(const std::string& printed, double ours) {
   const double distance = std::abs(ours - std::stod(printed)) / last_digit(printed);
   ++rows;
   exact += distance <= 0.5 + 1e-9 ? 1 : 0;  // the edge itself may be rounded either way
-  close += distance <= 1 + 1e-9 ? 1 : 0;
+  close += scene::Tolerance("digits", printed).allows(ours, std::stod(printed)) ? 1 : 0;
 }
 
 void Score::count_noise(double printed, double ours) {
@@ -373,10 +416,20 @@ const Option& Question::option(const std::string& wanted) const {
 std::vector<Question> try_readings(bool quick) {
   const Printed printed = read_printed();
   const std::vector<Answer> steps = step_methods(duffing_period());
-  return {end_and_period(printed),       end_of_impact_runs(printed, steps), normalisation(printed, steps),
-          begin_counted(printed, steps), hht_alpha(printed, quick),          newton_tolerance(printed, quick),
-          explicit_restart(printed),     explicit_column(printed),           picard_points(printed),
-          picard_scheme(printed, quick), derivative_matrix(printed)};
+  const std::vector<RadialRun> solved = radial_runs(printed, collocation::Inversion::solve);
+  return {end_and_period(printed),
+          end_of_impact_runs(printed, steps),
+          normalisation(printed, steps),
+          begin_counted(printed, steps),
+          hht_alpha(printed, quick),
+          newton_tolerance(printed, quick),
+          explicit_restart(printed),
+          explicit_column(printed),
+          picard_points(printed),
+          picard_scheme(printed, quick),
+          ode45_points(printed),
+          radial_points(solved),
+          derivative_matrix(printed, solved)};
 }
 
 }  // namespace nlmech::chapters::rbf_ivp

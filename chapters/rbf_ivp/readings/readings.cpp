@@ -6,6 +6,8 @@
 #include <string>
 #include <tuple>
 
+#include "chapters/printed_values.hpp"
+#include "nlmech/scene/evidence/published.hpp"
 #include "nlmech/scene/scene.hpp"
 
 namespace nlmech::chapters::rbf_ivp::readings {
@@ -42,7 +44,7 @@ scene::Table tabulate(const Questions& questions) {
           const Score& chosen = q.option(q.chosen).score;
           return of_rows(chosen.exact, chosen);
         }},
-       {"within one unit",
+       {"rounded or cut off",
         [](const Question& q) {
           const Score& chosen = q.option(q.chosen).score;
           return of_rows(chosen.close, chosen);
@@ -73,9 +75,34 @@ void check(const Questions& questions, scene::Show& show) {
   explained("component in the explicit rows 4.6", "x3, v0 - h/2 a0, v(-h/2) first", 2, 2, both_rows);
 }
 
+/// The counts that stand beside the rows of a table: options of all questions that bear on it, and how many
+/// of its rows that have digits are reproduced.
+void check_counts(const Questions& questions, const std::string& table, scene::Show& show) {
+  std::size_t options = 0, rows = 0, explained = 0;
+  for (const Question& q : questions)
+    if (q.tables.find(table) != std::string::npos) options += q.options.size();
+  const auto printed = printed_values("table-" + table);
+  for (const auto& [name, value] : printed) {
+    if (value.kind != "error") continue;
+    ++rows;
+    explained +=
+        value.expected == scene::Verdict::reproduced || value.expected == scene::Verdict::reproduced_inferred;
+  }
+  const std::string share = fmt::format("{} of {}", explained, rows);
+  const auto others = std::ranges::count_if(printed, [&](const auto& named) {
+    const scene::PublishedValue& value = named.second;
+    return value.tried > 0 && (static_cast<std::size_t>(value.tried) != options || value.explains != share);
+  });
+  show.equals(
+      fmt::format("rows of Table {} that state another count of options", table), static_cast<double>(others),
+      0, fmt::format("{} options of all its questions; {} rows with digits are reproduced", options, share));
+}
+
 void put(const Questions& questions, scene::Show& show) {
   show.table(tabulate(questions));
   check(questions, show);
+  if (show.quick()) return;  // which tries fewer options
+  for (const char* table : {"4.2", "4.4", "4.6"}) check_counts(questions, table, show);
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace nlmech::chapters::rbf_ivp {
 struct Score {
   int rows = 0;   ///< looked at
   int exact = 0;  ///< come out to all printed digits (or within the factor of five of rounding noise)
-  int close = 0;  ///< come out within one unit of the last printed digit
+  int close = 0;  ///< come out rounded to the printed digits, or cut off after them
 
   /// Counts a number printed as @p printed that comes out as @p ours.
   void count(const std::string& printed, double ours);

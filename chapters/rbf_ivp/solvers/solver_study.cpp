@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@
 #include "nlmech/algebraic/homotopies/scalar_homotopy.hpp"
 #include "nlmech/collocation/basis.hpp"
 #include "nlmech/scene/scene.hpp"
+#include "nlmech/support/stopwatch.hpp"
 
 namespace nlmech::chapters::rbf_ivp::solver_study {
 namespace {
@@ -42,6 +44,8 @@ struct Solve {
   bool converged = false;       ///< |F| came down as asked
   bool diverged = false;     ///< grew beyond bounds or came to no finite number; else the iterations ran out
   bool is_solution = false;  ///< converged, and within a hundredth of the amplitudes at all nodes
+  std::vector<double> scattered =
+      {};  ///< iterations from 16 starts that differ by roundings; infinite if none converges
 };
 
 /// How the homotopies step.
@@ -61,10 +65,11 @@ bool solves(const VectorXd& x, const Interval& interval) {
   return error < 0.01;
 }
 
-/// From the constant state until |F| is `reduction` of what it was.
-Solve solve(Solver solver, Form form, const Interval& interval, const Flow& flow = {}) {
+/// From the constant state until |F| is `reduction` of what it was. @param roundings by which the start is
+/// larger
+Solve solve(Solver solver, Form form, const Interval& interval, const Flow& flow = {}, int roundings = 0) {
   algebraic::DenseEquations equations = collocation_equations(interval, form);
-  Solve found{.x = interval.start()};
+  Solve found{.x = interval.start() * (1 + roundings * std::numeric_limits<double>::epsilon())};
   double first = 0;
   VectorXd latest = found.x;
   const auto watch = [&](std::int64_t index, const VectorXd& x, double norm) {
@@ -100,6 +105,17 @@ Solve solve(Solver solver, Form form, const Interval& interval, const Flow& flow
   return found;
 }
 
+/// The same from 16 more starts that differ by roundings, where a run is short enough for that.
+Solve solve_scattered(Solver solver, Form form, const Interval& interval, const Flow& flow) {
+  Solve found = solve(solver, form, interval, flow);
+  if (!found.converged || found.iterations > 5000) return found;
+  for (int k = 1; k <= 16; ++k) {
+    const Solve one = solve(solver, form, interval, flow, k);
+    found.scattered.push_back(one.converged ? static_cast<double>(one.iterations) : HUGE_VAL);
+  }
+  return found;
+}
+
 /// A column of the table.
 struct Column {
   const char* name;
@@ -122,8 +138,11 @@ struct Row {
   Flow flow = {};
   std::vector<Solve> solves = {};  ///< by column
 
+  /// Median over roundings of the start, where that was tried.
   [[nodiscard]] double iterations(std::size_t column) const {
-    return solves[column].converged ? static_cast<double>(solves[column].iterations) : HUGE_VAL;
+    const Solve& s = solves[column];
+    if (!s.scattered.empty()) return median(s.scattered);
+    return s.converged ? static_cast<double>(s.iterations) : HUGE_VAL;
   }
 };
 
@@ -157,14 +176,19 @@ Study compute(bool quick) {
   for (Row& row : study.rows) {
     if (quick) row.flow.most = 500;
     for (const Column& c : columns)
-      row.solves.push_back(solve(c.solver, c.form, interval_of(row.basis, row.periods), row.flow));
+      row.solves.push_back(solve_scattered(c.solver, c.form, interval_of(row.basis, row.periods), row.flow));
   }
   return study;
 }
 
 scene::Cell iterations_cell(const Row& row, std::size_t column) {
   const Solve& s = row.solves[column];
-  if (s.is_solution) return s.iterations;
+  if (s.is_solution && s.scattered.empty()) return fmt::format("{:.2g}, one run", double(s.iterations));
+  if (s.is_solution) {
+    const auto [least, most] = std::ranges::minmax(s.scattered);
+    if (least == most && most == static_cast<double>(s.iterations)) return s.iterations;
+    return fmt::format("{:g} ({:g} to {:g})", row.iterations(column), least, most);
+  }
   if (s.converged) return "another root";
   return s.diverged ? "diverges" : fmt::format("> {}", s.iterations);
 }

@@ -62,8 +62,9 @@ void Show::equals(const std::string& name, const Amount& value, double known, co
   between(name, value, known, known, reason);
 }
 
-void Show::measured(const std::string& name, std::optional<double> nominal, std::optional<double> inferred) {
-  if (!showing_.measured.emplace(name, Measured{nominal, inferred}).second)
+void Show::measured(const std::string& name, std::optional<double> nominal, std::optional<double> inferred,
+                    const std::string& setting) {
+  if (!showing_.measured.emplace(name, Measured{nominal, inferred, setting}).second)
     throw std::logic_error("measured twice: " + name);
 }
 

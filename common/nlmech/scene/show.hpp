@@ -140,8 +140,10 @@ class Show {
   /// @throws std::logic_error if no source prints it
   [[nodiscard]] double printed(const std::string& name);
   /// What we get for a printed number. @param name as PublishedValue::name()
+  /// @param setting of the runs behind both, in words, for the pages
   /// @throws std::logic_error at a second number for the same name
-  void measured(const std::string& name, std::optional<double> nominal, std::optional<double> inferred = {});
+  void measured(const std::string& name, std::optional<double> nominal, std::optional<double> inferred = {},
+                const std::string& setting = {});
 
   /// The result. @throws std::logic_error at a figure without curves
   [[nodiscard]] Showing take();

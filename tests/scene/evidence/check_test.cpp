@@ -45,7 +45,7 @@ class Check : public ::testing::Test {
     scenes_.back().content = Content([=](Show& show) {
       show.table(std::vector{value}, {{"x", [](double x) { return x; }}});
       show.near("x", value, 1, 0.1, "by definition");
-      for (const auto& [name, m] : measured) show.measured(name, m.nominal, m.inferred);
+      for (const auto& [name, m] : measured) show.measured(name, m.nominal, m.inferred, m.setting);
     });
   }
   void add_failing(const std::string& sentence) {
@@ -132,14 +132,15 @@ TEST_F(Check, LeavesWhatThePagesNeed) {
       "table-1,t,s,9,s,time,,,context,,,,,,\n"
       "table-2,b,x,1,1,error,,,reproduced,0.15,made up,,,,\n");
   measure("book/table-1/a; \"b\", c/x", {1 + 0x1p-52, {}});
-  measure("book/table-1/i/x", {7, 1.1});
+  measure("book/table-1/i/x", {7, 1.1, "all nodes, to t = 3"});
   write_check(check_ours(), "ours", folder_.path());
   const std::string file = bytes_of(folder_ / "results/ours/check.csv");
-  EXPECT_EQ(file,
-            "name,nominal,inferred,verdict,passes\n"
-            "\"book/table-1/a; \"\"b\"\", c/x\",1.0000000000000002,,reproduced,1\n"
-            "book/table-1/i/x,7,1.1000000000000001,\"reproduced, inferred reading\",1\n"
-            "book/table-1/t/s,,,context,1\n");
+  EXPECT_EQ(
+      file,
+      "name,nominal,inferred,verdict,passes,setting\n"
+      "\"book/table-1/a; \"\"b\"\", c/x\",1.0000000000000002,,reproduced,1,\n"
+      "book/table-1/i/x,7,1.1000000000000001,\"reproduced, inferred reading\",1,\"all nodes, to t = 3\"\n"
+      "book/table-1/t/s,,,context,1,\n");
 }
 
 // A method that diverges where the source prints a number: the page must say what the check said.
@@ -153,10 +154,10 @@ TEST_F(Check, LeavesInfiniteAndUndefinedNumbersAsTheyAre) {
   measure("book/table-1/nan/x", {nan, {}});
   write_check(check_ours(), "ours", folder_.path());
   EXPECT_EQ(bytes_of(folder_ / "results/ours/check.csv"),
-            "name,nominal,inferred,verdict,passes\n"
-            "book/table-1/inf/x,-inf,,differs,1\n"
-            "book/table-1/gain/x,inf,,holds,1\n"
-            "book/table-1/nan/x,nan,,differs,0\n");
+            "name,nominal,inferred,verdict,passes,setting\n"
+            "book/table-1/inf/x,-inf,,differs,1,\n"
+            "book/table-1/gain/x,inf,,holds,1,\n"
+            "book/table-1/nan/x,nan,,differs,0,\n");
 }
 
 }  // namespace

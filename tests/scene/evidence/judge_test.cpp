@@ -100,7 +100,7 @@ TEST(Judge, NoiseSharesALevel) {
   EXPECT_FALSE(passes(noise(2e-16, "below 1e-15"), none));
   EXPECT_TRUE(passes(noise(2e-16, "below 1e-15"), none, 1e-24)) << "under a reading, and shown as such";
   EXPECT_FALSE(passes(noise(2e-16, "below 1e-15"), none, 2e-15));
-  EXPECT_FALSE(passes(noise(2e-16, "below 1e-15"), 2e-15, 1e-24)) << "a nominal number is judged first";
+  EXPECT_TRUE(passes(noise(2e-16, "below 1e-15"), 2e-15, 1e-24)) << "whatever the text as printed gives";
   EXPECT_FALSE(passes(noise(2e-16, "below 1e-15", "error"), 1e-24))
       << "an error is no noise unless it is said to be";
 }
@@ -143,7 +143,10 @@ TEST(Judge, DiffersNeedsAnotherNumberThanThePrintedOne) {
   EXPECT_FALSE(passes(value, 0.54)) << "beside the printed number";
   EXPECT_FALSE(passes(value, nan)) << "NaN is no finding";
   EXPECT_FALSE(passes(value, none));
-  EXPECT_FALSE(passes(value, none, 0.6));
+  EXPECT_TRUE(passes(value, none, 0.6)) << "a text that cannot be run as printed";
+  EXPECT_FALSE(passes(value, none, 0.54));
+  EXPECT_FALSE(passes(value, 0.54, 0.6)) << "the text as printed comes first";
+  EXPECT_FALSE(passes(printed(0.5, Verdict::differs, "", "0.7 with c = 2.5"), none, 0.6)) << "not as found";
 }
 
 TEST(Judge, DiffersKeepsToTheNumberThatWasFound) {
@@ -244,15 +247,22 @@ TEST(Tolerance, OfANumberIsRelative) {
   EXPECT_FALSE(Tolerance("1e-3").allows(1.0011, 1));
 }
 
-// Rounded up, rounded down or cut off.
-TEST(Tolerance, OfDigitsIsAUnitOfTheLastPrintedOne) {
+// Rounded up, rounded down or cut off: what is printed may have grown by half a unit and lost a whole one.
+TEST(Tolerance, OfDigitsIsRoundingOrCuttingOff) {
   const Tolerance digits("digits", "1.18e-4");
   EXPECT_TRUE(digits.allows(1.1899e-4, 1.18e-4));
-  EXPECT_TRUE(digits.allows(1.1701e-4, 1.18e-4));
+  EXPECT_TRUE(digits.allows(1.1751e-4, 1.18e-4));
+  EXPECT_FALSE(digits.allows(1.1749e-4, 1.18e-4));
   EXPECT_FALSE(digits.allows(1.1901e-4, 1.18e-4));
+  EXPECT_FALSE(Tolerance("digits", "0.399").allows(0.3984, 0.399)) << "neither rounds nor cuts to it";
   EXPECT_TRUE(Tolerance("digits", "9").allows(10, 9)) << "the edge is within";
-  EXPECT_TRUE(Tolerance("digits", "-0.3193").allows(-0.3194, -0.3193));
+  EXPECT_TRUE(Tolerance("digits", "9").allows(8.5, 9));
+  EXPECT_TRUE(Tolerance("digits", "-0.3193").allows(-0.31939, -0.3193));
+  EXPECT_TRUE(Tolerance("digits", "-0.3193").allows(-0.31926, -0.3193));
+  EXPECT_FALSE(Tolerance("digits", "-0.3193").allows(-0.31924, -0.3193));
   EXPECT_FALSE(Tolerance("digits", "-0.3193").allows(-0.3195, -0.3193));
+  EXPECT_FALSE(Tolerance("digits", "5").allows(-5, 5));
+  EXPECT_TRUE(Tolerance("digits", "0").allows(-0.9, 0)) << "a zero has no sign";
   EXPECT_TRUE(Tolerance("digits", "0.1584e10").allows(0.15845e10, 0.1584e10));
   EXPECT_TRUE(Tolerance("digits", "27.11").allows(27.1199, 27.11));
   EXPECT_FALSE(Tolerance("digits", "0").allows(1.5, 0));

@@ -109,10 +109,11 @@ ChapterCheck check(const Chapter& chapter, const fs::path& data_folder, bool qui
 }
 
 void write_check(const ChapterCheck& check, const std::string& chapter, const fs::path& out) {
-  Table table({{"name"}, {"nominal"}, {"inferred"}, {"verdict"}, {"passes"}});
+  Table table({{"name"}, {"nominal"}, {"inferred"}, {"verdict"}, {"passes"}, {"setting"}});
   for (const Checked& c : check.values) {
     table.add({c.value.name(), c.measured.nominal, c.measured.inferred,
-               std::string(to_string(c.judgement.verdict)), std::int64_t{c.judgement.passes}});
+               std::string(to_string(c.judgement.verdict)), std::int64_t{c.judgement.passes},
+               c.measured.setting});
   }
   write_whole(out / "results" / chapter / "check.csv", table.csv());
 }
@@ -125,9 +126,13 @@ std::string verdict_text(const Checked& checked) {
   return text;
 }
 
-std::string reading_text(const PublishedValue& value) {
-  if (value.tried == 0) return value.reading;
-  return fmt::format("{} ({} tried; explains {} rows)", value.reading, value.tried, value.explains);
+std::string reading_text(const Checked& checked) {
+  const PublishedValue& value = checked.value;
+  std::string text = checked.measured.setting;
+  if (!text.empty() && !value.reading.empty()) text += "; ";
+  text += value.reading;
+  if (value.tried > 0) text += fmt::format(" ({} tried; explains {} rows)", value.tried, value.explains);
+  return text;
 }
 
 std::string reproduction_text(const std::vector<Checked>& values) {
@@ -139,7 +144,7 @@ std::string reproduction_text(const std::vector<Checked>& values) {
     if (c.measured.inferred) text += ", inferred " + shown(c.measured.inferred);
     text += ": " + verdict_text(c);
     if (!c.failure.empty()) text += " because " + c.failure;
-    if (!c.value.reading.empty()) text += " [" + reading_text(c.value) + "]";
+    if (const std::string reading = reading_text(c); !reading.empty()) text += " [" + reading + "]";
     text += '\n';
   }
   return text;

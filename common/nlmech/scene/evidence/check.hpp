@@ -51,8 +51,9 @@ void write_check(const ChapterCheck& check, const std::string& chapter, const st
 /// The verdict in words, with the expected one where it is another.
 [[nodiscard]] std::string verdict_text(const Checked& checked);
 
-/// How the text was understood, with the evidence for it: "the other norm (2 tried; explains 2 of 2 rows)".
-[[nodiscard]] std::string reading_text(const PublishedValue& value);
+/// The setting that ran and how the text was understood, with the evidence for it: "at the ends of steps; the
+/// other norm (2 tried; explains 2 of 2 rows)".
+[[nodiscard]] std::string reading_text(const Checked& checked);
 
 /// Values as lines of plain text, for a terminal; misses are marked.
 [[nodiscard]] std::string reproduction_text(const std::vector<Checked>& values);

@@ -56,6 +56,12 @@ bool close_to(const Tolerance& tolerance, double ours, const std::optional<Range
   return reference && tolerance.allows(ours, reference->low, reference->high);
 }
 
+/// Is what was found before, by the words of the file, found again: within the tolerance, or nearly?
+bool found_again(const Tolerance& tolerance, double ours, std::string_view words) {
+  const auto found = leading_range(words);
+  return !found || close_to(tolerance, ours, found) || close_to(Tolerance("0.05"), ours, found);
+}
+
 /// Has the number digits that could agree?
 bool has_digits(const PublishedValue& p) {
   return p.kind != "rounding" && p.kind != "bound" && p.kind != "claim";
@@ -74,21 +80,20 @@ bool supports(Verdict verdict, const PublishedValue& p, const Measured& m) {
   if (verdict == Verdict::not_stated || verdict == Verdict::context) return true;
   if (verdict == Verdict::input) return m.nominal && *m.nominal == p.value;
   const Tolerance tolerance(p.tolerance, p.printed);
-  const auto found = leading_range(p.nominal);
-  // What was found before is found again: within the tolerance, or nearly.
-  const bool as_found = m.nominal && (!found || close_to(tolerance, *m.nominal, found) ||
-                                      close_to(Tolerance("0.05"), *m.nominal, found));
+  // A text that cannot be run as printed leaves the inferred number alone.
+  const std::optional<double>& ours = m.nominal ? m.nominal : m.inferred;
   switch (verdict) {
     case Verdict::reproduced: return matches(p, tolerance, m.nominal);
     case Verdict::reproduced_inferred: return matches(p, tolerance, m.inferred);
     case Verdict::same_rounding:
       // Noise under a reading is noise; the table shows it as inferred.
-      return same_noise(p, tolerance, m.nominal ? m.nominal : m.inferred);
+      return same_noise(p, tolerance, m.nominal) || same_noise(p, tolerance, m.inferred);
     case Verdict::better:
-      return (p.kind == "bound" || p.kind == "rounding") && as_found &&
-             std::abs(*m.nominal) < std::abs(p.value);
+      return (p.kind == "bound" || p.kind == "rounding") && m.nominal &&
+             found_again(tolerance, *m.nominal, p.nominal) && std::abs(*m.nominal) < std::abs(p.value);
     case Verdict::differs:
-      return as_found && !std::isnan(*m.nominal) && !tolerance.allows(*m.nominal, p.value);
+      return ours && found_again(tolerance, *ours, m.nominal ? p.nominal : p.inferred) &&
+             !std::isnan(*ours) && !tolerance.allows(*ours, p.value);
     case Verdict::holds: return p.kind == "claim" && m.nominal && tolerance.allows(*m.nominal, p.value);
     case Verdict::does_not_hold:
       return p.kind == "claim" && m.nominal && !std::isnan(*m.nominal) &&
@@ -209,7 +214,13 @@ Tolerance::Tolerance(std::string_view words, std::string_view printed) {
     amount_ = std::sqrt(10.0);
     return;
   }
-  if (words == "digits") words = "1 units";
+  // A number that ends on the edge is within.
+  constexpr double edge = 1 + 1e-12;
+  if (words == "digits") {
+    kind_ = Kind::digits;
+    amount_ = last_unit(printed) * edge;
+    return;
+  }
   constexpr std::array<std::pair<std::string_view, Kind>, 3> forms = {
       {{"factor ", Kind::factor}, {"at least ", Kind::at_least}, {"below ", Kind::below}}};
   std::string_view number = words;
@@ -225,12 +236,16 @@ Tolerance::Tolerance(std::string_view words, std::string_view printed) {
   if (!parse_number(number, amount_) || amount_ <= 0 || (kind_ == Kind::factor && amount_ < 1)) {
     throw input_error("'{}' is no tolerance", echoed(words));
   }
-  // A number that ends on the edge is within.
-  if (kind_ == Kind::absolute) amount_ *= last_unit(printed) * (1 + 1e-12);
+  if (kind_ == Kind::absolute) amount_ *= last_unit(printed) * edge;
 }
 
 bool Tolerance::allows(double ours, double theirs) const {
   switch (kind_) {
+    case Kind::digits: {
+      if (theirs == 0) return std::abs(ours) <= amount_;
+      const double more = theirs < 0 ? theirs - ours : ours - theirs;
+      return more >= -amount_ / 2 && more <= amount_;
+    }
     case Kind::absolute: return std::abs(ours - theirs) <= amount_;
     case Kind::relative: return std::abs(ours - theirs) <= amount_ * std::abs(theirs);
     case Kind::factor: {

@@ -29,8 +29,9 @@ enum class Verdict {
 [[nodiscard]] std::string_view to_string(Verdict verdict);
 
 /// How far apart two numbers may be. Built from the words of the file:
-///   - "digits": by one unit of the last printed digit, so that rounding and cutting off are alike, and
-///     "3 units" by three;
+///   - "digits": ours, rounded to the printed digits or cut off after them, is the printed number: its
+///     magnitude is at most half a unit of the last digit less and one unit more;
+///   - "3 units": by three units of the last digit, to either side;
 ///   - a number: relative; "factor 5"; "order of magnitude": a factor of sqrt(10), of what is printed as a
 ///     power of ten;
 ///   - "at least 100" and "below 1e-15", of ours alone.
@@ -47,7 +48,7 @@ class Tolerance {
   [[nodiscard]] bool is_bound() const { return kind_ == Kind::at_least || kind_ == Kind::below; }
 
  private:
-  enum class Kind { absolute, relative, factor, at_least, below } kind_ = Kind::relative;
+  enum class Kind { digits, absolute, relative, factor, at_least, below } kind_ = Kind::relative;
   double amount_ = 0;
 };
 
@@ -110,6 +111,7 @@ struct Place {
 struct Measured {
   std::optional<double> nominal;   ///< from the text as it stands
   std::optional<double> inferred;  ///< under a reading that evidence points to
+  std::string setting = {};        ///< of the runs behind both, in words; empty: the file's `reading` says it
 };
 
 /// A verdict, and whether it is the expected one.
@@ -123,14 +125,13 @@ struct Judgement {
 ///  - `reproduced` needs the nominal number within the tolerance of the printed one, and a number that means
 ///    something: no rounding noise and no bound;
 ///  - `reproduced, inferred reading` needs the same of the inferred number;
-///  - `same rounding level` needs noise by name (kind "rounding"), and the nominal number within a factor of
-///    the printed one or both below a bound;
+///  - `same rounding level` needs noise by name (kind "rounding"), and the nominal or the inferred number
+///    within a factor of the printed one or both below a bound;
 ///  - `better` needs a bound or noise by name, and a nominal number smaller than the printed one and within
 ///  the
 ///    tolerance of `nominal`;
-///  - `differs` needs a number outside the tolerance of the printed one, and within it, or 5 %, of `nominal`
-///  where
-///    the file has one;
+///  - `differs` needs a number outside the tolerance of the printed one, and within it, or 5 %, of what the
+///    file has found before; the inferred number counts where there is no nominal one;
 ///  - `holds` and `does not hold` need a claim by name, and the nominal number within its tolerance or
 ///  outside;
 ///  - `input` needs the printed number itself.
