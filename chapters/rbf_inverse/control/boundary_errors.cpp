@@ -102,7 +102,7 @@ void measure(const std::vector<Row>& rows, const Cases& cases, const Variants& v
   double wider = HUGE_VAL;
   for (const auto* of_case : variants) wider = std::min(wider, largest_error((*of_case)[1]));
   show.at_most("least error of states and co-states with the wider shape, T = 2", wider, 1e-6,
-               "recorded: 9.1e-8, for c T = 7.5");
+               "regression value: 9.1e-8, for c T = 7.5");
 }
 
 void put(const Cases& cases, const Variants& variants, scene::Show& show) {
