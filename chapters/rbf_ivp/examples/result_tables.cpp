@@ -19,6 +19,12 @@ struct Line {
   double milliseconds = 0;
   Statistics statistics = {};
 
+  std::string missing = {};  ///< what the text leaves out, so that there is no nominal error
+
+  /// The error, or why there is none.
+  [[nodiscard]] scene::Cell nominal() const {
+    return errors.nominal ? scene::Cell(*errors.nominal) : scene::Cell("cannot be run: " + missing);
+  }
   [[nodiscard]] std::string verdict() const { return std::string(to_string(judged)); }
   [[nodiscard]] std::int64_t steps() const { return statistics.steps; }
   [[nodiscard]] std::int64_t right_hand_sides() const { return statistics.right_hand_sides; }
@@ -49,6 +55,7 @@ std::vector<Line> lines(const Example& example, const Records& literal, const Re
               .milliseconds = *times[i],
               .statistics = literal[i]->statistics};
     line.reading = line.errors.setting;
+    line.missing = row.missing;
     if (!row.row.empty()) {
       line.name = fmt::format("elgohary/{}/{}/{}", example.table, row.row, example.quantity);
       const scene::PublishedValue& value = printed.at(line.name);
@@ -64,7 +71,7 @@ std::vector<Line> lines(const Example& example, const Records& literal, const Re
 void put(const Example& example, const std::vector<Line>& lines, scene::Show& show) {
   show.table(lines, {{"method", &Line::method},
                      {"setting", &Line::setting},
-                     {"RMS error, nominal", [](const Line& l) { return l.errors.nominal; }, 4},
+                     {"RMS error, nominal", &Line::nominal, 4},
                      {"RMS error, inferred", [](const Line& l) { return l.errors.inferred; }, 4},
                      {"published", &Line::published},
                      {"verdict", &Line::verdict},

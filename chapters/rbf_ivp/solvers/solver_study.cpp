@@ -183,7 +183,8 @@ Study compute(bool quick) {
 
 scene::Cell iterations_cell(const Row& row, std::size_t column) {
   const Solve& s = row.solves[column];
-  if (s.is_solution && s.scattered.empty()) return fmt::format("{:.2g}, one run", double(s.iterations));
+  if (s.is_solution && s.scattered.empty())
+    return fmt::format("{}, one run", scene::format_number(double(s.iterations), 2));
   if (s.is_solution) {
     const auto [least, most] = std::ranges::minmax(s.scattered);
     if (least == most && most == static_cast<double>(s.iterations)) return s.iterations;
