@@ -4,7 +4,6 @@
 
 #include <type_traits>
 
-#include "nlmech/program/composition.hpp"
 #include "nlmech/program/dual.hpp"
 #include "nlmech/program/growing_series.hpp"
 #include "nlmech/program/power_series.hpp"
@@ -186,7 +185,7 @@ TEST(PowerSeriesInEigen, FillsVectors) {
 }
 
 // ---- The functions of power series that have a differential equation, against closed forms in 50 digits and
-// identities that no recurrence is built from; composition.
+// identities that no recurrence is built from.
 
 using S = PowerSeries<Real>;
 const Real real_epsilon = std::numeric_limits<Real>::epsilon();
@@ -270,38 +269,6 @@ TEST(PowerSeriesFunctions, OfConstants) {
     EXPECT_TRUE(series.is_constant());
     EXPECT_EQ(series[0], value);
   }
-}
-
-// F = (1 + 2 x)(3 - y^2) z has finitely many coefficients; products are another way to it.
-TEST(Composition, PolynomialOfThreeSeries) {
-  std::vector<Real> alpha(std::size_t{2} * 3 * 2, Real(0));
-  const auto at = [&](std::size_t p, std::size_t q, std::size_t r) -> Real& {
-    return alpha[(p * 3 + q) * 2 + r];
-  };
-  at(0, 0, 1) = 3;
-  at(1, 0, 1) = 6;
-  at(0, 2, 1) = -1;
-  at(1, 2, 1) = -2;
-  const AnalyticFunction<Real> f(alpha, {2, 3, 2});
-  const S t = S::variable(Real(0.5), order), x = exp(t), y = sin(t), z = 1 / t;
-  expect_equal(f(x, y, z), (1 + 2 * x) * (3 - y * y) * z);
-}
-
-// The paper's way to cos(omega T tau) (Eqs. 49-55): the series of the cosine in powers of x = omega T tau.
-TEST(Composition, CosineOfALine) {
-  std::vector<Real> alpha(order + 1, Real(0));
-  Real factorial = 1;
-  for (int k = 0; k <= static_cast<int>(order); ++k) {
-    if (k > 0) factorial *= k;
-    if (k % 2 == 0) alpha[static_cast<std::size_t>(k)] = (k % 4 == 0 ? 1 : -1) / factorial;
-  }
-  const S x = Real(0.35) * S::variable(0, order);
-  expect_equal(AnalyticFunction<Real>(alpha, {order + 1, 1, 1})(x), cos(x));
-}
-
-TEST(Composition, RefusesATableThatIsNotFull) {
-  EXPECT_THROW(AnalyticFunction<double>({1, 2, 3}, {2, 2, 1}), std::invalid_argument);
-  EXPECT_THROW(AnalyticFunction<double>({}, {0, 1, 1}), std::invalid_argument);
 }
 
 // ---- A growing series computes what a power series does, one coefficient a pass.

@@ -9,7 +9,7 @@
 #include <limits>
 #include <string>
 
-#include "nlmech/ivp/series/unrolled_taylor.hpp"
+#include "nlmech/ivp/series/taylor.hpp"
 #include "nlmech/program/growing_series.hpp"
 #include "nlmech/program/tape_expansion.hpp"
 #include "nlmech/program/tape_lanes.hpp"
