@@ -11,7 +11,7 @@
 
 #include "nlmech/ivp/direct.hpp"
 #include "nlmech/peers/ivp/native.hpp"
-#include "nlmech/peers/ivp/odeint/odeint_native.hpp"
+#include "nlmech/peers/ivp/odeint/odeint_direct.hpp"
 
 namespace nlmech::chapters {
 

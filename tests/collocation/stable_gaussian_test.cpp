@@ -20,11 +20,11 @@ using namespace oracle;
 
 Eigen::VectorXd times_of(NodeFamily family, int n) { return (nodes(family, n).array() + 1) / 2; }
 
-/// Rows of Phi^-1 applied from the right, by the factors L D L^T of Phi with so many digits; for rows r the
-/// product r Phi^-1 in double. Nothing if a pivot leaves fewer than 25 of the digits.
+/// Rows of D at the times @p at: rows of Phi' times Phi^-1, by the factors L D L^T of Phi with so many
+/// digits, in double. Nothing if a pivot leaves fewer than 25 of the digits.
 template <unsigned digits>
 std::optional<Eigen::MatrixXd> exact_rows(const Eigen::VectorXd& times, double shape,
-                                          const std::vector<double>& at, bool derivative) {
+                                          const std::vector<double>& at) {
   using Real = ExtendedReal<digits>;
   const Eigen::Index n = times.size();
   const Real c = shape;
@@ -45,7 +45,7 @@ std::optional<Eigen::MatrixXd> exact_rows(const Eigen::VectorXd& times, double s
     Vector<Real> x(n);
     for (Eigen::Index k = 0; k < n; ++k) {
       const Real distance = Real(at[static_cast<std::size_t>(r)]) - Real(times[k]);
-      x[k] = derivative ? phi_dot(Kernel::gaussian, c, distance) : phi(Kernel::gaussian, c, distance);
+      x[k] = phi_dot(Kernel::gaussian, c, distance);
     }
     for (Eigen::Index k = 0; k < n; ++k) {
       x[k] /= A(k, k);
@@ -62,12 +62,11 @@ std::optional<Eigen::MatrixXd> exact_rows(const Eigen::VectorXd& times, double s
 }
 
 /// As many digits as it takes.
-Eigen::MatrixXd exact(const Eigen::VectorXd& times, double shape, const std::vector<double>& at,
-                      bool derivative) {
-  if (const auto rows = exact_rows<60>(times, shape, at, derivative)) return *rows;
-  if (const auto rows = exact_rows<150>(times, shape, at, derivative)) return *rows;
-  if (const auto rows = exact_rows<330>(times, shape, at, derivative)) return *rows;
-  return exact_rows<700>(times, shape, at, derivative).value();
+Eigen::MatrixXd exact(const Eigen::VectorXd& times, double shape, const std::vector<double>& at) {
+  if (const auto rows = exact_rows<60>(times, shape, at)) return *rows;
+  if (const auto rows = exact_rows<150>(times, shape, at)) return *rows;
+  if (const auto rows = exact_rows<330>(times, shape, at)) return *rows;
+  return exact_rows<700>(times, shape, at).value();
 }
 
 /// Widths at which extended precision is quick enough for a unit test.
@@ -90,7 +89,7 @@ TEST(StableGaussian, DifferentiatesAsExtendedPrecisionDoes) {
       for (const double shape : affordable(family, n)) {
         std::vector<double> at;
         for (const Eigen::Index i : some_rows(n)) at.push_back(times[i]);
-        const Eigen::MatrixXd truth = exact(times, shape, at, true);
+        const Eigen::MatrixXd truth = exact(times, shape, at);
         const Eigen::MatrixXd D = StableGaussian(times, shape).differentiation_matrix();
         Eigen::Index r = 0;
         for (const Eigen::Index i : some_rows(n)) {
@@ -132,10 +131,6 @@ TEST(StableGaussian, IsThePolynomialForShapeZero) {
   EXPECT_EQ(flat.differentiation_matrix(), polynomial_differentiation_matrix(times));
   EXPECT_EQ(flat.terms(), 9);
   EXPECT_TRUE(flat.last_pivots().empty());
-  RowVector<double> row, polynomial;
-  flat.row(1.25, row);
-  polynomial_row(times, barycentric_weights(times), 1.25, polynomial);
-  EXPECT_EQ(row, polynomial);
 }
 
 // D phi_k = phi'_k for the functions themselves. Rounding: |D||phi|, with the relative errors of D.
@@ -154,38 +149,6 @@ TEST(StableGaussian, DifferentiatesItsFunctions) {
         EXPECT_LE((D * value - slope).cwiseAbs().maxCoeff(), 1e-12 * n * size) << n << ' ' << shape;
       }
     }
-  }
-}
-
-TEST(StableGaussian, RowInterpolates) {
-  const std::vector<double> at = {0.003, 0.123, 0.5001, 0.87, 0.9999};
-  for (const NodeFamily family : {NodeFamily::legendre_gauss_lobatto, NodeFamily::left_end_and_radau}) {
-    for (const int n : {2, 7, 15, 35}) {
-      const Eigen::VectorXd times = times_of(family, n);
-      for (const double shape : affordable(family, n)) {
-        const Eigen::MatrixXd truth = exact(times, shape, at, false);
-        const StableGaussian basis(times, shape);
-        RowVector<double> row;
-        for (std::size_t r = 0; r < at.size(); ++r) {
-          basis.row(at[r], row);
-          for (Eigen::Index j = 0; j < n; ++j) {
-            const double exact = truth(static_cast<Eigen::Index>(r), j);
-            if (std::abs(exact) < 1e-290) continue;
-            EXPECT_NEAR(row[j] / exact, 1, 2e-11) << n << ' ' << shape << ' ' << at[r] << ' ' << j;
-          }
-        }
-      }
-    }
-  }
-}
-
-TEST(StableGaussian, RowAtNodesIsThatOfTheUnitMatrix) {
-  const Eigen::VectorXd times = lgl_times(7, 2);
-  const StableGaussian basis(times, 1.5);
-  RowVector<double> row;
-  for (Eigen::Index k = 0; k < 7; ++k) {
-    basis.row(times[k], row);
-    EXPECT_EQ(row, Eigen::RowVectorXd::Unit(7, k));
   }
 }
 
@@ -243,7 +206,7 @@ RC_GTEST_PROP(StableGaussianProperty, HoldsForAnyNodes, ()) {
   const double length = times[times.size() - 1] - times[0];
   const double shape = std::exp(*rc::gen::inRange(-40, 40) / 10.0) / length;
   const StableGaussian basis(times, shape);
-  const Eigen::MatrixXd truth = exact(times, shape, {times[0], times[times.size() - 1]}, true);
+  const Eigen::MatrixXd truth = exact(times, shape, {times[0], times[times.size() - 1]});
   const Eigen::MatrixXd& D = basis.differentiation_matrix();
   const double size = D.cwiseAbs().maxCoeff();
   RC_ASSERT((D.row(0) - truth.row(0)).cwiseAbs().maxCoeff() <= 1e-12 * size);
@@ -262,11 +225,6 @@ TEST(StableGaussian, RefusesWhatIsNoBasis) {
   EXPECT_EQ(message(100), "");
   EXPECT_NE(refusal([] { (void)StableGaussian(Eigen::Vector2d(1, 0), 1.); }), "");
   EXPECT_NE(refusal([] { (void)StableGaussian(Eigen::VectorXd::Zero(1), 1.); }), "");
-  const StableGaussian basis(lgl_times(3), 1);
-  RowVector<double> row;
-  EXPECT_EQ(refusal([&] { basis.row(1.5, row); }),
-            "StableGaussian::row: the time must be between 0 and 1, is 1.5");
-  EXPECT_NE(refusal([&] { basis.row(std::nan(""), row); }), "");
 }
 
 double positive() {

@@ -1,7 +1,7 @@
-// What the tests of integrators share: equations with known solutions (their System is in systems.cpp), and
-// observers that measure.
+// What the tests of integrators share: equations with known solutions, and observers that measure.
 #pragma once
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,6 +18,7 @@
 #include "nlmech/ivp/structural/central_difference.hpp"
 #include "nlmech/problems/problem.hpp"
 #include "nlmech/program/value_of.hpp"
+#include "tests/ivp/typed.hpp"
 
 namespace nlmech::ivp::testing {
 
@@ -27,36 +28,21 @@ inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // q'' = -2 zeta q' - w2 q - cubic q^3 + f(t) with the f for which q = A cos t.
 struct Manufactured {
-  static constexpr int dimension = 2;
-  using compiled_once = Manufactured;
   double damping = 0.3, stiffness = 1, cubic = 1, amplitude = 1;
-  template <class T>
-  void acceleration(const T& t, const Vector<T, 1>& q, const Vector<T, 1>& v, Vector<T, 1>& a) const {
-    using std::cos;
-    using std::sin;
-    const T c = amplitude * cos(t), x = q[0];
-    a[0] = -damping * v[0] - stiffness * x - cubic * (x * x * x) - damping * amplitude * sin(t) +
-           (stiffness - 1) * c + cubic * (c * c * c);
-  }
-  template <class T>
-  void operator()(const T& t, const Vector<T, 2>& x, Vector<T, 2>& dxdt) const {
-    problems::first_order_form(*this, t, x, dxdt);
+  operator program::Problem() const {
+    return typed_problem(
+        fmt::format("q'' = -c q' - k q - m q^3 - c A sin(t) + (k - 1) A cos(t) + m (A cos(t))^3;"
+                    "c = {:.17g}; k = {:.17g}; m = {:.17g}; A = {:.17g}",
+                    damping, stiffness, cubic, amplitude));
   }
   [[nodiscard]] State exact(double t) const { return {amplitude * std::cos(t), -amplitude * std::sin(t)}; }
 };
 
 // q'' = -w^2 q.
 struct Oscillator {
-  static constexpr int dimension = 2;
-  using compiled_once = Oscillator;
   double frequency = 1;
-  template <class T>
-  void acceleration(const T& /*t*/, const Vector<T, 1>& q, const Vector<T, 1>& /*v*/, Vector<T, 1>& a) const {
-    a[0] = -(frequency * frequency) * q[0];
-  }
-  template <class T>
-  void operator()(const T& t, const Vector<T, 2>& x, Vector<T, 2>& dxdt) const {
-    problems::first_order_form(*this, t, x, dxdt);
+  operator program::Problem() const {
+    return typed_problem(fmt::format("q'' = -(w^2) q; w = {:.17g}", frequency));
   }
 };
 
@@ -64,7 +50,6 @@ struct Oscillator {
 // exact if it respects the jump, and wrong by a part of a step's jump if not.
 struct JumpingForce {
   static constexpr int dimension = 2;
-  using compiled_once = JumpingForce;
   double at = 0.3, before = -1, after = 2;
   template <class T>
   void acceleration(const T& t, const Vector<T, 1>& /*q*/, const Vector<T, 1>& /*v*/, Vector<T, 1>& a) const {
@@ -89,7 +74,6 @@ struct JumpingForce {
 // q'' = -q, but `value` from t = `at` on.
 struct Poisoned {
   static constexpr int dimension = 2;
-  using compiled_once = Poisoned;
   double at = 0.5, value = nan;
   template <class T>
   void acceleration(const T& t, const Vector<T, 1>& q, const Vector<T, 1>& /*v*/, Vector<T, 1>& a) const {

@@ -1,13 +1,13 @@
 // GSL ends the program at an error, unless it is told otherwise; the peers tell it, and take it back.
+#include <gtest/gtest.h>
+
 #include <gsl/gsl_errno.h>
 
+#include "nlmech/peers/ivp/registry.hpp"
 #include "tests/ivp/typed.hpp"
-#include "tests/peers_ivp/peers.hpp"
 
 namespace nlmech::peers::gsl_errors_test {
 namespace {
-
-using namespace testing;
 
 void handler(const char* /*reason*/, const char* /*file*/, int /*line*/, int /*code*/) {}
 
@@ -31,7 +31,7 @@ TEST(GslErrors, GoToTheProgramsHandlerAgainAfterwards) {
     EXPECT_NE(now, &handler);
     return true;
   };
-  (void)peer_integrator("gsl-rk8pd", 1e-9)(ivp::System(Decay{}), ivp::State{1.0}, 0, 1, look, {});
+  (void)peer_integrator("gsl-rk8pd", 1e-9)(ivp::testing::typed("x' = -x"), ivp::State{1.0}, 0, 1, look, {});
   EXPECT_EQ(gsl_set_error_handler(before), &handler);
 }
 

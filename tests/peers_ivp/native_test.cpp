@@ -8,7 +8,6 @@
 
 #include "chapters/plain_equations.hpp"
 #include "nlmech/peers/ivp/odeint/odeint_direct.hpp"
-#include "nlmech/peers/ivp/odeint/odeint_native.hpp"
 #include "nlmech/problems/duffing.hpp"
 #include "nlmech/problems/texts.hpp"
 

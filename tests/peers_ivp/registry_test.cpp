@@ -1,11 +1,12 @@
 // Peers by name.
+#include <gtest/gtest.h>
+
+#include "nlmech/peers/ivp/registry.hpp"
 #include "nlmech/peers/ivp/sundials/cvode.hpp"
-#include "tests/peers_ivp/peers.hpp"
+#include "tests/ivp/typed.hpp"
 
 namespace nlmech::peers::registry_test {
 namespace {
-
-using namespace testing;
 
 TEST(Registry, HasThirteenPeers) {
   const std::vector<std::string> names = {"cvode-adams",       "cvode-bdf",         "arkode-erk",
@@ -37,7 +38,7 @@ TEST(Registry, SaysWhatIsAbsent) {
 
 TEST(Methods, RefuseTolerancesThatAreNone) {
   if (!cvode_available()) GTEST_SKIP();
-  const ivp::System system(Decay{});
+  const ivp::System system = ivp::testing::typed("x' = -x");
   const auto with = [&](double relative, double absolute) {
     return ivp::integrate(system, ivp::State{1.0}, 0, 1,
                           Cvode{.relative_tolerance = relative, .absolute_tolerance = absolute});

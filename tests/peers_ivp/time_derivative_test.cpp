@@ -1,14 +1,15 @@
 // The derivative by the time, which implicit formulas of peers ask for.
+#include <gtest/gtest.h>
+
 #include <cmath>
 
-#include "nlmech/peers/ivp/equations.hpp"
+#include "nlmech/peers/ivp/peer_stepper.hpp"
+#include "nlmech/peers/ivp/registry.hpp"
+#include "nlmech/support/doubles.hpp"
 #include "tests/ivp/typed.hpp"
-#include "tests/peers_ivp/peers.hpp"
 
 namespace nlmech::peers::time_derivative_test {
 namespace {
-
-using namespace testing;
 
 // x'' = -x - x'/10 + cos t, written for double alone.
 struct Driven {

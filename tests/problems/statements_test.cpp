@@ -214,22 +214,6 @@ rc::Gen<Duffing> any_duffing() {
   });
 }
 
-RC_GTEST_PROP(DuffingEquation, HasItsJacobian, ()) {
-  const Duffing problem = *any_duffing();
-  const ivp::System system(problem.text());
-  const ivp::State x{*between(-2, 2), *between(-2, 2)};
-  ivp::State f;
-  ivp::Jacobian j;
-  system.rhs(0, x, f);
-  system.jacobian(0, x, j);
-  const double w2 = problem.natural_frequency * problem.natural_frequency;
-  RC_ASSERT(f[0] == x[1]);
-  // Terms up to 9 * 2 and 5 * 8 in the value, 9 and 3 * 5 * 4 in the derivative; four roundings each.
-  RC_ASSERT(std::abs(f[1] + w2 * x[0] + problem.hardening * std::pow(x[0], 3)) <= 4 * 58 * epsilon);
-  RC_ASSERT(j(0, 0) == 0 && j(0, 1) == 1 && j(1, 1) == 0);
-  RC_ASSERT(std::abs(j(1, 0) + w2 + 3 * problem.hardening * x[0] * x[0]) <= 4 * 69 * epsilon);
-}
-
 // The closed form satisfies the equation: its second derivative by differences in 50 digits, h^2 f''''/12.
 RC_GTEST_PROP(DuffingEquation, IsSolvedByTheJacobiFunction, ()) {
   const Duffing problem{*between(0.5, 3), *between(0, 5)};
@@ -392,22 +376,6 @@ RC_GTEST_PROP(ImpactDiscontinuities, AreWhereTheSlopeOfTheForceJumps, ()) {
     for (const double part : {0.1, 0.5, 0.9}) RC_ASSERT(slope(from) == slope(from + part * (to - from)));
     from = to;
   }
-}
-
-RC_GTEST_PROP(VanDerPolEquation, HasItsJacobian, ()) {
-  const double mu = *between(0, 100);
-  const ivp::System system(TextProblem("van-der-pol", {{"mu", mu}}));
-  const ivp::State x{*between(-2, 2), *between(-2, 2)};
-  ivp::State f;
-  ivp::Jacobian j;
-  system.rhs(0, x, f);
-  system.jacobian(0, x, j);
-  // Terms up to 100 * 5 * 2 in the value, 2 * 100 * 4 + 1 in the derivatives; four roundings each.
-  const double tolerance = 4 * 1000 * epsilon, a = mu * (1 - x[0] * x[0]) * x[1] - x[0];
-  RC_ASSERT(f[0] == x[1] && j(0, 0) == 0 && j(0, 1) == 1);
-  RC_ASSERT(std::abs(f[1] - a) <= tolerance);
-  RC_ASSERT(std::abs(j(1, 0) + 2 * mu * x[0] * x[1] + 1) <= tolerance);
-  RC_ASSERT(std::abs(j(1, 1) - mu * (1 - x[0] * x[0])) <= tolerance);
 }
 
 // Its closed form satisfies y' = s y^3: its slope by dual numbers, from the closed form alone. Close to its

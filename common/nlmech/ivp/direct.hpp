@@ -1,6 +1,6 @@
 /// @file
-/// A problem adapted to what methods ask of a system, without indirection: for users and benchmarks that want
-/// the right-hand side inlined into the method.
+/// A problem adapted to what methods ask of a system: behind System, or without indirection for users and
+/// benchmarks that want the right-hand side inlined into the method.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,6 +8,7 @@
 #include <cmath>
 #include <concepts>
 #include <limits>
+#include <memory>
 #include <span>
 #include <stdexcept>
 #include <type_traits>
@@ -70,6 +71,36 @@ concept GivesSwitches = requires(const Problem& problem, const Mode& mode) {
   { problem.in_mode(mode) } -> std::same_as<Problem>;
 };
 
+/// @cond
+/// What System asks of a problem; see Direct.
+class AnyProblem {
+ public:
+  AnyProblem() = default;
+  AnyProblem(const AnyProblem&) = delete;
+  AnyProblem& operator=(const AnyProblem&) = delete;
+  virtual ~AnyProblem() = default;
+  virtual int size() const = 0;
+  virtual bool second_order() const = 0;
+  virtual void rhs(double, const State&, State&) const = 0;
+  virtual void rhs(std::span<const double>, const Nodes&, Nodes&) const = 0;
+  virtual void jacobian(double, const State&, Jacobian&) const = 0;
+  virtual bool time_derivative(double, const State&, State&) const = 0;
+  virtual bool second_derivative(double, const State&, State&, State&) const = 0;
+  virtual bool second_derivative(double, const State&, State&, State&, Jacobian&, Jacobian&) const = 0;
+  virtual void acceleration(double, const State&, const State&, State&) const = 0;
+  virtual std::vector<double> discontinuities(double, double) const = 0;
+  virtual int switches() const = 0;
+  virtual std::shared_ptr<const AnyProblem> in_mode(const Mode&) const = 0;
+  virtual void surfaces(double, const State&, std::span<double>, std::span<double>) const = 0;
+  virtual program::LinearTerms linear_terms() const = 0;
+  virtual bool invariants(double, const State&, Eigen::VectorXd&) const = 0;
+  virtual bool bounds(State&, State&) const = 0;
+  virtual Tape record(double) const = 0;
+};
+/// What a problem that is inlined needs of it.
+class NoInterface {};
+/// @endcond
+
 /// True if the problem has read them off its equations, as typed equations do.
 template <class Problem>
 concept GivesLinearTerms = requires(const Problem& problem) {
@@ -123,9 +154,10 @@ inline constexpr int lanes = n == Eigen::Dynamic ? 8 : n;
 ///    signs decide what the equations are, and the smooth equations for each choice (switching.hpp);
 ///  - `invariants(t, x)` in double: a vector of what stays constant along every solution;
 ///  - `lower_bounds()`, `upper_bounds()`: what a component cannot leave at later times.
-/// @tparam n the dimension that methods see: the problem's, or Eigen::Dynamic
+/// @tparam n the dimension that methods see: the problem's, or Eigen::Dynamic, with which the members below
+/// override those of AnyProblem
 template <class Problem, int n = Problem::dimension>
-class Direct {
+class Direct final : public std::conditional_t<n == Eigen::Dynamic, detail::AnyProblem, detail::NoInterface> {
  public:
   static_assert(n == Problem::dimension || n == Eigen::Dynamic, "a problem has the dimension of its system");
   /// Number of components of the state, or Eigen::Dynamic.
@@ -304,8 +336,9 @@ class Direct {
     return 0;
   }
   /// The smooth equations of a mode. @throws std::logic_error if the problem has no switches
-  [[nodiscard]] Direct in_mode(const Mode& mode) const {
-    if constexpr (detail::GivesSwitches<Problem>) return Direct(problem_.in_mode(mode));
+  [[nodiscard]] std::shared_ptr<const detail::AnyProblem> in_mode(const Mode& mode) const {
+    if constexpr (detail::GivesSwitches<Problem>)
+      return std::make_shared<const Direct<Problem, Eigen::Dynamic>>(problem_.in_mode(mode));
     throw std::logic_error("this problem has no switches");
   }
   /// Of the equations of a mode: the functions that decide, or their shares (switching.hpp), and their rates.

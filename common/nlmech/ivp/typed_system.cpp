@@ -1,9 +1,9 @@
 // The System of equations as they are typed, compiled once.
-#include "nlmech/ivp/compiled_system.hpp"
-#include "nlmech/program/problem.hpp"
+#include "nlmech/ivp/system.hpp"
 
-namespace nlmech::ivp::detail {
+namespace nlmech::ivp {
 
-template struct InSystem<program::Problem>;
+System::System(program::Problem problem)
+    : problem_(std::make_shared<const Direct<program::Problem>>(std::move(problem))) {}
 
-}  // namespace nlmech::ivp::detail
+}  // namespace nlmech::ivp

@@ -8,7 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "nlmech/ivp/compiled_system.hpp"
 #include "nlmech/support/sentences.hpp"
 
 namespace nlmech::problems {
@@ -51,9 +50,3 @@ double TextProblem::parameter(std::string_view definition) const {
 }
 
 }  // namespace nlmech::problems
-
-namespace nlmech::ivp::detail {
-
-template struct InSystem<problems::TextProblem>;
-
-}  // namespace nlmech::ivp::detail

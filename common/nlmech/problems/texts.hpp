@@ -27,8 +27,6 @@ struct ProblemText {
 /// it, so that a reference in more digits is of the problem that methods solve.
 class TextProblem : public program::Problem {
  public:
-  using compiled_once = TextProblem;  ///< its System is compiled in the library
-
   /// @param of_text name of one of problem_texts()
   /// @param settings of its definitions
   /// @throws std::invalid_argument listing all names, if there is none of that name; for a text without
@@ -46,13 +44,6 @@ class TextProblem : public program::Problem {
   [[nodiscard]] const std::vector<std::pair<std::string, double>>& parameters() const { return parameters_; }
   /// The value of one of them. @throws std::invalid_argument if there is none of that name
   [[nodiscard]] double parameter(std::string_view definition) const;
-
-  /// Its smooth equations in a mode.
-  [[nodiscard]] TextProblem in_mode(const program::Mode& mode) const {
-    TextProblem smooth = *this;
-    static_cast<Problem&>(smooth) = Problem::in_mode(mode);
-    return smooth;
-  }
 
  private:
   TextProblem(program::Equations equations, std::string_view of_text);

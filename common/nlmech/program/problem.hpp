@@ -21,7 +21,6 @@ namespace nlmech::program {
 class Problem {
  public:
   static constexpr int dimension = Eigen::Dynamic;  ///< components of the state: size()
-  using compiled_once = Problem;                    ///< its System is compiled in the library
 
   /// Of these equations.
   explicit Problem(const Equations& equations)

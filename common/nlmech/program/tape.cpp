@@ -343,16 +343,6 @@ Tape::Tape(const Graph& graph, const std::vector<NodeId>& outputs) {
   TapeCompiler(graph, outputs, *this).compile();
 }
 
-int Tape::products() const {
-  int count = 0;
-  for (const Instruction& i : instructions_) {
-    const bool linear = i.operation == Operation::linear || i.operation == Operation::slope ||
-                        i.operation == Operation::product_by_line || i.line || tape::has_slope(i.operation);
-    if (!linear) ++count;
-  }
-  return count;
-}
-
 bool Tape::depends_on_time() const {
   // Series 0 is the time, 1 to size() the state.
   std::vector<bool> is_time(outputs_.size() + 1);

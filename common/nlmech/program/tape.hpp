@@ -26,8 +26,6 @@ class Tape {
   [[nodiscard]] int series() const { return series_; }
   /// Operations in one pass.
   [[nodiscard]] int instructions() const { return static_cast<int>(instructions_.size()); }
-  /// Instructions with a Cauchy product, whose cost grows with the order.
-  [[nodiscard]] int products() const;
   /// Does a component depend on the time, or on one that moves at a constant rate and so stands for it?
   [[nodiscard]] bool depends_on_time() const;
   /// Does an output from number @p output on depend on a component from number @p component on?

@@ -10,9 +10,9 @@
 
 namespace nlmech {
 
-/// The set with which tapes are replayed fastest: AVX2 where there is it, also beside AVX-512. Sums of at
-/// most a hundred terms are too short for eight lanes, and a wide load waits for the many coefficients that
-/// were just stored.
+/// The set with which tapes are replayed: AVX2 where there is it, also beside AVX-512. Sums of at most a
+/// hundred terms are too short for eight lanes, and a wide load waits for the many coefficients that were
+/// just stored.
 [[nodiscard]] InstructionSet replay_instruction_set();
 
 /// The coefficients of the solution through a point. With a tape of m Cauchy products order p costs
@@ -23,7 +23,8 @@ namespace nlmech {
 /// nothing overflows as long as T is not far from the radius of convergence.
 class TapeExpansion {
  public:
-  /// @param set which kernels to use. All sum in other orders, so their last digits differ.
+  /// @param set which kernels to use: with more than the baseline those of AVX2. The two sum in other orders,
+  /// so their last digits differ.
   /// @throws std::invalid_argument if this processor does not have it
   explicit TapeExpansion(InstructionSet set = replay_instruction_set());
 

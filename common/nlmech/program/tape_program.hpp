@@ -31,11 +31,6 @@ enum class Operation : std::uint8_t {
   power                ///< a^factor, and its slope in r + 1; extra: slope of a
 };
 
-/// Is it a function that comes from its slope alone, by a division by k?
-[[nodiscard]] constexpr bool has_slope(Operation operation) {
-  return operation >= Operation::arc_sine && operation <= Operation::error_function;
-}
-
 /// One operation.
 struct Instruction {
   Operation operation;  ///< what
@@ -100,7 +95,6 @@ inline constexpr int first_reciprocal = 8;
 
 extern const Replay baseline_replay;  ///< compiled for every machine
 extern const Replay avx2_replay;      ///< the same text compiled for AVX2
-extern const Replay avx512_replay;    ///< the same text compiled for AVX-512
 
 /// Several solutions at once, one a lane.
 struct LaneKernel {

@@ -86,7 +86,8 @@ struct UnrolledPass {
   bool announced;  ///< has the problem announced where it branches in time?
 };
 
-/// A power series in the pass for coefficient k, or a constant. See the head of this file.
+/// A power series in the pass for coefficient k, or a constant. See the head of this file. It has the
+/// operations of arithmetic, roots, exponentials, sines and cosines; equations with others take the tape.
 template <int k>
 class UnrolledSeries {
  public:
@@ -175,58 +176,35 @@ class UnrolledSeries {
     if constexpr (k <= 0) return r.keep(std::exp(a.value_));
     return r.keep(slope.times_rest(r, a.degree_) / k);
   }
-  /// Natural logarithm, for c_0 > 0.
-  [[gnu::always_inline]] friend UnrolledSeries log(const UnrolledSeries& a) {
-    if (a.is_constant()) return std::log(a.value_);
-    return integral(a, a, std::log(a.value_));
-  }
   /// Sine and cosine of one argument, which need each other.
   [[gnu::always_inline]] friend std::pair<UnrolledSeries, UnrolledSeries> sin_cos(const UnrolledSeries& a) {
     if (a.is_constant()) return {std::sin(a.value_), std::cos(a.value_)};
-    return a.pair_of(k > 0 ? 0 : std::sin(a.value_), k > 0 ? 0 : std::cos(a.value_), -1);
-  }
-  /// Hyperbolic sine and cosine of one argument.
-  [[gnu::always_inline]] friend std::pair<UnrolledSeries, UnrolledSeries> sinh_cosh(const UnrolledSeries& a) {
-    if (a.is_constant()) return {std::sinh(a.value_), std::cosh(a.value_)};
-    return a.pair_of(k > 0 ? 0 : std::sinh(a.value_), k > 0 ? 0 : std::cosh(a.value_), 1);
+    const UnrolledSeries d = a.slope();
+    UnrolledSeries sine = result(a, a), cosine = result(a, a);
+    if constexpr (k <= 0) {
+      sine.keep(std::sin(a.value_));
+      cosine.keep(std::cos(a.value_));
+    } else {
+      const double next_sine = d.times_rest(cosine, a.degree_) / k,
+                   next_cosine = d.times_rest(sine, a.degree_) / k;
+      sine.keep(next_sine);
+      cosine.keep(-next_cosine);
+    }
+    return {sine, cosine};
   }
   /// Sine.
   [[gnu::always_inline]] friend UnrolledSeries sin(const UnrolledSeries& a) { return sin_cos(a).first; }
   /// Cosine.
   [[gnu::always_inline]] friend UnrolledSeries cos(const UnrolledSeries& a) { return sin_cos(a).second; }
-  /// Hyperbolic sine.
-  [[gnu::always_inline]] friend UnrolledSeries sinh(const UnrolledSeries& a) { return sinh_cosh(a).first; }
-  /// Hyperbolic cosine.
-  [[gnu::always_inline]] friend UnrolledSeries cosh(const UnrolledSeries& a) { return sinh_cosh(a).second; }
-  /// Tangent.
-  [[gnu::always_inline]] friend UnrolledSeries tan(const UnrolledSeries& a) {
-    if (a.is_constant()) return std::tan(a.value_);
-    return a.self_sloped(std::tan(a.value_), 1);
-  }
-  /// Hyperbolic tangent.
-  [[gnu::always_inline]] friend UnrolledSeries tanh(const UnrolledSeries& a) {
-    if (a.is_constant()) return std::tanh(a.value_);
-    return a.self_sloped(std::tanh(a.value_), -1);
-  }
-  /// a^p for a constant exponent. An integer one by repeated squaring up to |p| = 8, else c_0 != 0 is needed.
-  template <class P>
-  requires std::is_arithmetic_v<P>
+  /// a^p by repeated squaring; p < 0 needs c_0 != 0.
+  template <std::integral P>
   [[gnu::always_inline]] friend UnrolledSeries pow(const UnrolledSeries& a, P p) {
-    const auto exponent = static_cast<double>(p);
-    if (a.is_constant()) return std::pow(a.value_, exponent);
-    if constexpr (std::is_integral_v<P>) {
-      if (p >= -8 && p <= 8) return a.whole_power(static_cast<int>(p));
+    if (p == 0) return 1;
+    UnrolledSeries r = 1, square = a;
+    for (P rest = p < 0 ? -p : p;; rest /= 2, square = square * square) {
+      if (rest % 2 == 1) r = r.is_constant() ? square : r * square;
+      if (rest == 1) return p < 0 ? 1 / r : r;
     }
-    return a.real_power(exponent);
-  }
-  /// x^y = exp(y log x), for x > 0.
-  [[gnu::always_inline]] friend UnrolledSeries pow(const UnrolledSeries& x, const UnrolledSeries& y) {
-    if (y.is_constant()) return pow(x, y.value_);
-    return exp(y * log(x));
-  }
-  /// Absolute value: a branch, see value_of().
-  [[gnu::always_inline]] friend UnrolledSeries abs(const UnrolledSeries& a) {
-    return value_of(a) < 0 ? -a : a;
   }
   /// The number inside c_0, for a branch. @throws std::invalid_argument if it depends on the state, or the
   /// problem has not announced its branches
@@ -291,70 +269,6 @@ class UnrolledSeries {
     } else {
       if (polynomial_degree == 1) return data()[1] * r.data()[k - 1];
       return unrolled::sum<inner>(data() + 1, r.data() + k - 1) + value_ * r.data()[0];
-    }
-  }
-  /// f and g with f' = a' g, g' = sign a' f.
-  [[gnu::always_inline]] std::pair<UnrolledSeries, UnrolledSeries> pair_of(double f0, double g0,
-                                                                           int sign) const {
-    const UnrolledSeries d = slope();
-    UnrolledSeries f = result(*this, *this), g = result(*this, *this);
-    if constexpr (k <= 0) {
-      f.keep(f0);
-      g.keep(g0);
-    } else {
-      const double next_f = d.times_rest(g, degree_) / k, next_g = d.times_rest(f, degree_) / k;
-      f.keep(next_f);
-      g.keep(sign * next_g);
-    }
-    return {f, g};
-  }
-  /// f with f' = a' (1 + sign f^2).
-  [[gnu::always_inline]] UnrolledSeries self_sloped(double f0, int sign) const {
-    const UnrolledSeries d = slope();
-    UnrolledSeries f = result(*this, *this), g = result(*this, *this);
-    if constexpr (k <= 0) {
-      f.keep(f0);
-      g.keep(1 + sign * (f0 * f0));
-    } else {
-      f.keep(d.times_rest(g, degree_) / k);
-      g.keep(sign * (unrolled::inner_square<inner>(f.data()) + 2 * (f.data()[0] * f.value_)));
-    }
-    return f;
-  }
-  /// r with r' = a'/g.
-  [[gnu::always_inline]] static UnrolledSeries integral(const UnrolledSeries& a, const UnrolledSeries& g,
-                                                        double r0) {
-    UnrolledSeries r = result(a, g), d = result(a, g);
-    if constexpr (k <= 0) {
-      d.keep(0);
-      return r.keep(r0);
-    } else {
-      const double known = unrolled::sum<inner>(d.data() + 1, g.data() + k - 1);
-      d.keep((k * a.value_ - known) / g.data()[0]);
-      return r.keep(d.value_ / k);
-    }
-  }
-  /// By repeated squaring.
-  [[nodiscard, gnu::always_inline]] UnrolledSeries whole_power(int p) const {
-    const int n = p < 0 ? -p : p;
-    if (n == 0) return 1;
-    const UnrolledSeries two = n > 1 ? *this * *this : *this, four = n > 3 ? two * two : two;
-    UnrolledSeries r = n == 8 ? four * four : n > 3 ? four : n > 1 ? two : *this;
-    if (n == 6 || n == 7) r = r * two;
-    if (n == 3 || n == 5 || n == 7) r = r * *this;
-    return p < 0 ? 1 / r : r;
-  }
-  /// From a r' = p a' r.
-  [[nodiscard, gnu::always_inline]] UnrolledSeries real_power(double p) const {
-    const UnrolledSeries da = slope();
-    UnrolledSeries r = result(*this, *this), dr = result(*this, *this);
-    if constexpr (k <= 0) {
-      dr.keep(0);
-      return r.keep(std::pow(value_, p));
-    } else {
-      const double rest = unrolled::sum<inner>(dr.data() + 1, data() + k - 1);
-      dr.keep((p * da.times_rest(r, unrolled::endless) - rest) / data()[0]);
-      return r.keep(dr.value_ / k);
     }
   }
 

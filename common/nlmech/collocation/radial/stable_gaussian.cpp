@@ -210,12 +210,6 @@ Eigen::VectorXd GaussianCardinals::cardinals(double t, Index count, Wide product
   return result;
 }
 
-Eigen::VectorXd GaussianCardinals::values(double t) const {
-  Wide product = 1.0;
-  for (const double node : times_) product = product * gap(t, node);
-  return cardinals(t, (times_.array() < t).count(), product);
-}
-
 Eigen::VectorXd GaussianCardinals::derivatives(Index i) const {
   const Wide x = series_.rate > 0 ? coordinate(times_[i]) * series_.rate : 1.0;  // dx/d(c t)
   return cardinals(times_[i], i, products_[at(i)] * x * shape_);
@@ -236,7 +230,7 @@ void require_width(double shape, double length) {
 
 StableGaussian::StableGaussian(const Eigen::VectorXd& times, double shape) : times_(times) {
   require_node_count("StableGaussian", times.size(), 2);
-  weights_ = barycentric_weights(times);
+  (void)barycentric_weights(times);  // refuses times that are not ascending or too close
   const double length = times[times.size() - 1] - times[0];
   require_width(shape, length);
   constexpr double negligible = 1e-10;  // D differs from that of polynomials by the square of this
@@ -261,30 +255,6 @@ void StableGaussian::differentiate(double shape) {
     derivative_(i, i) = 0;
     derivative_(i, i) = -(derivative_.row(i) * (-u.square()).exp().matrix()).value();
   }
-}
-
-void StableGaussian::row(double t, RowVector<double>& row) const {
-  const Eigen::Index n = times_.size();
-  require_time("StableGaussian::row", t);
-  if (t < times_[0] || t > times_[n - 1]) {
-    std::ostringstream text;
-    text << "StableGaussian::row: the time must be between " << times_[0] << " and " << times_[n - 1]
-         << ", is " << t;
-    throw std::invalid_argument(text.str());
-  }
-  if (sides_.empty()) {
-    polynomial_row(times_, weights_, t, row);
-    return;
-  }
-  const Eigen::Index left = (times_.array() < t).count();
-  if (times_[left] == t) {
-    row.setZero(n);
-    row[left] = 1;
-    return;
-  }
-  row.resize(n);
-  row.head(left) = sides_[0].values(t).transpose();
-  row.tail(n - left) = sides_[1].values(-t).reverse().transpose();
 }
 
 }  // namespace nlmech::collocation

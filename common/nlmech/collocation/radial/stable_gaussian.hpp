@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <vector>
 
-#include "nlmech/collocation/matrix.hpp"
 #include "nlmech/collocation/wide.hpp"
 
 namespace nlmech::collocation {
@@ -63,10 +62,6 @@ class GaussianCardinals {
   /// @param times nodes, ascending
   /// @param shape c > 0, 1/time; c times the interval at least 1e-10
   GaussianCardinals(Eigen::VectorXd times, double shape);
-
-  /// The values at a time @p t of the cardinal functions of the nodes left of it.
-  /// @param t within the interval of the nodes, and none of them
-  [[nodiscard]] Eigen::VectorXd values(double t) const;
 
   /// The derivatives at node @p i of the cardinal functions of the nodes 0..i-1; 1/time.
   [[nodiscard]] Eigen::VectorXd derivatives(Eigen::Index i) const;
@@ -128,12 +123,6 @@ class StableGaussian {
   /// within 1e-12 of the largest one, and each off the diagonal relatively within 2e-11.
   [[nodiscard]] const Eigen::MatrixXd& differentiation_matrix() const noexcept { return derivative_; }
 
-  /// The row r with which r X is the interpolant's value at @p t to the values X at the nodes. At a node it
-  /// is a row of the unit matrix. Its entries are relatively within 2e-11. Takes n M steps and
-  /// allocates.
-  /// @throws std::invalid_argument unless t is within the interval of the nodes
-  void row(double t, RowVector<double>& row) const;
-
   /// 1/(Phi^-1)_ii for each node, of which leave-one-out errors are made: what is left of the function at
   /// node i beyond the span of the others. Relatively within 1e-10; takes n^3 M steps. None for polynomials.
   [[nodiscard]] std::vector<Wide> last_pivots() const {
@@ -148,7 +137,7 @@ class StableGaussian {
  private:
   void differentiate(double shape);
 
-  Eigen::VectorXd times_, weights_;
+  Eigen::VectorXd times_;
   std::vector<GaussianCardinals> sides_;  // from the left; from the right. None for polynomials.
   Eigen::MatrixXd derivative_;
 };

@@ -3,11 +3,102 @@
 /// compiler sees it.
 #pragma once
 
-#include "nlmech/ivp/series/unrolled_taylor.hpp"
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
 #include "nlmech/program/tape_expansion.hpp"
+#include "nlmech/program/unrolled_series.hpp"
 #include "nlmech/program/vector.hpp"
 
 namespace nlmech::ivp {
+
+/// The coefficients of the solution through a point, computed by the problem itself with the scalar
+/// UnrolledSeries: one function for each order, with all sums unrolled. The order is chosen at run time up to
+/// unrolled::most_order.
+///
+/// As fast as it gets for small problems; a problem of many operations outgrows the instruction cache, and is
+/// better off with a tape.
+/// @tparam most highest order, up to unrolled::most_order: each is a function to compile
+template <class Problem, int most = unrolled::most_order>
+class UnrolledTaylor {
+ public:
+  static constexpr int n = Problem::dimension;  ///< components of the state
+
+  /// @param problem outlives this object
+  /// @param order from 1 to most
+  /// @param announced has the problem a member discontinuities(t0, t1)?
+  UnrolledTaylor(const Problem& problem, int order, bool announced)
+      : problem_(problem), order_(order), announced_(announced) {}
+
+  /// Starts a stretch on which the right-hand side is smooth: finds out how much memory it takes.
+  /// @throws std::invalid_argument for a branch that the problem has not announced
+  void begin_segment(double t, const Vector<double, n>& x) {
+    using S = UnrolledSeries<-1>;
+    UnrolledPass<-1> pass{nullptr, n + 1, announced_};
+    Vector<S, n> state, slope;
+    const S time = S::variable(pass, 0, t, true);
+    for (int i = 0; i < n; ++i) state[i] = S::variable(pass, i + 1, x[i], false);
+    problem_(time, state, slope);
+    memory_.assign(static_cast<std::size_t>(pass.used * unrolled::stride), 0.0);
+  }
+
+  /// Computes the coefficients at (t, x), that of order k times scale^k; see TapeExpansion::expand().
+  void expand(double t, const Vector<double, n>& x, double scale) {
+    if (scale != scale_) {
+      scale_ = scale;
+      for (std::size_t k = 0; k < factor_.size(); ++k) factor_[k] = scale * (1 / static_cast<double>(k + 1));
+    }
+    double* const memory = memory_.data();
+    memory[0] = t;
+    memory[1] = scale;
+    for (int i = 0; i < n; ++i) memory[(i + 1) * unrolled::stride] = x[i];
+    run(memory, std::make_integer_sequence<int, most>());
+  }
+
+  /// Coefficients 0 to order of component @p i.
+  [[nodiscard]] const double* coefficients(int i) const {
+    return memory_.data() + (i + 1) * unrolled::stride;
+  }
+
+ private:
+  // From this coefficient on the state is multiplied by a rounded reciprocal; the first ones are divided.
+  static constexpr int first_reciprocal = 8;
+
+  template <int... k>
+  void run(double* memory, std::integer_sequence<int, k...> /*orders*/) const {
+    static_cast<void>(((k < order_ && (pass<k>(memory), true)) && ...));
+  }
+
+  // Coefficient k of every operation, k + 1 of the state.
+  template <int k>
+  [[gnu::flatten, gnu::noinline]] void pass(double* memory) const {
+    using S = UnrolledSeries<k>;
+    UnrolledPass<k> pass{memory, n + 1, announced_};
+    Vector<S, n> state, slope;
+    const S time = S::variable(pass, 0, memory[k], true);
+    for (int i = 0; i < n; ++i)
+      state[i] = S::variable(pass, i + 1, memory[(i + 1) * unrolled::stride + k], false);
+    problem_(time, state, slope);
+    for (int i = 0; i < n; ++i) {
+      const double f = slope[i].coefficient();
+      double& next = memory[(i + 1) * unrolled::stride + k + 1];
+      if constexpr (k < first_reciprocal) {
+        next = scale_ * f / (k + 1);
+      } else {
+        next = f * factor_[k];
+      }
+    }
+  }
+
+  const Problem& problem_;
+  int order_;
+  bool announced_;
+  double scale_ = 0;
+  std::array<double, static_cast<std::size_t>(most)> factor_{};
+  std::vector<double> memory_;
+};
 
 /// What a system's taylor() gives, by its tape. Used so: begin_segment() at the begin of every stretch on
 /// which the right-hand side is smooth, then expand() for every step, then coefficients().

@@ -3,9 +3,157 @@
 /// Internal to the kernels.
 #pragma once
 
-#include "nlmech/program/kernels/replay.hpp"
+#include "nlmech/program/tape_program.hpp"
 
 namespace nlmech::tape {
+
+/// @tparam A the numbers; its name has the instruction set, so that no instance can be taken for another's:
+///  - `Number`, and `width`, how many doubles it is in memory: one, or one a lane;
+///  - `load(const double*)`, `store(double*, Number)`, `all(double)`;
+///  - `sum(const double* a, const double* b, int n)`, of the products of n numbers from a on upwards and from
+///    b on downwards;
+///  - `constant(double own, const double* constants, int i)`: a constant of the tape, or of each lane.
+template <class A>
+class Replayer {
+ public:
+  static void run(const Program& program, const double* constants, double* memory, std::int64_t stride,
+                  int order, const double* scale, const double* reciprocals) {
+    const Number unit = A::load(scale);
+    for (int k = 1; k < order; ++k) {
+      const Replayer pass{program, constants, memory, stride, k};
+      for (int i = 0; i < program.instruction_count; ++i) pass.execute(i);
+      for (int i = 0; i < program.size; ++i) {
+        const Output& output = program.outputs[i];
+        const Number slope = output.series < 0 ? number(0) : pass.at(output.series)[k];
+        pass.at(i + 1).set(k + 1, k < first_reciprocal ? unit * slope / number(k + 1)
+                                                       : slope * (unit * number(reciprocals[k])));
+      }
+    }
+  }
+
+ private:
+  using Number = typename A::Number;
+
+  /// A series in memory.
+  struct Series {
+    double* first;
+    [[gnu::always_inline]] Number operator[](int k) const { return A::load(first + k * A::width); }
+    [[gnu::always_inline]] void set(int k, Number x) const { A::store(first + k * A::width, x); }
+  };
+
+  Replayer(const Program& program, const double* constants, double* memory, std::int64_t stride, int k)
+      : program_(program), constants_(constants), memory_(memory), stride_(stride), k_(k) {}
+
+  [[gnu::always_inline]] static Number number(double x) { return A::all(x); }
+  [[gnu::always_inline]] static Number negative(Number x) { return number(-0.0) - x; }
+  [[gnu::always_inline]] Series at(int series) const { return {memory_ + series * stride_}; }
+  [[gnu::always_inline]] Number factor(int i) const {
+    return A::constant(program_.instructions[i].factor, constants_, factor_of(i));
+  }
+
+  // a_1 b_{k-1} + ... + a_{k-1} b_1, then the two products with the newest coefficients.
+  [[gnu::always_inline]] Number middle(Series a, Series b) const {
+    return A::sum(a.first + A::width, b.first + (k_ - 1) * A::width, k_ - 1);
+  }
+  [[gnu::always_inline]] Number middle_square(Series a) const {
+    const int pairs = (k_ - 1) / 2;
+    const Number half = number(2) * A::sum(a.first + A::width, a.first + (k_ - 1) * A::width, pairs);
+    return k_ % 2 == 0 ? half + a[k_ / 2] * a[k_ / 2] : half;
+  }
+  [[gnu::always_inline]] Number square(Series a) const {
+    return middle_square(a) + number(2) * (a[0] * a[k_]);
+  }
+  // Coefficient k of the slope d times b, whose coefficients below k are known.
+  [[gnu::always_inline]] Number slope_times(Series d, Series b, bool line) const {
+    if (line) return d[1] * b[k_ - 1];
+    return middle(d, b) + d[k_] * b[0];
+  }
+
+  [[gnu::always_inline]] Number linear(int j) const {
+    const Instruction& i = program_.instructions[j];
+    Number sum = term(i.first);
+    for (int m = i.first + 1; m < i.first + i.count; ++m) sum = sum + term(m);
+    sum = sum * factor(j);
+    return i.divisor == 1 ? sum : sum / A::constant(i.divisor, constants_, divisor_of(j));
+  }
+  [[gnu::always_inline]] Number term(int m) const {
+    const Term& term = program_.terms[m];
+    return A::constant(term.factor, constants_, term_of(program_, m)) * at(term.series)[k_];
+  }
+
+  [[gnu::always_inline]] void execute(int j) const {
+    const Instruction& i = program_.instructions[j];
+    const Series r = at(i.r), a = at(i.a), b = at(i.b);
+    switch (i.operation) {
+      case Operation::linear: r.set(k_, linear(j)); return;
+      case Operation::product: r.set(k_, middle(a, b) + (a[0] * b[k_] + a[k_] * b[0])); return;
+      case Operation::product_by_line: r.set(k_, a[0] * b[k_] + a[1] * b[k_ - 1]); return;
+      case Operation::square: r.set(k_, square(a)); return;
+      case Operation::quotient: r.set(k_, (a[k_] - middle(b, r) - r[0] * b[k_]) / b[0]); return;
+      case Operation::reciprocal: r.set(k_, (negative(middle(b, r)) - r[0] * b[k_]) / b[0]); return;
+      case Operation::root: r.set(k_, (a[k_] - middle_square(r)) / (number(2) * r[0])); return;
+      case Operation::slope: r.set(k_, number(k_) * a[k_]); return;
+      default: execute_function(j);
+    }
+  }
+
+  // Functions with a differential equation.
+  void execute_function(int j) const {
+    const Instruction& i = program_.instructions[j];
+    const Series r = at(i.r), a = at(i.a), g = at(i.r + 1), d = at(i.extra);
+    const Number k = number(k_);
+    switch (i.operation) {
+      case Operation::exponential: r.set(k_, slope_times(d, r, i.line) / k); return;
+      case Operation::circular:
+      case Operation::hyperbolic: {
+        const Number f = slope_times(d, g, i.line) / k, next = slope_times(d, r, i.line) / k;
+        r.set(k_, f);
+        g.set(k_, i.operation == Operation::circular ? negative(next) : next);
+        return;
+      }
+      case Operation::tangent:
+      case Operation::hyperbolic_tangent:
+        r.set(k_, slope_times(d, g, i.line) / k);
+        g.set(k_, i.operation == Operation::tangent ? square(r) : negative(square(r)));
+        return;
+      case Operation::arc_sine:
+      case Operation::arc_cosine:
+      case Operation::arc_tangent:
+      case Operation::angle:
+      case Operation::area_sine:
+      case Operation::error_function: r.set(k_, d[k_] / k); return;
+      case Operation::logarithm:
+        g.set(k_, (k * a[k_] - middle(g, a)) / a[0]);
+        r.set(k_, g[k_] / k);
+        return;
+      default:  // power
+        g.set(k_, (factor(j) * slope_times(d, r, i.line) - middle(g, a)) / a[0]);
+        r.set(k_, g[k_] / k);
+    }
+  }
+
+  const Program& program_;
+  const double* constants_;
+  double* memory_;
+  std::int64_t stride_;
+  int k_;
+};
+
+/// One solution at a time. @tparam Sum `static double of(const double* a, const double* b, int n)`: the sum
+/// of a[i] b[-i] for i = 0, ..., n - 1
+template <class Sum>
+struct One {
+  using Number = double;
+  static constexpr int width = 1;
+
+  [[gnu::always_inline]] static double load(const double* from) { return *from; }
+  [[gnu::always_inline]] static void store(double* to, double x) { *to = x; }
+  [[gnu::always_inline]] static double all(double x) { return x; }
+  [[gnu::always_inline]] static double sum(const double* a, const double* b, int n) {
+    return Sum::of(a, b, n);
+  }
+  [[gnu::always_inline]] static double constant(double own, const double*, int) { return own; }
+};
 
 /// One solution a lane. @tparam V simd::Pack
 template <class V>

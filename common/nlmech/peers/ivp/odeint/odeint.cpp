@@ -70,15 +70,7 @@ bool odeint_available() noexcept { return true; }
 Status integrate_by(Run& run, const Odeint& method) {
   require_tolerances(method.name(), {method.relative_tolerance, method.absolute_tolerance});
   if (method.formula == Odeint::Formula::rosenbrock4) return run_rosenbrock4(run, method);
-  using detail::OdeintStateOf;
-  switch (run.equations.size()) {
-    case 1: return detail::run_explicit_odeint<OdeintStateOf<1>>(run.equations, run, method);
-    case 2: return detail::run_explicit_odeint<OdeintStateOf<2>>(run.equations, run, method);
-    case 3: return detail::run_explicit_odeint<OdeintStateOf<3>>(run.equations, run, method);
-    case 4: return detail::run_explicit_odeint<OdeintStateOf<4>>(run.equations, run, method);
-    case 6: return detail::run_explicit_odeint<OdeintStateOf<6>>(run.equations, run, method);
-    default: return detail::run_explicit_odeint<std::vector<double>>(run.equations, run, method);
-  }
+  return detail::run_explicit_odeint<std::vector<double>>(run.equations, run, method);
 }
 
 }  // namespace nlmech::peers

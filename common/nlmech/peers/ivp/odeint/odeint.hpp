@@ -12,8 +12,6 @@ namespace nlmech::peers {
 /// Proc. 1389 (2011) 1586-1589) with its standard step control. rosenbrock4 gets the exact Jacobian and
 /// df/dt. Dense output of dopri5 and rosenbrock4 is the library's own of order 4 and 3; that of the others is
 /// a shorter integration of the same formula from the begin of the step, as accurate as the steps themselves.
-///
-/// States of 1, 2, 3, 4 or 6 components are std::array there, so that loops over them unroll, as ours do.
 struct Odeint {
   /// Which formula.
   enum class Formula {

@@ -1,10 +1,58 @@
 /// @file
-/// Odeint with the right-hand side inlined: for benchmarks against our own methods on a Direct. Needs Boost.
+/// Odeint with the right-hand side inlined, for benchmarks: as its manual runs it, without our walk over
+/// steps, and as a method of integrate() on a Direct. Needs Boost.
 #pragma once
+
+#include <array>
+#include <boost/numeric/odeint/integrate/integrate_adaptive.hpp>
+#include <boost/numeric/odeint/stepper/bulirsch_stoer.hpp>
+#include <boost/numeric/odeint/stepper/generation.hpp>
+#include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
+#include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
+#include <functional>
+#include <stdexcept>
+#include <type_traits>
 
 #include "nlmech/peers/ivp/odeint/odeint_stepper.hpp"
 
 namespace nlmech::peers {
+
+/// From @p t0 to @p t1 > t0 with a first step of a thousandth of the way.
+///
+/// Nothing is checked: with a tolerance below rounding Odeint 1.74 may never come back. A caller tries such
+/// tolerances behind our interface first.
+/// @param f called as f(x, dxdt, t) @param x the state, to the end in place
+/// @return did Odeint get there? False also for rosenbrock4, which is not explicit
+template <class F, std::size_t n>
+[[nodiscard]] bool odeint_natively(const Odeint& method, const F& f, double t0, double t1,
+                                   std::array<double, n>& x) {
+  namespace odeint = boost::numeric::odeint;
+  using State = std::array<double, n>;
+  const double absolute = method.absolute_tolerance, relative = method.relative_tolerance;
+  const double step = (t1 - t0) / 1000;
+  // By reference: a copied stepper copies stages that have no values yet.
+  const auto go = [&](auto&& stepper) {
+    odeint::integrate_adaptive(std::ref(stepper), f, x, t0, t1, step);
+    return true;
+  };
+  const auto controlled = [&]<class Formula>(std::type_identity<Formula>) {
+    // Odeint copies them here too; those of a static object are zeros.
+    static const Formula blank;
+    return go(odeint::make_controlled(absolute, relative, blank));
+  };
+  try {
+    switch (method.formula) {
+      case Odeint::Formula::dopri5:
+        return controlled(std::type_identity<odeint::runge_kutta_dopri5<State>>{});
+      case Odeint::Formula::fehlberg78:
+        return controlled(std::type_identity<odeint::runge_kutta_fehlberg78<State>>{});
+      case Odeint::Formula::bulirsch_stoer: return go(odeint::bulirsch_stoer<State>(absolute, relative));
+      case Odeint::Formula::rosenbrock4: break;
+    }
+  } catch (const std::runtime_error&) {  // Odeint gave up
+  }
+  return false;
+}
 
 /// An explicit formula of Odeint, compiled with the system that it integrates. The same steps as Odeint.
 struct OdeintDirect : Odeint {};

@@ -13,64 +13,22 @@ void free_cvode(void* memory) { CVodeFree(&memory); }
 using Memory = SundialsObject<void*, &free_cvode>;
 using FixedPoint = SundialsObject<SUNNonlinearSolver, &SUNNonlinSolFree>;
 
-class CvodeStepper final : public PeerStepper {
+constexpr SundialsFunctions functions = {.evolve = &CVode,
+                                         .one_step = CV_ONE_STEP,
+                                         .interpolate = &CVodeGetDky,
+                                         .set_stop_time = &CVodeSetStopTime,
+                                         .current_step = &CVodeGetCurrentStep,
+                                         .last_step = &CVodeGetLastStep,
+                                         .newton_iterations = &CVodeGetNumNonlinSolvIters,
+                                         .factorisations = &CVodeGetNumLinSolvSetups,
+                                         .set_linear_solver = &CVodeSetLinearSolver,
+                                         .set_jacobian = &CVodeSetJacFn};
+
+class CvodeStepper final : public SundialsStepper {
  public:
   CvodeStepper(Equations& equations, const Cvode& method, double largest_step)
-      : name_(method.name()),
-        callbacks_{equations, {}},
-        state_(N_VNew_Serial(equations.size(), context_.get())),
-        dense_(N_VNew_Serial(equations.size(), context_.get())),
-        cvode_(CVodeCreate(method.formula == Cvode::Formula::adams ? CV_ADAMS : CV_BDF, context_.get())),
-        size_(equations.size()) {
-    set_up(method);
-    if (std::isfinite(largest_step)) CVodeSetMaxStep(cvode_.get(), largest_step);
-  }
-
-  Status begin(double t, const double* x, double end) override {
-    std::copy_n(x, size_, N_VGetArrayPointer(state_.get()));
-    CVodeReInit(cvode_.get(), t, state_.get());
-    CVodeSetStopTime(cvode_.get(), end);
-    t_ = t;
-    end_ = end;
-    rejected_ = 0;
-    return {};
-  }
-
-  Attempt attempt(double* x, Statistics& statistics) override {
-    double t = t_, step = 0;
-    const int flag = CVode(cvode_.get(), end_, state_.get(), &t, CV_ONE_STEP);
-    callbacks_.exceptions.rethrow();
-    long errors = 0, unsolved = 0;
-    CVodeGetNumErrTestFails(cvode_.get(), &errors);
-    CVodeGetNumStepSolveFails(cvode_.get(), &unsolved);
-    statistics.rejected += errors + unsolved - rejected_;
-    rejected_ = errors + unsolved;
-    if (flag < 0) {
-      CVodeGetCurrentStep(cvode_.get(), &step);
-      return {Attempt::Result::failed, t_, step, sundials_failure(name_, flag, t_, step)};
-    }
-    CVodeGetLastStep(cvode_.get(), &step);
-    std::copy_n(N_VGetArrayPointer(state_.get()), size_, x);
-    t_ = t;
-    return {Attempt::Result::accepted, t, step, {}};
-  }
-
-  void at(double t, double* x) override {
-    if (CVodeGetDky(cvode_.get(), t, 0, dense_.get()) != CV_SUCCESS) refuse_dense_output(name_, t);
-    std::copy_n(N_VGetArrayPointer(dense_.get()), size_, x);
-  }
-
-  void add_counters(Statistics& statistics) const override {
-    if (!newton_) return;
-    long iterations = 0, factorisations = 0;
-    CVodeGetNumNonlinSolvIters(cvode_.get(), &iterations);
-    CVodeGetNumLinSolvSetups(cvode_.get(), &factorisations);
-    statistics.newton_iterations += iterations;
-    statistics.factorisations += factorisations;
-  }
-
- private:
-  void set_up(const Cvode& method) {
+      : SundialsStepper(equations, method.name(), functions),
+        cvode_(CVodeCreate(method.formula == Cvode::Formula::adams ? CV_ADAMS : CV_BDF, context_.get())) {
     void* memory = cvode_.get();
     N_VConst(0, state_.get());
     CVodeSetErrHandlerFn(memory, &silence_sundials, nullptr);
@@ -82,26 +40,23 @@ class CvodeStepper final : public PeerStepper {
       fixed_point_.emplace(SUNNonlinSol_FixedPoint(state_.get(), 0, context_.get()));
       CVodeSetNonlinearSolver(memory, fixed_point_->get());
     } else {
-      newton_ = true;
-      matrix_.emplace(SUNDenseMatrix(size_, size_, context_.get()));
-      solver_.emplace(SUNLinSol_Dense(state_.get(), matrix_->get(), context_.get()));
-      CVodeSetLinearSolver(memory, solver_->get(), matrix_->get());
-      CVodeSetJacFn(memory, &SundialsCallbacks::jacobian);
+      use_newton();
     }
+    if (std::isfinite(largest_step)) CVodeSetMaxStep(memory, largest_step);
   }
 
-  std::string_view name_;
-  SundialsCallbacks callbacks_;
-  SundialsContext context_;
-  SundialsVector state_, dense_;
+ private:
+  [[nodiscard]] void* memory() const override { return cvode_.get(); }
+  void restart(double t) override { CVodeReInit(cvode_.get(), t, state_.get()); }
+  [[nodiscard]] long rejected_steps() const override {
+    long errors = 0, unsolved = 0;
+    CVodeGetNumErrTestFails(cvode_.get(), &errors);
+    CVodeGetNumStepSolveFails(cvode_.get(), &unsolved);
+    return errors + unsolved;
+  }
+
   std::optional<FixedPoint> fixed_point_;
-  std::optional<SundialsMatrix> matrix_;
-  std::optional<SundialsLinearSolver> solver_;
   Memory cvode_;
-  int size_;
-  bool newton_ = false;
-  double t_ = 0, end_ = 0;
-  long rejected_ = 0;
 };
 
 const NativeEquations& equations_of(void* data) { return *static_cast<const NativeEquations*>(data); }

@@ -1,11 +1,12 @@
 /// @file
-/// What CVODE and ARKODE share: callbacks, and the meaning of return flags. Only sources that are compiled
-/// with SUNDIALS include this.
+/// What CVODE and ARKODE share: callbacks, the meaning of return flags, and the stepper. Only sources that
+/// are compiled with SUNDIALS include this.
 #pragma once
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <string_view>
 
 #include "nlmech/ivp/failures.hpp"
@@ -81,5 +82,107 @@ struct SundialsCallbacks {
                              sentence("the library gave up; loosen the tolerance or take another method"));
   }
 }
+
+/// df/dx as SUNDIALS calls it.
+using SundialsJacobian = int (*)(realtype, N_Vector, N_Vector, SUNMatrix, void*, N_Vector, N_Vector,
+                                 N_Vector);
+
+/// The functions of an integrator of SUNDIALS; those of CVODE and ARKODE have the same arguments.
+struct SundialsFunctions {
+  int (*evolve)(void*, realtype, N_Vector, realtype*, int);     ///< goes to a time, or by one step
+  int one_step;                                                 ///< the last argument for that
+  int (*interpolate)(void*, realtype, int, N_Vector);           ///< within the latest step
+  int (*set_stop_time)(void*, realtype);                        ///< no step passes it
+  int (*current_step)(void*, realtype*);                        ///< length to try next
+  int (*last_step)(void*, realtype*);                           ///< length of the latest step
+  int (*newton_iterations)(void*, long*);                       ///< so far
+  int (*factorisations)(void*, long*);                          ///< so far
+  int (*set_linear_solver)(void*, SUNLinearSolver, SUNMatrix);  ///< of Newton's iteration
+  int (*set_jacobian)(void*, SundialsJacobian);                 ///< df/dx
+};
+
+/// An integrator of SUNDIALS as a stepper of the common walk.
+class SundialsStepper : public PeerStepper {
+ public:
+  Status begin(double t, const double* x, double end) override {
+    std::copy_n(x, size_, N_VGetArrayPointer(state_.get()));
+    restart(t);
+    functions_.set_stop_time(memory(), end);
+    t_ = t;
+    end_ = end;
+    rejected_ = 0;
+    return {};
+  }
+
+  Attempt attempt(double* x, Statistics& statistics) override {
+    double t = t_, step = 0;
+    const int flag = functions_.evolve(memory(), end_, state_.get(), &t, functions_.one_step);
+    callbacks_.exceptions.rethrow();
+    const long rejected = rejected_steps();
+    statistics.rejected += rejected - rejected_;
+    rejected_ = rejected;
+    if (flag < 0) {
+      functions_.current_step(memory(), &step);
+      return {Attempt::Result::failed, t_, step, sundials_failure(name_, flag, t_, step)};
+    }
+    functions_.last_step(memory(), &step);
+    std::copy_n(N_VGetArrayPointer(state_.get()), size_, x);
+    t_ = t;
+    return {Attempt::Result::accepted, t, step, {}};
+  }
+
+  void at(double t, double* x) override {
+    const Uncounted uncounted(callbacks_.equations);  // ARKODE evaluates f for its interpolant
+    const int flag = functions_.interpolate(memory(), t, 0, dense_.get());
+    callbacks_.exceptions.rethrow();
+    if (flag != 0) refuse_dense_output(name_, t);
+    std::copy_n(N_VGetArrayPointer(dense_.get()), size_, x);
+  }
+
+  void add_counters(Statistics& statistics) const override {
+    if (!solver_) return;
+    long iterations = 0, factorisations = 0;
+    functions_.newton_iterations(memory(), &iterations);
+    functions_.factorisations(memory(), &factorisations);
+    statistics.newton_iterations += iterations;
+    statistics.factorisations += factorisations;
+  }
+
+ protected:
+  SundialsStepper(Equations& equations, std::string_view name, const SundialsFunctions& functions)
+      : callbacks_{equations, {}},
+        state_(N_VNew_Serial(equations.size(), context_.get())),
+        dense_(N_VNew_Serial(equations.size(), context_.get())),
+        name_(name),
+        functions_(functions),
+        size_(equations.size()) {}
+  /// The integrator's memory.
+  [[nodiscard]] virtual void* memory() const = 0;
+  /// Begins anew at (@p t, state_).
+  virtual void restart(double t) = 0;
+  /// Tries that failed since then.
+  [[nodiscard]] virtual long rejected_steps() const = 0;
+  /// Newton's iteration with the exact Jacobian, dense.
+  void use_newton() {
+    matrix_.emplace(SUNDenseMatrix(size_, size_, context_.get()));
+    solver_.emplace(SUNLinSol_Dense(state_.get(), matrix_->get(), context_.get()));
+    functions_.set_linear_solver(memory(), solver_->get(), matrix_->get());
+    functions_.set_jacobian(memory(), &SundialsCallbacks::jacobian);
+  }
+
+  SundialsCallbacks callbacks_;  ///< the user data
+  SundialsContext context_;      ///< of all objects
+  SundialsVector state_;         ///< latest state
+
+ private:
+  SundialsVector dense_;
+  std::optional<SundialsMatrix> matrix_;
+  std::optional<SundialsLinearSolver> solver_;
+  std::string_view name_;
+  const SundialsFunctions& functions_;
+  int size_;
+  double t_ = 0, end_ = 0;
+  long rejected_ = 0;
+};
 
 }  // namespace nlmech::peers
