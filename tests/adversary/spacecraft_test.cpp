@@ -1,5 +1,5 @@
 /// Wrong successes of the spacecraft: motion against finite elements and the Bromwich integral, poles and
-/// margins against 110 digits, Talbot's inversion of Laplace transforms against partial fractions.
+/// margins against 110 digits.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -11,7 +11,6 @@
 #include <utility>
 #include <vector>
 
-#include "nlmech/spacecraft/control/inverse_laplace.hpp"
 #include "nlmech/spacecraft/control/margins.hpp"
 #include "nlmech/spacecraft/control/optimal_gains.hpp"
 #include "nlmech/spacecraft/plant/poles.hpp"
@@ -245,76 +244,6 @@ TEST(AdversarySpacecraft, OptimalGainsAreTheLeast) {
     }
     return Case::judged(excess, 1e-12,
                         text_of(p, best.gains) + fmt::format(" W {:.17g} R {:.17g}", w.deflection, w.torque));
-  });
-}
-
-/// sum of A e^(-a t) cos(w t + phase), some with a factor t, and its transform.
-struct Sum {
-  struct Term {
-    Complex pole, residue;
-    bool repeated;
-  };
-  std::vector<Term> terms;
-
-  [[nodiscard]] Complex transform(Complex s) const {
-    Complex f = 0;
-    for (const Term& term : terms) {
-      const Complex q = 1. / (s - term.pole), c = 1. / (s - std::conj(term.pole));
-      f += term.residue * (term.repeated ? q * q : q) + std::conj(term.residue) * (term.repeated ? c * c : c);
-    }
-    return f;
-  }
-  /// f(t), and by how much the roundings of its arguments may move it.
-  [[nodiscard]] double value(double t, double& rounding) const {
-    double f = 0;
-    rounding = 0;
-    for (const Term& term : terms) {
-      const double size =
-          2 * std::abs(term.residue) * std::exp(term.pole.real() * t) * (term.repeated ? t : 1);
-      f += 2 * (term.residue * std::exp(term.pole * t)).real() * (term.repeated ? t : 1);
-      rounding += size * std::min(1., 4e-16 * (1 + std::abs(term.pole) * t));
-    }
-    return f;
-  }
-};
-
-Sum drawn_sum(Draw& draw, double t) {
-  Sum sum;
-  const int count = draw.whole(1, 5);
-  for (int i = 0; i < count; ++i) {
-    const double a = draw.chance(0.3) ? 0. : draw.log_uniform(1e-3, 1e6) / t;
-    const double w = draw.chance(0.3) ? 0. : draw.log_uniform(1e-2, 1e8) / t;
-    sum.terms.push_back({Complex(-a, w),
-                         draw.log_uniform(1e-6, 1) * std::polar(1., w > 0 ? draw.uniform(0, 6.3) : 0.),
-                         w * t < 500 && draw.chance(0.3)});
-    if (sum.terms.back().repeated) sum.terms.back().residue /= t;
-  }
-  return sum;
-}
-
-std::string text_of(const Sum& sum, double t) {
-  std::string text = fmt::format("t {:.17g}:", t);
-  for (const Sum::Term& term : sum.terms)
-    text += fmt::format(" pole {:.17g}{:+.17g}i residue {:.6g}{:+.6g}i{}", term.pole.real(), term.pole.imag(),
-                        term.residue.real(), term.residue.imag(), term.repeated ? " twice" : "");
-  return text;
-}
-
-Case judged(const Sum& sum, double t, const Inverted& f, double agreement, const std::string& what) {
-  if (!f.status.ok()) return Case::refused(f.status.text());
-  double rounding = 0;
-  const double exact = sum.value(t, rounding);
-  return Case::judged(std::abs(f.value - exact), 10 * agreement * std::abs(exact) + 10 * rounding,
-                      fmt::format("{} {} gives {:.10g} for {:.10g}", what, text_of(sum, t), f.value, exact));
-}
-
-TEST(AdversaryInverseLaplace, TalbotIsRightOrRefuses) {
-  hunt({.quick = 400, .full = 150'000, .least_right = 0.03}, [](Draw& draw) {
-    const double t = draw.log_uniform(1e-6, 1e6);
-    const Sum sum = drawn_sum(draw, t);
-    const TalbotOptions options{.nodes = draw.whole(4, 60)};
-    return judged(sum, t, talbot([&](Complex s) { return sum.transform(s); }, t, options), options.agreement,
-                  fmt::format("{} nodes", options.nodes));
   });
 }
 

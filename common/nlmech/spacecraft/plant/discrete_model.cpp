@@ -112,27 +112,20 @@ ModalResponse::ModalResponse(const ModalModel& model, double x)
       theta_gain_(model.participation.cwiseAbs2()),
       deflection_gain_(model.participation.cwiseProduct(model.mode_shapes(x))) {}
 
-Response ModalResponse::response(Complex s) const {
-  const Complex z = s * s;
-  Response r{1. / (total_inertia_ * z), 0., Outcome::success};
+/// At s^2 = @p z, which is real on the axis.
+template <class R, class T>
+R ModalResponse::sum(const T& z) const {
+  R r{1. / (total_inertia_ * z), 0., Outcome::success};
   for (Eigen::Index i = 0; i < omega_squared_.size(); ++i) {
-    const Complex inverse = 1. / (z + omega_squared_[i]);
+    const T inverse = 1. / (z + omega_squared_[i]);
     r.theta += theta_gain_[i] * inverse;
     r.deflection += deflection_gain_[i] * inverse;
   }
   return judged(r);
 }
 
-AxisResponse ModalResponse::at_frequency(double omega) const {
-  const double z = -omega * omega;
-  AxisResponse r{1 / (total_inertia_ * z), 0, Outcome::success};
-  for (Eigen::Index i = 0; i < omega_squared_.size(); ++i) {
-    const double inverse = 1 / (z + omega_squared_[i]);
-    r.theta += theta_gain_[i] * inverse;
-    r.deflection += deflection_gain_[i] * inverse;
-  }
-  return judged(r);
-}
+Response ModalResponse::response(Complex s) const { return sum<Response>(s * s); }
+AxisResponse ModalResponse::at_frequency(double omega) const { return sum<AxisResponse>(-omega * omega); }
 
 namespace {
 

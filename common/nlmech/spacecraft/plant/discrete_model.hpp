@@ -114,6 +114,8 @@ class ModalResponse {
   [[nodiscard]] AxisResponse at_frequency(double omega) const;
 
  private:
+  template <class R, class T>
+  [[nodiscard]] R sum(const T& z) const;
   double total_inertia_;
   Eigen::VectorXd omega_squared_, theta_gain_, deflection_gain_;
 };
