@@ -160,18 +160,6 @@ TEST(ClosedLoopResponse, ReportsPolesAndBadInput) {
   EXPECT_EQ(loop.response(0.).theta, Complex(1));
 }
 
-TEST(Stability, FollowsFromTheGains) {
-  EXPECT_EQ(stability(unit_gains).verdict, Stability::stable);
-  EXPECT_EQ(stability({12, -1.999, 16}).verdict, Stability::stable);
-  EXPECT_EQ(stability({12, -2, 16}).verdict, Stability::marginal);
-  EXPECT_EQ(stability({12, -2.1, 16}).verdict, Stability::unstable);
-  EXPECT_EQ(stability({0, 0, 16}).verdict, Stability::marginal);
-  EXPECT_EQ(stability({12, 0, 0}).verdict, Stability::marginal);
-  EXPECT_EQ(stability({-1, 0, 16}).verdict, Stability::unstable);
-  EXPECT_EQ(stability({12, 0, -1}).verdict, Stability::unstable);
-  EXPECT_THROW((void)stability({std::nan(""), 0, 1}), std::invalid_argument);
-}
-
 /// Zeros of D_0 P with a positive real part, up to 1000 rad/s, for any k2.
 int to_the_right(const Gains& g) {
   const Plant plant(table_3_1());

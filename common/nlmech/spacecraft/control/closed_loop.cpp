@@ -1,7 +1,5 @@
 #include "nlmech/spacecraft/control/closed_loop.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -36,29 +34,6 @@ Frequencies undamped(const Parameters& parameters, double kappa, int count) {
 }
 
 }  // namespace
-
-StabilityStatement stability(const Gains& g) {
-  require_finite(g);
-  if (g.k1 < 0)
-    return {Stability::unstable, fmt::format("k1 = {:g} < 0: a real pole lies to the right of 0, where P "
-                                             "passes from k1 to infinity",
-                                             g.k1)};
-  if (g.k2 < -2 && g.k3 > 0)
-    return {Stability::unstable,
-            fmt::format("k2 = {:g} < -2: the hub gains energy from every high mode of the appendages", g.k2)};
-  if (g.k2 < -2 || g.k3 < 0)
-    return {Stability::unstable,
-            fmt::format("k2 = {:g}, k3 = {:g}: the feedback puts energy in", g.k2, g.k3)};
-  if (g.k2 == -2)
-    return {Stability::marginal, "k2 = -2: the hub does not feel the appendages, which ring on undamped"};
-  if (g.k1 == 0 || g.k3 == 0)
-    return {Stability::marginal, fmt::format("k1 = {:g}, k3 = {:g}: without {} the angle does not settle",
-                                             g.k1, g.k3, g.k3 == 0 ? "rate feedback" : "angle feedback")};
-  return {
-      Stability::stable,
-      "k1, k3 > 0 and k2 > -2: s (I_hub + (2 + k2) B) + k3 + k1/s is positive real, so every pole lies in "
-      "the left half plane; the damping of the modes tends to 0 with growing frequency"};
-}
 
 ClosedLoop::ClosedLoop(const Parameters& parameters, const Gains& gains) : plant_(parameters), gains_(gains) {
   require_finite(gains);

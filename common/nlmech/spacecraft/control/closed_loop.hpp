@@ -5,7 +5,6 @@
 
 #include <cstdint>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "nlmech/spacecraft/plant/plant.hpp"
@@ -25,25 +24,6 @@ struct Gains {
 inline constexpr Gains unit_gains{1, 1, 1};
 /// The gains the source settled on, figures 3.15-3.20.
 inline constexpr Gains designed_gains{12, 0, 16};
-
-/// What can be said of the poles from the gains alone.
-enum class Stability : std::uint8_t {
-  stable,    ///< every pole has a negative real part; none is bounded away from the axis
-  marginal,  ///< some poles on the imaginary axis, none to its right
-  unstable   ///< infinitely many poles to the right of the imaginary axis, or one
-};
-
-/// A verdict with its reason.
-struct StabilityStatement {
-  Stability verdict;   ///< of the motion y_1 = y_2, for any spacecraft without damping of its own
-  std::string reason;  ///< a sentence
-};
-
-/// Stable if k1 > 0, k3 > 0 and k2 > -2: then P(s)/s = s (I_hub + (2 + k2) B) + k3 + k1/s has a real part of
-/// at least k3 wherever Re s >= 0. The bound k2 > -1 of the source is sufficient only. At k2 = -2 the hub
-/// does not feel the appendages, which ring on undamped.
-/// @throws std::invalid_argument naming a gain that is not finite
-[[nodiscard]] StabilityStatement stability(const Gains& gains);
 
 /// theta/theta_f and y(x)/theta_f.
 struct LoopResponse {
@@ -77,6 +57,11 @@ enum class PoleOrder : std::uint8_t {
 /// Plant and controller:
 ///
 ///     theta/theta_f = k1/P(s),   y(x)/theta_f = g_3(x) k1/P(s),   P = s^2 (I_hub + (2 + k2) B) + k3 s + k1.
+///
+/// Stable if k1 > 0, k3 > 0 and k2 > -2, for any spacecraft without damping of its own: then P(s)/s = s
+/// (I_hub
+/// + (2 + k2) B) + k3 + k1/s has a real part of at least k3 wherever Re s >= 0. The bound k2 > -1 of the
+/// source is sufficient only. At k2 = -2 the hub does not feel the appendages, which ring on undamped.
 ///
 /// Tests hold poles to those of tools/oracles (1e-12 and 5e-12 of their size) and their distance
 /// from the zeros of the exact characteristic function to 2e-12; that none is missed, and that stability
