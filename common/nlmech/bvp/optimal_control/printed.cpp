@@ -29,14 +29,10 @@ MatrixXd unit_derivative(const GlobalMethod& method) {
     case DerivativeMatrix::polynomial: return 2 * collocation::polynomial_differentiation_matrix(lgl);
     case DerivativeMatrix::stable_gaussian:
       return collocation::StableGaussian(nodes, method.relative_shape).differentiation_matrix();
-    case DerivativeMatrix::gaussian:
-    case DerivativeMatrix::gaussian_inverse: break;
+    default:
+      return collocation::radial_differentiation(nodes, collocation::Kernel::gaussian, method.relative_shape)
+          .matrix;
   }
-  const auto inversion = method.derivative == DerivativeMatrix::gaussian ? collocation::Inversion::solve
-                                                                         : collocation::Inversion::inverse;
-  return collocation::radial_differentiation(nodes, collocation::Kernel::gaussian, method.relative_shape,
-                                             inversion)
-      .matrix;
 }
 
 [[noreturn]] void refuse(const std::string& what) {
@@ -44,16 +40,6 @@ MatrixXd unit_derivative(const GlobalMethod& method) {
 }
 
 }  // namespace
-
-std::string_view to_string(DerivativeMatrix which) {
-  switch (which) {
-    case DerivativeMatrix::gaussian: return "gaussian";
-    case DerivativeMatrix::gaussian_inverse: return "gaussian-inverse";
-    case DerivativeMatrix::stable_gaussian: return "stable-gaussian";
-    case DerivativeMatrix::polynomial: return "polynomial";
-  }
-  return "unknown";
-}
 
 GlobalCollocation::GlobalCollocation(const Problem& problem, GlobalMethod method)
     : problem_(problem), method_(std::move(method)), n_(problem.states()), nodes_(method_.nodes) {

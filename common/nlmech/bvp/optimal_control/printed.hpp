@@ -12,14 +12,10 @@ namespace nlmech::bvp {
 
 /// How D = Phi' Phi^-1 is made on the nodes of the whole interval.
 enum class DerivativeMatrix : std::uint8_t {
-  gaussian,          ///< by the factors of Phi, as in Eq. 5.15
-  gaussian_inverse,  ///< with the inverse of Phi
-  stable_gaussian,   ///< to all digits
-  polynomial         ///< the limit of a vanishing shape
+  gaussian,         ///< by the factors of Phi, as in Eq. 5.15
+  stable_gaussian,  ///< to all digits
+  polynomial        ///< the limit of a vanishing shape
 };
-
-/// "stable-gaussian".
-[[nodiscard]] std::string_view to_string(DerivativeMatrix which);
 
 /// The end condition that stands in the row of one component's equation at the first or the last node.
 struct ReplacedRow {

@@ -189,15 +189,14 @@ Wide GaussianCardinals::gap(double t, double u) const {
   return coordinate(std::max(t, u)) * Wide(-std::expm1(-series_.rate * distance));
 }
 
-/// The cardinal functions of the first @p count nodes at a time t right of them, times what @p product holds
-/// beyond the product of |x - x_m|.
-Eigen::VectorXd GaussianCardinals::cardinals(double t, Index count, Wide product) const {
+Eigen::VectorXd GaussianCardinals::derivatives(Index i) const {
   const Index n = times_.size();
+  const double t = times_[i], squares = series_.rate > 0 ? 2 : 1;
+  const Wide slope = series_.rate > 0 ? coordinate(t) * series_.rate : 1.0;  // dx/d(c t)
+  const Wide product = products_[at(i)] * slope * shape_;
   const std::vector<Wide> v = kernel_.excess(coordinate(t));
-  const auto right = n - (times_.array() < t).count() - (times_.array() == t).count();  // nodes beyond t
-  const double squares = series_.rate > 0 ? 2 : 1;
-  Eigen::VectorXd result(count);
-  for (Index j = 0; j < count; ++j) {
+  Eigen::VectorXd result(i);
+  for (Index j = 0; j < i; ++j) {
     Wide g = v[at(j)];
     for (Index m = j + 1; m < n; ++m) g = g * gaps_[at(n * m + j)] + v[at(m)];
     const Wide distance = gap(t, times_[j]);
@@ -205,14 +204,9 @@ Eigen::VectorXd GaussianCardinals::cardinals(double t, Index count, Wide product
     const double sum = shape_ * ((t - times_[0]) + (times_[j] - times_[0])) + 2 * series_.offset;
     const Wide size =
         product / distance / products_[at(j)] * (distance * g + 1.0) * Wide::exp(-squares * later * sum);
-    result[j] = (right + n - 1 - j) % 2 == 0 ? size.value() : -size.value();
+    result[j] = (i + j) % 2 == 0 ? size.value() : -size.value();
   }
   return result;
-}
-
-Eigen::VectorXd GaussianCardinals::derivatives(Index i) const {
-  const Wide x = series_.rate > 0 ? coordinate(times_[i]) * series_.rate : 1.0;  // dx/d(c t)
-  return cardinals(times_[i], i, products_[at(i)] * x * shape_);
 }
 
 namespace {
@@ -230,7 +224,7 @@ void require_width(double shape, double length) {
 
 StableGaussian::StableGaussian(const Eigen::VectorXd& times, double shape) : times_(times) {
   require_node_count("StableGaussian", times.size(), 2);
-  (void)barycentric_weights(times);  // refuses times that are not ascending or too close
+  static_cast<void>(barycentric_weights(times));  // refuses nodes that are too close to each other
   const double length = times[times.size() - 1] - times[0];
   require_width(shape, length);
   constexpr double negligible = 1e-10;  // D differs from that of polynomials by the square of this

@@ -84,7 +84,6 @@ class GaussianCardinals {
   [[nodiscard]] Wide last_pivot(const PositiveKernel& kernel, Eigen::Index last) const;
   [[nodiscard]] Wide gap(double t, double u) const;
   [[nodiscard]] Wide coordinate(double t) const;
-  [[nodiscard]] Eigen::VectorXd cardinals(double t, Eigen::Index count, Wide product) const;
 
   Eigen::VectorXd times_;
   double shape_;

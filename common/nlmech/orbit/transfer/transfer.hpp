@@ -41,10 +41,9 @@ struct Transfer {
 
 /// What the positions of collocation are combined of.
 enum class TransferBasis {
-  gaussian,          ///< Gaussian functions, D by solving with the matrix of them, as printed
-  gaussian_inverse,  ///< the same with D by the inverse matrix
-  stable_gaussian,   ///< the same functions with D free of cancellation
-  polynomial         ///< their limit for shape 0
+  gaussian,         ///< Gaussian functions, D by solving with the matrix of them, as printed
+  stable_gaussian,  ///< the same functions with D free of cancellation
+  polynomial        ///< their limit for shape 0
 };
 
 /// Which equations are solved.

@@ -46,10 +46,7 @@ class Discrete {
         d_ = collocation::StableGaussian(times_, shape).differentiation_matrix();
         break;
       default: {
-        auto found = collocation::radial_differentiation(times_, collocation::Kernel::gaussian, shape,
-                                                         method.basis == TransferBasis::gaussian
-                                                             ? collocation::Inversion::solve
-                                                             : collocation::Inversion::inverse);
+        auto found = collocation::radial_differentiation(times_, collocation::Kernel::gaussian, shape);
         condition_ = found.condition;
         d_ = std::move(found.matrix);
         status_ = found.status;
