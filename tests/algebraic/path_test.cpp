@@ -92,7 +92,7 @@ TEST(Path, FindsLimitPoints) {
         ASSERT_TRUE(path.advance().ok());
         const PathPoint& now = path.now();
         EXPECT_NEAR(now.x[0] - std::pow(now.x[0], 3), now.load, 1e-13);
-        EXPECT_FALSE(path.has_passed_branch());
+        EXPECT_EQ(path.before().sign, now.sign);  // no branch point
         EXPECT_EQ(now.negative, std::abs(now.x[0]) > limit_x ? 1 : 0);
         if (!path.has_passed_fold()) continue;
         PathPoint fold;
@@ -174,18 +174,19 @@ TEST(Path, FindsABranchPointAndGoesOver) {
   VectorXd start = vector({0, -1});
   Path path({.first = 0.3}, pitchfork, start, -1);
   ASSERT_TRUE(path.start().ok());
-  while (!path.has_passed_branch()) ASSERT_TRUE(path.advance().ok());
+  while (path.before().sign * path.now().sign >= 0) ASSERT_TRUE(path.advance().ok());
   EXPECT_FALSE(path.has_passed_fold());
   EXPECT_EQ(path.before().negative, 0);
   EXPECT_EQ(path.now().negative, 1);
-  PathPoint point;
-  VectorXd direction;
-  ASSERT_EQ(path.branch(point, direction), Outcome::success);
-  EXPECT_NEAR(point.load, 0, 1e-13);
+  std::vector<CriticalPoint> found;
+  ASSERT_EQ(path.critical_points(found), Outcome::success);
+  ASSERT_EQ(found.size(), 1u);
+  const VectorXd direction = found[0].across.y;
+  EXPECT_NEAR(found[0].point.load, 0, 1e-13);
   EXPECT_NEAR(std::abs(direction[0]), 1, 1e-13);
   EXPECT_NEAR(direction[1], 0, 1e-13);
   for (const double length : {0.05, -0.05}) {
-    ASSERT_TRUE(path.switch_branch(point, direction, length).ok());
+    ASSERT_TRUE(path.switch_branch(found[0].point, found[0].across, length).ok());
     for (int k = 0; k < 5; ++k) {
       ASSERT_TRUE(path.advance().ok());
       const PathPoint& now = path.now();
@@ -202,7 +203,6 @@ TEST(Path, RefusesWhatItCannotUse) {
   const VectorXd x = VectorXd::Zero(1);
   EXPECT_THROW(Path({.first = 0}, cubic, x, 0), std::invalid_argument);
   EXPECT_THROW(Path({.turn = 2}, cubic, x, 0), std::invalid_argument);
-  EXPECT_THROW(Path({.spherical = -1}, cubic, x, 0), std::invalid_argument);
   EXPECT_THROW(Path({.iterations = 0}, cubic, x, 0), std::invalid_argument);
   EXPECT_THROW(Path({.scale = VectorXd::Ones(2)}, cubic, x, 0), std::invalid_argument);
   EXPECT_THROW(Path({}, cubic, VectorXd::Zero(2), 0), std::invalid_argument);

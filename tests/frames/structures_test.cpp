@@ -41,10 +41,12 @@ Found follow(algebraic::Loaded& equations, Kind kind, double first, std::size_t 
     EXPECT_TRUE(status.ok()) << status.text();
     if (!status.ok()) break;
     algebraic::PathPoint point;
-    if (path.has_passed_branch()) {
-      VectorXd direction;
-      EXPECT_EQ(path.branch(point, direction), Outcome::success);
-      found.branches.push_back(point);
+    if (path.before().sign * path.now().sign < 0) {
+      std::vector<algebraic::CriticalPoint> here;
+      EXPECT_EQ(path.critical_points(here), Outcome::success);
+      for (const auto& c : here) {
+        if (c.kind == algebraic::CriticalPoint::Kind::bifurcation) found.branches.push_back(c.point);
+      }
     }
     if (path.has_passed_fold()) {
       EXPECT_EQ(path.fold(point), Outcome::success);

@@ -16,17 +16,12 @@ namespace nlmech::algebraic {
 /// Tests hold the flow to the exact one at first order (ratio of errors within 0.05 of 2), and steps of 1 to
 /// Newton's.
 struct ContinuousNewton {
-  double step = 0.5;  ///< of fictitious time, positive; the first one if they are chosen
-  /// 0: all steps are equal. Else steps are chosen, up to `longest`, so that the estimated error of each is
-  /// at most this fraction of its length |dx|: |x'_1 - x'_0| <= 2 turn |x'_0| for the velocities at its ends.
-  double turn = 0;
-  double longest = 1;                ///< no chosen step is longer; positive
+  double step = 0.5;                 ///< of fictitious time, positive
   double tolerance = 1e-10;          ///< done when |F|, Euclidean, is no greater; not negative
-  std::int64_t iterations = 10'000;  ///< at most so many steps, rejected ones included
+  std::int64_t iterations = 10'000;  ///< at most so many steps
 };
 
-/// Runs the flow. Outcomes besides success: `singular_matrix`; `non_finite`; `step_underflow` if a chosen
-/// step falls below 1e-12, as on the way to a singular B; `step_limit`; `interrupted`.
+/// Runs the flow. Outcomes besides success: `singular_matrix`; `non_finite`; `step_limit`; `interrupted`.
 /// @throws std::invalid_argument if an option is out of range or x has another size than the equations,
 /// std::logic_error if they have no matrix
 [[nodiscard]] Report find_root(const ContinuousNewton& method, Equations& equations, Eigen::VectorXd& x,

@@ -101,8 +101,6 @@ void check(const ScalarHomotopy& method) {
     require_option(name_of(method), good, option, value, range);
   };
   require(method.step > 0 && std::isfinite(method.step), "step", method.step, "positive");
-  require(method.turn >= 0 && std::isfinite(method.turn), "turn", method.turn, "0 or positive");
-  require(method.longest > 0 && std::isfinite(method.longest), "longest", method.longest, "positive");
   require(method.tolerance >= 0, "tolerance", method.tolerance, "0 or positive");
   require(method.steps >= 0, "steps", static_cast<double>(method.steps), "0 or positive");
 }
@@ -130,7 +128,6 @@ class HomotopyFlow {
     Outcome outcome = residual(now_);
     report_.first = report_.least = now_.norm;
     if (outcome == Outcome::success && now_.norm > method_.tolerance) outcome = velocity(now_, 0);
-    double step = method_.turn > 0 ? std::min(method_.step, method_.longest) : method_.step;
     for (;;) {
       report_.least = std::min(report_.least, now_.norm);
       report_.last = now_.norm;
@@ -138,7 +135,7 @@ class HomotopyFlow {
           !observer({report_.statistics.steps, report_.time, now_.x, now_.f, now_.norm}))
         outcome = Outcome::interrupted;
       if (outcome != Outcome::success || now_.norm <= method_.tolerance) break;
-      outcome = method_.turn > 0 ? chosen_step(step) : fixed_step(step);
+      outcome = step();
     }
     if (outcome != Outcome::success) report_.status = Status::failure(outcome, sentence(outcome));
     return std::move(report_);
@@ -147,8 +144,6 @@ class HomotopyFlow {
   [[nodiscard]] const Eigen::VectorXd& x() const { return now_.x; }
 
  private:
-  static constexpr double shortest_ = 1e-12;  // of chosen steps
-
   Outcome residual(Point& p) {
     equations_.residual(p.x, p.f);
     ++report_.statistics.right_hand_sides;
@@ -175,51 +170,18 @@ class HomotopyFlow {
   //! [scalar homotopy flow]
 
   // Euler's rule, and F and the velocity at its end.
-  Outcome advance(double step) {
-    next_.x = now_.x + step * now_.velocity;
-    const Outcome outcome = residual(next_);
-    if (outcome != Outcome::success || next_.norm <= method_.tolerance) return outcome;
-    return velocity(next_, report_.time + step);
-  }
-
-  void accept(double step) {
-    std::swap(now_, next_);
-    report_.time += step;
-    ++report_.statistics.steps;
-  }
-
-  [[nodiscard]] bool is_spent() const {
-    return report_.statistics.steps + report_.statistics.rejected >= method_.steps;
-  }
-
-  Outcome fixed_step(double step) {
-    if (is_spent()) return Outcome::step_limit;
-    const Outcome outcome = advance(step);
+  Outcome step() {
+    if (report_.statistics.steps >= method_.steps) return Outcome::step_limit;
+    next_.x = now_.x + method_.step * now_.velocity;
+    Outcome outcome = residual(next_);
+    if (outcome == Outcome::success && next_.norm > method_.tolerance)
+      outcome = velocity(next_, report_.time + method_.step);
     // A vanishing gradient at the end is the next step's business; it has to be seen there.
-    if (outcome == Outcome::success || outcome == Outcome::singular_matrix) accept(step);
+    if (outcome != Outcome::success && outcome != Outcome::singular_matrix) return outcome;
+    std::swap(now_, next_);
+    report_.time += method_.step;
+    ++report_.statistics.steps;
     return outcome;
-  }
-
-  // The local error of Euler's rule is half the change of the velocity, times the step.
-  Outcome chosen_step(double& step) {
-    for (;;) {
-      if (is_spent()) return Outcome::step_limit;
-      if (step < shortest_) return Outcome::step_underflow;
-      const Outcome outcome = advance(step);
-      const bool is_root = outcome == Outcome::success && next_.norm <= method_.tolerance;
-      double fraction = HUGE_VAL;
-      if (is_root)
-        fraction = 0;
-      else if (outcome == Outcome::success)
-        fraction = (next_.velocity - now_.velocity).norm() / (2 * method_.turn * now_.velocity.norm());
-      const double taken = step;
-      step = std::min(method_.longest, step * std::clamp(0.9 / fraction, 0.2, 2.0));
-      if (fraction <= 1) {
-        accept(taken);
-        return Outcome::success;
-      }
-      ++report_.statistics.rejected;
-    }
   }
 
   [[nodiscard]] std::string sentence(Outcome outcome) const {
@@ -231,9 +193,6 @@ class HomotopyFlow {
         return place + ", the flow has no direction: |F| is stationary and not zero; start elsewhere";
       case Outcome::non_finite:
         return place + ", F or its derivative is not finite; take shorter steps or start elsewhere";
-      case Outcome::step_underflow:
-        return place +
-               ", no step is short enough: |F| has a minimum here; start elsewhere or take fixed steps";
       case Outcome::interrupted: return place + ", stopped by the observer";
       default: return place + ", the allowed steps are used up; allow more, or start closer to a root";
     }

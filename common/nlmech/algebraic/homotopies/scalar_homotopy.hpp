@@ -66,20 +66,13 @@ struct ScalarHomotopy {
     newton        ///< Eqs 2.13 and 2.16
   };
   Function function = Function::fixed_point;  ///< which h
-  double step = 1;  ///< of fictitious time by Euler's rule, positive; the first one if they are chosen
-  /// 0: all steps are equal. Else steps are chosen, up to `longest`, so that the estimated error of each is
-  /// at most this fraction of the length |dx| of the step itself: |x'_1 - x'_0| <= 2 turn |x'_0| for the
-  /// velocities at its ends. In one variable, near the root, that is a step of 4 turn.
-  double turn = 0;
-  double longest = 2;            ///< no chosen step is longer; positive
-  double tolerance = 1e-10;      ///< done when |F|, Euclidean, is no greater; not negative
-  std::int64_t steps = 100'000;  ///< at most so many steps, rejected ones included; else `step_limit`
+  double step = 1;                            ///< of fictitious time by Euler's rule, positive
+  double tolerance = 1e-10;                   ///< done when |F|, Euclidean, is no greater; not negative
+  std::int64_t steps = 100'000;               ///< at most so many steps; else `step_limit`
 };
 
 /// Runs the flow. Outcomes besides success: `singular_matrix` where w vanishes and F does not; `non_finite`
-/// if F or B^T F is not finite, with chosen steps only at the start; `step_underflow` if a chosen step falls
-/// below 1e-12, as it does on the way to a minimum of |F| that is no root; `step_limit`; `interrupted`.
-/// statistics: rejected steps cost F and B once each, as accepted ones do.
+/// if F or B^T F is not finite; `step_limit`; `interrupted`.
 /// @throws std::invalid_argument if an option is out of range, or x has another size than the equations
 [[nodiscard]] Report find_root(const ScalarHomotopy& method, Equations& equations, Eigen::VectorXd& x,
                                const Observer& observer = {});

@@ -69,11 +69,7 @@ constexpr const char* vector_name = "vector-homotopy";
 class HomotopyPath {
  public:
   HomotopyPath(const VectorHomotopy& method, SolverRun& run)
-      : method_(method),
-        run_(run),
-        h_(method.function, run.x, run.f),
-        solver_(run.equations()),
-        step_(1.0 / method.steps) {
+      : method_(method), run_(run), h_(method.function, run.x, run.f), solver_(run.equations()) {
     for (VectorXd* v : {&k1_, &k2_, &k3_, &k4_, &place_, &f_, &side_}) v->resize(run.x.size());
   }
 
@@ -84,11 +80,11 @@ class HomotopyPath {
       if (outcome != Outcome::success) return outcome;
       has_k1_ = true;
     }
-    return method_.accuracy > 0 ? chosen_step() : equal_step();
+    return chosen_step();
   }
 
  private:
-  static constexpr double shortest_ = 1e-10;  // of chosen steps
+  static constexpr double shortest_ = 1e-10;  // of steps
 
   // Eq. 2.10, where F is known.
   Outcome velocity(const VectorXd& x, double t, const VectorXd& f, VectorXd& v) {
@@ -105,29 +101,6 @@ class HomotopyPath {
   Outcome stage(double t, VectorXd& v) {
     if (!(run_.evaluate(place_, f_) < HUGE_VAL)) return Outcome::non_finite;
     return velocity(place_, t, f_, v);
-  }
-
-  Outcome arrive(double step) {
-    t_ = step >= 1 - t_ ? 1 : t_ + step;
-    return run_.accept(t_);
-  }
-
-  Outcome equal_step() {
-    const double h = std::min(1.0 / method_.steps, 1 - t_);
-    place_ = run_.x + h / 2 * k1_;
-    Outcome outcome = stage(t_ + h / 2, k2_);
-    if (outcome != Outcome::success) return outcome;
-    place_ = run_.x + h / 2 * k2_;
-    outcome = stage(t_ + h / 2, k3_);
-    if (outcome != Outcome::success) return outcome;
-    place_ = run_.x + h * k3_;
-    outcome = stage(t_ + h, k4_);
-    if (outcome != Outcome::success) return outcome;
-    run_.trial = run_.x + h / 6 * (k1_ + 2 * k2_ + 2 * k3_ + k4_);
-    run_.evaluate_trial();
-    has_k1_ = false;
-    if (!(run_.trial_norm < HUGE_VAL)) return Outcome::non_finite;
-    return arrive(++taken_ == method_.steps ? 1 : h);
   }
 
   // Error of the rule in parts of what is allowed; the velocity at the end is in k4_.
@@ -160,12 +133,13 @@ class HomotopyPath {
       return Outcome::success;
     }
     k1_.swap(k4_);
-    return arrive(h);
+    t_ = h >= 1 - t_ ? 1 : t_ + h;
+    return run_.accept(t_);
   }
 
   // Newton at t = 1, where F and H agree.
   Outcome correct() {
-    if (corrections_++ == method_.corrections) return Outcome::not_converged;
+    if (corrections_++ == 20) return Outcome::not_converged;
     const Outcome outcome = newton_trial(run_, solver_, run_.x, run_.f, place_);
     return outcome == Outcome::success ? run_.accept(1) : outcome;
   }
@@ -175,8 +149,8 @@ class HomotopyPath {
   HomotopyFunction h_;
   LinearSolver solver_;
   VectorXd k1_, k2_, k3_, k4_, place_, f_, side_;
-  double t_ = 0, step_;
-  int taken_ = 0, corrections_ = 0;
+  double t_ = 0, step_ = 0.05;
+  int corrections_ = 0;
   bool has_k1_ = false;
 };
 
@@ -195,10 +169,8 @@ std::string_view along_path(Outcome outcome) {
 }  // namespace
 
 Report find_root(const VectorHomotopy& method, Equations& equations, VectorXd& x, const Observer& observer) {
-  require_option(vector_name, method.accuracy >= 0 && std::isfinite(method.accuracy), "accuracy",
-                 method.accuracy, "0 or positive");
-  require_option(vector_name, method.steps >= 1, "steps", method.steps, "at least 1");
-  require_option(vector_name, method.corrections >= 0, "corrections", method.corrections, "0 or positive");
+  require_option(vector_name, method.accuracy > 0 && std::isfinite(method.accuracy), "accuracy",
+                 method.accuracy, "positive");
   SolverRun run(vector_name, equations, x, observer, method.tolerance, method.limit);
   Outcome outcome = run.begin();
   HomotopyPath path(method, run);

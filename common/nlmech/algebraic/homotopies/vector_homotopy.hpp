@@ -17,23 +17,20 @@ enum class Homotopy : std::uint8_t {
 /// Follows the path in t: dx/dt = -(dH/dx)^-1 dH/dt from t = 0 to 1 (Eq. 2.10), and ends by Newton's
 /// iteration at t = 1. It cannot pass a turning point, where dH/dx is singular: see ChowYorke.
 ///
-/// Tests hold equal steps to order 4 (observed within 0.2), and chosen ones to the path.
+/// Tests hold the iterates to the path.
 struct VectorHomotopy {
   Homotopy function = Homotopy::fixed_point;  ///< which H
-  /// 0: steps of equal length by the classical rule of Runge and Kutta, of order 4. Else steps are chosen, of
-  /// order 3 after Bogacki and Shampine, so that the estimated error of each is at most this part of 1 + |x|,
-  /// and the distance from the path, by Newton's step, at most 100 times that.
+  /// Steps are of order 3 after Bogacki and Shampine: the estimated error of each is at most this part of 1 +
+  /// |x|, and the distance from the path, by Newton's step, at most 100 times that; positive.
   double accuracy = 1e-3;
-  int steps = 20;               ///< of equal length; else 1/steps is the first one; at least 1
   double tolerance = 1e-10;     ///< done when |F|, Euclidean, is no greater; not negative
-  int corrections = 20;         ///< at most so many steps of Newton at t = 1
   std::int64_t limit = 10'000;  ///< at most so many steps in all, rejected ones included
 };
 
 /// Needs the matrix. Report::time is t. Outcomes besides success: `singular_matrix` at a turning point that a
-/// stage happens to meet; `step_underflow` if a chosen step falls below 1e-10, as on the way to one;
-/// `non_finite` (chosen steps are shortened instead); `not_converged` if Newton's iteration at t = 1 does not
-/// end, as when equal steps have jumped off the path; `step_limit`; `interrupted`.
+/// stage happens to meet; `step_underflow` if a step falls below 1e-10, as on the way to one;
+/// `non_finite` at the start; `not_converged` if Newton's iteration at t = 1 does not end in 20 steps;
+/// `step_limit`; `interrupted`.
 /// @throws std::invalid_argument if an option is out of range or x has another size than the equations,
 /// std::logic_error if they have no matrix
 [[nodiscard]] Report find_root(const VectorHomotopy& method, Equations& equations, Eigen::VectorXd& x,

@@ -27,7 +27,6 @@ void check(const PathMethod& method) {
   require(method.turn > 0 && method.turn <= 1, "turn", method.turn, "positive and at most 1");
   require(method.longest > 0, "longest", method.longest, "positive");
   require(method.shortest > 0 && method.shortest < 1, "shortest", method.shortest, "between 0 and 1");
-  require(method.spherical >= 0 && method.spherical <= 1, "spherical", method.spherical, "between 0 and 1");
   require(method.iterations > 0, "iterations", method.iterations, "positive");
   require(method.aim > 0, "aim", method.aim, "positive");
 }
@@ -143,17 +142,16 @@ double Path::noise_at(const PathVector& normal, const PathVector& at) {
 
 //! [crisfield's sphere]
 Outcome Path::correct_on_sphere(double length, PathVector& at, int& count) {
-  const double weight = method_.spherical * method_.spherical;
   double before = HUGE_VAL;
   for (count = 1; count <= method_.iterations; ++count) {
     if (!system_.residual(at) || !system_.linearise(at)) return Outcome::non_finite;
     system_.solve(-system_.f(), free_);
     system_.solve(-system_.load_vector(), forced_);
-    // |a + d forced|^2 + weight (b + d)^2 = length^2 for the change d of the load.
+    // |a + d forced|^2 + (b + d)^2 = length^2 for the change d of the load.
     const Eigen::VectorXd a = at.y + free_ - now_.at.y;
     const double b = at.m - now_.at.m;
-    const double square = forced_.squaredNorm() + weight, half = a.dot(forced_) + weight * b;
-    const double rest = a.squaredNorm() + weight * b * b - length * length;
+    const double square = forced_.squaredNorm() + 1, half = a.dot(forced_) + b;
+    const double rest = a.squaredNorm() + b * b - length * length;
     const double discriminant = half * half - square * rest;
     if (!(discriminant >= 0))
       return std::isnan(discriminant) ? Outcome::singular_matrix : Outcome::not_converged;
@@ -162,7 +160,7 @@ Outcome Path::correct_on_sphere(double length, PathVector& at, int& count) {
     const double one = sum / square, other = sum != 0 ? rest / sum : 0;
     // The one that goes on most nearly as the iterate did.
     const Eigen::VectorXd gone = at.y - now_.at.y;
-    const double slope = gone.dot(forced_) + weight * b;
+    const double slope = gone.dot(forced_) + b;
     const double d = slope * one > slope * other ? one : other;
     ++system_.statistics.newton_iterations;
     step_.y = free_ + d * forced_;

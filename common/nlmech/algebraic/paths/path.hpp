@@ -21,8 +21,8 @@ namespace nlmech::algebraic {
 /// Newton's iteration with one more condition:
 ///
 ///     riks       the normal plane of the tangent (Riks 1979)
-///     crisfield  the sphere (spherical = 1) or cylinder (0) about the last point; of the two points where
-///                the linearised path meets it, the one that turns less (Crisfield 1981)
+///     crisfield  the sphere about the last point; of the two points where the linearised path meets it, the
+///                one that turns less (Crisfield 1981)
 ///     gdc        no displacement along the displacements of the last step; the length of a step follows the
 ///                generalised stiffness parameter (Yang and Shieh 1990)
 ///
@@ -41,7 +41,6 @@ struct PathMethod {
   double turn = 0.3;           ///< of the tangent in a step, as it should be, rad; positive
   double longest = 1e6;        ///< no step is longer than so many first steps; positive
   double shortest = 1e-9;      ///< a step shorter than so many first steps is `step_underflow`
-  double spherical = 1;        ///< weight of the load in Crisfield's condition, 0 to 1
   int iterations = 10;         ///< at most so many corrections of a step
   int aim = 4;                 ///< steps of riks and crisfield are chosen for so many of them at most
   Eigen::VectorXd scale = {};  ///< diagonal of S, positive; empty: chosen
@@ -133,8 +132,6 @@ class Path {
 
   /// Is there a limit point between before() and now()? Their slopes have different signs.
   [[nodiscard]] bool has_passed_fold() const { return (before_.slope > 0) != (now_.slope > 0); }
-  /// Is there a branch point (of an odd number of branches) between them? The signs differ.
-  [[nodiscard]] bool has_passed_branch() const { return before_.sign * now_.sign < 0; }
 
   /// The point between before() and now() whose place along the tangent of before() is a part @p part of
   /// that of now().
@@ -156,13 +153,8 @@ class Path {
   /// undo each other within a step are looked for at seven places inside, and where an eigenvalue comes down
   /// to near zero between them.
   [[nodiscard]] Outcome critical_points(std::vector<CriticalPoint>& out);
-  /// A branch point between them, with the null vector of K there: the direction of the other branch, if K
-  /// has one null vector, scaled.
-  [[nodiscard]] Outcome branch(PathPoint& out, Eigen::VectorXd& direction);
   /// Goes over to the other branch: to the solution at a distance @p length (scaled; negative: the other way)
-  /// along @p direction from a point found by branch(); the walk goes on from there, away from the point.
-  [[nodiscard]] Status switch_branch(const PathPoint& point, const Eigen::VectorXd& direction, double length);
-  /// The same along CriticalPoint::across.
+  /// along CriticalPoint::across from a bifurcation; the walk goes on from there, away from the point.
   [[nodiscard]] Status switch_branch(const PathPoint& point, const PathVector& across, double length);
   /// Solves at the load of now(), or any point, by Newton's iteration down to rounding.
   [[nodiscard]] Outcome polish(PathPoint& point);

@@ -206,17 +206,6 @@ Outcome Path::add_critical(CriticalPoint::Kind kind, Eigen::Index vanishing, con
   return Outcome::success;
 }
 
-Outcome Path::branch(PathPoint& out, Eigen::VectorXd& direction) {
-  if (!has_passed_branch()) return Outcome::not_converged;
-  for (const CriticalPoint& point : critical_) {
-    if (point.kind != CriticalPoint::Kind::bifurcation) continue;
-    out = point.point;
-    direction = out.tangent.y;
-    return Outcome::success;
-  }
-  return branch_in({0, static_cast<double>(before_.sign), 1, static_cast<double>(now_.sign)}, out, direction);
-}
-
 /// A branch point in a bracket of the sign.
 Outcome Path::branch_in(Bracket bracket, PathPoint& out, Eigen::VectorXd& direction) {
   // The bordered function of fold.hpp with a fixed border changes its sign with the eigenvalue.

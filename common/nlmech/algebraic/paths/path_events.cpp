@@ -214,10 +214,6 @@ Outcome Path::polish(PathPoint& point) {
   return Outcome::success;
 }
 
-Status Path::switch_branch(const PathPoint& point, const Eigen::VectorXd& direction, double length) {
-  return switch_branch(point, PathVector{direction, 0}, length);
-}
-
 Status Path::switch_branch(const PathPoint& point, const PathVector& across, double length) {
   PathPoint next = point;
   const double way = length < 0 ? -1 : 1;
