@@ -57,6 +57,7 @@ class EventFinder::Scan {
     event_ = i;
     left_ = work;
     in_open_ = false;
+    if (is_excluded()) return;
     between(step_.t0, step_.t1, 0);
     if (f_.status_.ok()) close_open();
     if (f_.status_.ok() && f_.signs_[i] == 0) f_.signs_[i] = sign_at(step_.t1);
@@ -85,6 +86,17 @@ class EventFinder::Scan {
   // What an error of the states of @p size may be.
   [[nodiscard]] double error_of(double size) const {
     return many_tolerances * (f_.accuracy_.absolute + f_.accuracy_.relative * size);
+  }
+  // Is there no zero by the box of all states of the step, for which no dense output is needed?
+  bool is_excluded() {
+    const Event& e = event();
+    if (!e.enclose || !e.bounds || f_.signs_[event_] == 0) return false;
+    if (!e.enclose(step_.t0, step_.x0, step_.t1, step_.x1, f_.box_)) return false;
+    for (Interval& x : f_.box_) x = x.inflated(error_of(x.magnitude()));
+    const Interval g = e.bounds({std::min(step_.t0, step_.t1), std::max(step_.t0, step_.t1)}, f_.box_).value;
+    if (g.has(0)) return false;
+    f_.signs_[event_] = sign_of(g.low);
+    return true;
   }
   // Sets the box of the states from a to b. Does the polynomial represent them?
   bool bound_states(double a, double b) {

@@ -37,6 +37,11 @@ struct Event {
   std::function<Enclosure(const program::Interval& t, std::span<const program::Interval> x)> bounds = {};
   /// What it makes of the state, which the integration goes on from; empty: it changes nothing.
   std::function<void(double t, State& x)> change = {};
+  /// A box that holds a solution from (t0, x0) to (t1, x1) of the equations that @ref bounds goes with, found
+  /// without the solution between; false if there is none at hand. Steps whose box excludes a zero cost less.
+  std::function<bool(double t0, const State& x0, double t1, const State& x1,
+                     std::span<program::Interval> box)>
+      enclose = {};
 };
 
 /// An event that took place.
@@ -82,6 +87,8 @@ class EventFinder {
   /// Looks at a step of @p system; false if the run must stop in it: an event ends it or changes the state,
   /// or a value was not a number.
   [[nodiscard]] bool see(const System& system, const Step& step, const Limits& limits = {});
+  /// How many functions are watched.
+  [[nodiscard]] std::size_t events() const { return events_.size(); }
   /// What was found up to now, in the direction of travel.
   [[nodiscard]] const std::vector<Hit>& hits() const { return hits_; }
   /// Where an event could not be decided: the first such part of each event, up to the last one.
