@@ -267,6 +267,7 @@ class Guarded {
       e.value = e.value + by;
       return e;
     };
+    event.slopes = g.slopes;
     event.crossing = crossing;
     event.ends = 1;
     return event;
@@ -426,48 +427,6 @@ class Guarded {
   Stopwatch watch_;
 };
 
-/// A priori boxes of solutions (Moore 1966): if x0 + [0, h] f(T, B) lies in B, the solution from x0 stays in
-/// it for the time h; so it does backwards from x1.
-class AprioriBox {
- public:
-  AprioriBox(const program::Graph& graph, const std::vector<program::NodeId>& slopes)
-      : slopes_(graph, slopes) {}
-
-  [[nodiscard]] bool operator()(double t0, const State& x0, double t1, const State& x1,
-                                std::span<Interval> box) const {
-    const double h = t1 - t0;
-    const Interval t(std::min(t0, t1), std::max(t0, t1)), forth(std::min(0., h), std::max(0., h)),
-        back(std::min(0., -h), std::max(0., -h));
-    const auto start = [](const State& x, std::size_t i) { return x[static_cast<Eigen::Index>(i)]; };
-    std::vector<Interval> f(box.size());
-    for (std::size_t i = 0; i < box.size(); ++i)
-      box[i] = {std::min(start(x0, i), start(x1, i)), std::max(start(x0, i), start(x1, i))};
-    constexpr int most = 4;
-    for (int k = 0; k < most; ++k) {
-      slopes_.run(t, box, 0, f.size(),
-                  [&f](int i, const Interval& v) { f[static_cast<std::size_t>(i)] = v; });
-      bool inside = k > 0;
-      for (std::size_t i = 0; i < box.size(); ++i) {
-        const Interval next = f[i] * forth + start(x0, i);
-        if (!std::isfinite(next.width())) return false;
-        inside = inside && box[i].low <= next.low && next.high <= box[i].high;
-      }
-      for (std::size_t i = 0; i < box.size(); ++i) {
-        const Interval ahead = f[i] * forth + start(x0, i), behind = f[i] * back + start(x1, i);
-        if (inside)
-          box[i] = {std::max(ahead.low, behind.low), std::min(ahead.high, behind.high)};
-        else
-          box[i] = hull(box[i], ahead).inflated(0.1 * ahead.width());
-      }
-      if (inside) return true;
-    }
-    return false;
-  }
-
- private:
-  program::Program slopes_;
-};
-
 /// The same of the time alone: no state is asked for.
 Event timed_event_of(program::Graph graph, program::NodeId node) {
   const program::NodeId rate = program::rates(graph, {node}, {}).front();
@@ -503,9 +462,10 @@ Event event_of(program::Graph graph, program::NodeId node, const std::vector<pro
     program->run(t, x, 0, 2, [&g](int i, const Interval& v) { (i == 0 ? g.value : g.rate) = v; });
     return g;
   };
-  event.enclose = [box = std::make_shared<const AprioriBox>(graph, slopes)](
-                      double t0, const State& x0, double t1, const State& x1, std::span<Interval> into) {
-    return (*box)(t0, x0, t1, x1, into);
+  event.slopes = [all = std::make_shared<const program::Program>(graph, slopes)](
+                     const Interval& t, std::span<const Interval> x, std::span<Interval> bounds) {
+    all->run(t, x, 0, bounds.size(),
+             [&bounds](int i, const Interval& v) { bounds[static_cast<std::size_t>(i)] = v; });
   };
   return event;
 }

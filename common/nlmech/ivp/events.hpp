@@ -37,11 +37,11 @@ struct Event {
   std::function<Enclosure(const program::Interval& t, std::span<const program::Interval> x)> bounds = {};
   /// What it makes of the state, which the integration goes on from; empty: it changes nothing.
   std::function<void(double t, State& x)> change = {};
-  /// A box that holds a solution from (t0, x0) to (t1, x1) of the equations that @ref bounds goes with, found
-  /// without the solution between; false if there is none at hand. Steps whose box excludes a zero cost less.
-  std::function<bool(double t0, const State& x0, double t1, const State& x1,
-                     std::span<program::Interval> box)>
-      enclose = {};
+  /// Bounds on dx/dt of the equations that the bounds go with, a component each: steps that stay far from a
+  /// zero by them cost less.
+  std::function<void(const program::Interval& t, std::span<const program::Interval> x,
+                     std::span<program::Interval> slopes)>
+      slopes = {};
 };
 
 /// An event that took place.
@@ -105,6 +105,14 @@ class EventFinder {
 
  private:
   class Scan;
+  /// States and times for which an event has no zero: a solution that comes from x0 to x1 within h and keeps
+  /// x0 + [0, h/2] f and x1 - [0, h/2] f inside has none on its way (Moore 1966).
+  struct SafeBox {
+    program::Interval t{0};
+    std::vector<program::Interval> x, slopes;
+    std::vector<program::Interval> seen;  // the states so far
+    int wait = 0, pause = 1;              // steps until the next one is looked for, and after that
+  };
   void begin(double t, const State& x);
   bool stops_at(Hit& hit);
   void add_open(std::size_t event, double t0, double t1);
@@ -116,6 +124,7 @@ class EventFinder {
   std::vector<int> counts_;             // of hits of each event
   std::vector<program::Interval> box_;  // of the states, of a part of a step
   Nodes samples_, coefficients_;        // of a part of a step
+  std::vector<SafeBox> safe_;           // of each event
   std::vector<Hit> hits_;
   std::vector<OpenEvent> open_;
   Status status_;
