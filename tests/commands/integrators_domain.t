@@ -42,6 +42,12 @@ C sin(t) for every C beyond pi; but sin(t)/t is regular at 0, and a run may end 
   integrators: outside_validity: a denominator of the equations becomes zero at t = 3.14159265: many solutions go on from there, so none is determined beyond; end the run before
   integrators: outside_validity: a denominator of the equations becomes zero at t = 3.14159265: many solutions go on from there, so none is determined beyond; end the run before
   [1]
+  $ for method in series dop853 ode45; do
+  >   integrate "x' = 1; y' = y/x" --initial "x=-1, y=1" --until 2 --method $method 2> said.txt; grep -c 't = 1: many solutions' said.txt
+  >   integrate "x'' = -x; y' = x'/x*y" --initial "x=1, x'=0, y=1" --until 3 --method $method 2> said.txt; grep -c 't = 1.5707963.*: many solutions' said.txt
+  > done | sort | uniq -c | tr -s ' '
+   6 1
+  $ integrate "x'' = -x; y' = sin(x)/x" --initial "x=1, x'=0, y=0" --until 3 | holds 'y = quad(lambda s: sin(cos(s))/cos(s), [0, 3]) +- 1e-8'
   $ integrate "sin(t) x' = cos(t) x" --from 1 --initial x=1 --until 3 | holds 'x = sin(3)/sin(1) +- 1e-8'
   $ integrate "x' = sin(t)/t" --from -1 --initial x=0 --until 1 | holds 'x = 2*si(1) +- 1e-8'
 

@@ -31,7 +31,7 @@ TEST(Domain, WhatIsLookedFor) {
   EXPECT_EQ(domain_of("x' = sqrt(x) + x^1.5 + (1 - x)^0.3").arguments.size(), 2U);
   EXPECT_TRUE(
       domain_of("x' = sqrt(abs(x)) + sqrt(1 + x^2) + sqrt(max(x, 0)) + x^3 + sqrt(t)").arguments.empty());
-  EXPECT_EQ(domain_of("x' = 1/x + x/(1 + x^2) + x^-2").denominators.size(), 1U);
+  EXPECT_EQ(domain_of("x' = 1/x + x/(1 + x^2) + x^-2").denominators.size(), 2U);  // x and x^2
   EXPECT_EQ(domain_of("x' = x/t + x/sin(t) + x/(2 + cos(t))").timed.size(), 2U);
   EXPECT_TRUE(domain_of("x'' = -x - x^3").empty());
 }
@@ -117,6 +117,31 @@ TEST(SingularStart, ReasonsWhereThereIsNone) {
   EXPECT_NE(reason("x'' + 2 x'/t + x = 0", {1, 1}).find("no smooth solution"), std::string::npos);
   EXPECT_NE(reason("x' = 2 x/t", {0}).find("several solutions"), std::string::npos);
   EXPECT_NE(reason("x' = x/t^2", {0}).find("no regular singular point"), std::string::npos);
+}
+
+// A typed event has bounds on its slopes, by which steps are left out: none with a zero. x = cos(w t) reaches
+// any level below 1 twice a turn, and none above.
+RC_GTEST_PROP(TypedEvents, NoStepWithAZeroIsLeftOut, ()) {
+  const double frequency = *rc::gen::inRange(1, 40) / 10., level = *rc::gen::inRange(-1100, 1100) / 1000.;
+  RC_PRE(std::abs(std::abs(level) - 1) > 0.0005);
+  const bool backwards = *rc::gen::arbitrary<bool>();
+  const auto method = *rc::gen::element<std::string>("dop853", "ode45", "series");
+  program::Equations equations({"test", "x'' = -" + std::to_string(frequency * frequency) + " x"});
+  const program::NodeId node = equations.expression("event", "x = " + std::to_string(level));
+  const Event event = event_of(equations.graph(), node, equations.slopes());
+  const double t1 = backwards ? -100.3 : 100.3;
+  const auto [end, hits, open] = integrate_with_events(named_integrator(method, {.tolerance = 1e-10}),
+                                                       System(program::Problem(equations)), State{1, 0}, 0,
+                                                       t1, {event}, {1e-10, 1e-10}, {}, {});
+  RC_ASSERT(end.status.ok());
+  std::size_t count = 0;
+  if (std::abs(level) < 1) {
+    const double turn = 2 * std::acos(-1.), angle = std::acos(level);
+    for (int k = 0; k < 100; ++k) {
+      for (const double a : {k * turn + angle, (k + 1) * turn - angle}) count += a / frequency < 100.3;
+    }
+  }
+  RC_ASSERT(hits.size() == count);
 }
 
 TEST(Domain, SingularTimesEndARun) {

@@ -194,7 +194,8 @@ class Guarded {
   // From here to the next end of a root, or from there back.
   void part() {
     stop_.reset();
-    finder_.emplace(watched(), accuracy_, run_);
+    finder_.emplace(watched(),
+                    accuracy_);  // by dense output: runs that end at a singular point are not exact
     const System& system = rests_ ? *domain_.beyond : system_;
     const Observer look = domain_.watches()
                               ? Observer([this, &system](const Step& step) { return see(system, step); })
