@@ -19,14 +19,14 @@ Definitions can be set anew, and initial values be expressions of them:
   $ decay --initial 'x=2 a' | holds 'x = 6*exp(-3) +- 6e-9'
   $ decay --initial 2 | holds 'x = 2*exp(-3) +- 2e-9'
 
-sqrt(1 - t) ends at t = 1, and the first trial step at this tolerance crosses it:
+sqrt(1 - t) ends at t = 1, and the first trial step at this tolerance crosses it. The time is that of the run, to its tolerance:
 
   $ for method in series ode45; do
   >   integrate "y' = -1/(2 y)" --initial 1 --until 2 --tolerance 1e-3 --method $method || echo "exit code $?"
   > done
-  integrators: *: series: * (glob)
+  integrators: outside_validity: a denominator of the equations becomes zero at t = 1.00*: the solution ends there; end the run before (glob)
   exit code 1
-  integrators: *: ode45: * (glob)
+  integrators: outside_validity: a denominator of the equations becomes zero at t = 0.99*: the solution ends there; end the run before (glob)
   exit code 1
 
 Discontinuities

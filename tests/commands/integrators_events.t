@@ -109,6 +109,23 @@ A dose of 5 at 0, 24, ..., 240 h, of which exp(-2.4) is left after a day:
   $ integrate "c' = -0.1 c" --until 250 --event "dose: t = 0:24:240" --set-at "dose: c = c + 5" --states starts.csv > rows.csv
   $ holds --where t=250 'n = 2' 'c = exp(-25)*i + 5*exp(-1)*(1 - exp(-2.4*11))/(1 - exp(-2.4)) +- 2e-8' < rows.csv
 
+A row that is asked for at the time of a dose is its row before and its row after, at the end too:
+
+  $ integrate "c' = 0; c(0) = 1" --until 3 --every 1 --event "dose: t = 2:1:3" --set-at "dose: c = c + 5"
+  t,c,event
+  0,1,
+  1,1,
+  2,1,dose
+  2,6,dose after
+  3,6,dose
+  3,11,dose after
+  $ integrate "x' = 1" --initial x=0 --until 2 --at 1,1.5 --event "half: x=1" | cut -d, -f 1,3
+  t,event
+  0,
+  1,half
+  1.5,
+  2,
+
 A threshold sets the state, and several values change at once, each by the values before:
 
   $ integrate "x' = -x; x(0) = 1" --until 10 --event "low: x=0.5 falling" --set-at "low: x = 1" |
@@ -124,6 +141,9 @@ Mistakes
   [2]
   $ decay --event "a: x=0.5" --set-at "a: z=2"
   integrators: --set-at a: z=2: z=2: say one of x = its new value
+  [2]
+  $ decay --event "a: x=0.5" --set-at "a: x=2; x=3"
+  integrators: --set-at a: x=2; x=3: x gets a second value; give one
   [2]
   $ decay --event "a: x=0.5" --set-at "x=2"
   integrators: --set-at x=2: say the name of an event, and what changes there: "bounce: y' = -0.8 y'"

@@ -23,15 +23,23 @@ A saw-tooth has the mean 1/2; methods step onto its jumps, those of fixed step t
   $ for method in "" "--method ode45" "--method rk4 --step 0.3" "--method adaptive-collocation" "--method series"; do
   >   saw $method | holds 'y = 5 +- 1e-9'
   > done
+  integrators: the equations change at t = 1 and 8 more times: steps end there
+  integrators: the equations change at t = 1 and 8 more times: steps end there
+  integrators: the equations change at t = 1 and 8 more times: steps end there
+  integrators: the equations change at t = 1 and 8 more times: steps end there
+  integrators: the equations change at t = 1 and 8 more times: steps end there
   $ integrate "y' = mod(t, 1); z' = frac(t); u' = ceil(t)" --initial "y=0, z=0, u=0" --until 10 | holds 'y = 5 +- 1e-9' 'z = 5 +- 1e-9' 'u = 55 +- 1e-8'
+  integrators: the equations change at t = 1 and 8 more times: steps end there
 
 Backwards and from a time that is no jump, with a period that doubles do not hold:
 
   $ integrate "y' = mod(t, 0.1)" --initial y=0 --from 1.25 --until 0.25 | holds 'y = -0.05 +- 1e-10'
+  integrators: the equations change at t = 0.3 and 9 more times: steps end there
 
 A square wave drives an oscillator: x = 1 - cos(t) while it is 1. Its state at t = 2, 4, ... by rotations about (1, 0) and (-1, 0):
 
   $ integrate "x'' + x = if(mod(t, 2) < 1, 1, -1); x(0) = 0; x'(0) = 0" --until 4 > rows.csv
+  integrators: the equations change at t = 1 and 2 more times: steps end there
   $ holds 'a := 1 - exp(-1j)' 'b := -1 + (a + 1)*exp(-1j)' 'c := 1 + (b - 1)*exp(-1j)' 'd := -1 + (c + 1)*exp(-1j)' \
   >       "x = re(d) +- 4e-8" "x' = im(d) +- 4e-8" < rows.csv
 
@@ -39,7 +47,9 @@ A step, one side of a time, and the same by a condition; 1 lasts from t = 1 to 3
 
   $ integrate "x' = if(t > 1, 1, 0); y' = step(t - 1); z' = heaviside(3 - t)" --initial "x=0, y=0, z=0" --until 3.5 |
   >   holds 'x = 2.5 +- 1e-9' 'y = 2.5 +- 1e-9' 'z = 3 +- 1e-9'
+  integrators: the equations change at t = 1 and 1 more time: steps end there
   $ integrate "x' = if(t > 1 and not (t >= 3 or t < 0), 1, 0)" --initial x=0 --until 5 | holds 'x = 2 +- 1e-9'
+  integrators: the equations change at t = 1 and 1 more time: steps end there
 
 What jumps on a surface of the state
 ------------------------------------
@@ -52,12 +62,15 @@ A spring that pulls alone: half a swing of each of the frequencies 1 and 2:
 A surface that jumps itself: x falls to it, moves with it, and falls again after its jump:
 
   $ integrate "x' = -2 if(x > mod(t, 1), 1, -1); x(0) = 0.5" --until 2.5 --at 1/6,1,4/3,2.2 | holds --each 'x = [1/2, 1/6, 1, 1/3, 0.6, 0.5] +- 1e-8'
+  integrators: the equations change at t = 1 and 1 more time: steps end there
 
 One that is crossed and jumps back, forwards and backwards:
 
   $ cross="x' = if(x > mod(t, 1), 0.1, -0.1)"
   $ integrate "$cross" --initial x=0.2 --until 2 --at 2/9 --every 1 | holds --each 'x = [0.2, 2/9, 13/90, 6.2/81] +- 1e-8'
+  integrators: the equations change at t = 1: steps end there
   $ integrate "$cross" --initial x=6.2/81 --from 2 --until 0 --every 1 | holds --each 'x = [6.2/81, 13/90, 0.2] +- 1e-8'
+  integrators: the equations change at t = 1: steps end there
 
 Numbers of time are expressions
 -------------------------------
@@ -84,13 +97,19 @@ Values by the time, straight between two rows; methods step onto the rows. The a
   $ for method in "" "--method ode45" "--method rk4 --step 0.3" "--method series"; do
   >   integrate 'x1 = table("load.csv"); x'"' = x1; y' = "'table("load.csv", steps)' --initial "x=0, y=0" --until 4 $method | holds 'x = 5.5 +- 1e-9' 'y = 6 +- 1e-9'
   > done
+  integrators: the equations change at t = 1 and 1 more time: steps end there
+  integrators: the equations change at t = 1 and 1 more time: steps end there
+  integrators: the equations change at t = 1 and 1 more time: steps end there
+  integrators: the equations change at t = 1 and 1 more time: steps end there
   $ integrate "x'' + x = table(\"ramp.csv\"); x(0) = 0; x'(0) = 0" --until 10 --every 2.5 --columns 'u = table("ramp.csv")' |
   >   holds --each 'x = t - sin(t) +- 1e-7' 'u = t +- 1e-15'
   $ integrate "x' = table(\"load.csv\")" --initial x=5.5 --from 4 --until 0 | holds 'x = 0 +- 1e-9'
+  integrators: the equations change at t = 1 and 1 more time: steps end there
 
 A surface made of one: x climbs to it, moves with it and cannot follow when it falls:
 
   $ integrate 'x1 = table("load.csv"); x'"' = if(x > x1, -1, 1); x(0) = 0" --until 4 --at 1,2,2.5,3 | holds --each 'x = [0, 1, 2, 2, 2, 1] +- 1e-8'
+  integrators: the equations change at t = 1 and 1 more time: steps end there
 
 A file of equations has its tables beside it:
 

@@ -83,6 +83,7 @@ Columns have the names of the problem:
   0
   1
   $ integrate --problem impact --until 2 --method hht --step 0.1 | cut -d, -f 1
+  integrators: the equations change at t = 0.5 and 1 more time: steps end there
   t
   0
   2

@@ -130,6 +130,15 @@ Each row has its own: x' = x^2 from 1 ends at t = 1, from 1/4 at 4.
   2,b,success
   $ holds 't = 2' 'x = 0.5 +- 1e-7' < rows.csv
 
+Where the method of all rows fails, others are tried for that row, as for a single run: here `series`, at the bottom of a tank that fills to 1:
+
+  $ printf 'h\n1\n2\n' > starts.csv
+  $ integrate --equation "h' = max(0, t - 5) - sqrt(h)" --states starts.csv --until 7 --method series 2> said.txt | cut -d, -f 1,4
+  row,status
+  1,non_finite
+  2,non_finite
+  $ integrate --equation "h' = max(0, t - 5) - sqrt(h)" --states starts.csv --until 7 | holds --where t=7 'n = 2' 'h = 1 +- 1e-6' 'status = "success"'
+
 What is not done in time says so in its row, and runs for whose verification there is no time are no successes:
 
   $ { echo x; seq 0 49; } > starts.csv

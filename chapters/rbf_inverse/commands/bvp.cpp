@@ -85,8 +85,8 @@ std::vector<double> quartered(const std::vector<double>& times) {
 
 /// On shorter and shorter intervals as long as integration does not follow the solution through one of them:
 /// across a boundary layer, and behind it, neighbours of a solution part within a part of the time.
-bvp::Solution solve_on_finer_meshes(const TypedBoundary& problem, const bvp::Start& start,
-                                    const BvpOptions& typed) {
+bvp::Solution solve_on_finer_meshes(const TypedBoundary& problem, bvp::Start start, const BvpOptions& typed) {
+  start.mesh = problem.mesh();
   bvp::Options options = options_of(typed);
   options.most_intervals = 20'000;
   bvp::Solution solution = solve(problem, start, options);

@@ -11,6 +11,8 @@
 #include <utility>
 
 #include "nlmech/program/dual.hpp"
+#include "nlmech/program/switches.hpp"
+#include "nlmech/program/time_features.hpp"
 #include "nlmech/scene/program/typed.hpp"
 #include "nlmech/support/echo.hpp"
 #include "nlmech/support/sentences.hpp"
@@ -81,7 +83,7 @@ bool depends_on_state(const Program& program, double t, int n) {
 
 TypedBoundary::TypedBoundary(program::Equations equations, double from, double until,
                              const std::string& begin, const std::string& end)
-    : equations_(std::move(equations)), from_(from), until_(until) {
+    : equations_(std::move(equations)), points_{from, until} {
   if (equations_.initial_time())
     throw InputError("--equation: values at a time, as x(0) = 1, are given by --begin and --end here");
   if (equations_.final_time() || !equations_.lower_bounds().empty() || !equations_.conserved().empty())
@@ -89,6 +91,10 @@ TypedBoundary::TypedBoundary(program::Equations equations, double from, double u
         "--equation: an end, bounds of the state and what is conserved are for initial value problems; here "
         "--until gives the end");
   slopes_ = Program(equations_.graph(), equations_.slopes());
+  constexpr std::size_t most_jumps = 200;  // each adds as many conditions as the state has components
+  const std::vector<double> jumps =
+      program::Switches(equations_.graph(), equations_.slopes()).times(from, until);
+  if (jumps.size() <= most_jumps) points_.insert(points_.begin() + 1, jumps.begin(), jumps.end());
   begin_ = conditions_of("--begin", begin);
   end_ = conditions_of("--end", end);
   const std::size_t given = begin_.outputs() + end_.outputs(), needed = names().size();
@@ -109,6 +115,17 @@ Program TypedBoundary::conditions_of(const char* option, const std::string& text
   return {equations_.graph(), all};
 }
 
+std::vector<double> TypedBoundary::mesh() const {
+  std::vector<double> mesh =
+      program::TimeFeatures(equations_.graph(), equations_.slopes()).between(points_.front(), points_.back());
+  if (mesh.empty()) return mesh;
+  constexpr int intervals = 10;  // besides
+  for (int k = 0; k <= intervals; ++k)
+    mesh.push_back(points_.front() + (points_.back() - points_.front()) * k / intervals);
+  std::ranges::sort(mesh);
+  return mesh;
+}
+
 bvp::Start TypedBoundary::guess(const std::string& text) const {
   const int n = states();
   program::Equations equations = equations_;
@@ -124,7 +141,7 @@ bvp::Start TypedBoundary::guess(const std::string& text) const {
       if (one) throw input_error("--guess {}: {} is given a second time", echoed(piece), *at);
       const program::NodeId node = equations.expression("--guess", piece.substr(equals + 1));
       one = Program(equations.graph(), {node});
-      if (depends_on_state(*one, from_, n))
+      if (depends_on_state(*one, points_.front(), n))
         throw input_error("--guess {}: is to be a function of the time t alone", echoed(piece));
     }
   }
@@ -158,22 +175,32 @@ void TypedBoundary::jacobian(double t, const Eigen::VectorXd& x, const Eigen::Ve
   differentiate(slopes_, t, x, [&](int i, int j, double value) { by_state(i, j) = value; });
 }
 
+// Those of the user, then the continuity of each component at each point between.
 void TypedBoundary::conditions(const Eigen::MatrixXd& ends, const Eigen::VectorXd&,
                                Eigen::VectorXd& r) const {
+  const int n = states(), last = static_cast<int>(ends.cols()) - 1;
   const auto first = static_cast<int>(begin_.outputs());
-  begin_.run(from_, Eigen::VectorXd(ends.col(0)), 0, begin_.outputs(),
+  begin_.run(points_.front(), Eigen::VectorXd(ends.col(0)), 0, begin_.outputs(),
              [&](int i, double value) { r[i] = value; });
-  end_.run(until_, Eigen::VectorXd(ends.col(1)), 0, end_.outputs(),
+  end_.run(points_.back(), Eigen::VectorXd(ends.col(last)), 0, end_.outputs(),
            [&](int i, double value) { r[first + i] = value; });
+  for (int k = 1; k < last; k += 2) r.segment(n * (k + 1) / 2, n) = ends.col(k) - ends.col(k + 1);
 }
 
 void TypedBoundary::condition_jacobian(const Eigen::MatrixXd& ends, const Eigen::VectorXd&,
                                        Eigen::MatrixXd& by_ends, Eigen::MatrixXd&) const {
-  const int n = states(), first = static_cast<int>(begin_.outputs());
+  const int n = states(), last = static_cast<int>(ends.cols()) - 1;
+  const auto first = static_cast<int>(begin_.outputs());
   by_ends.setZero();
-  differentiate(begin_, from_, ends.col(0), [&](int i, int j, double value) { by_ends(i, j) = value; });
-  differentiate(end_, until_, ends.col(1),
-                [&](int i, int j, double value) { by_ends(first + i, n + j) = value; });
+  differentiate(begin_, points_.front(), ends.col(0),
+                [&](int i, int j, double value) { by_ends(i, j) = value; });
+  differentiate(end_, points_.back(), ends.col(last),
+                [&](int i, int j, double value) { by_ends(first + i, last * n + j) = value; });
+  for (int k = 1; k < last; k += 2) {
+    auto rows = by_ends.middleRows(n * (k + 1) / 2, n);
+    rows.middleCols(k * n, n).setIdentity();
+    rows.middleCols((k + 1) * n, n) = -Eigen::MatrixXd::Identity(n, n);
+  }
 }
 
 }  // namespace nlmech::chapters::rbf_inverse

@@ -31,8 +31,12 @@ class TypedBoundary final : public bvp::Problem {
 
   /// See Problem.
   [[nodiscard]] int states() const override { return equations_.size(); }
-  /// See Problem.
-  [[nodiscard]] std::vector<double> points() const override { return {from_, until_}; }
+  /// See Problem: both ends, and the known times between at which the equations jump, if there are no more
+  /// than 200.
+  [[nodiscard]] std::vector<double> points() const override { return points_; }
+  /// A first mesh that divides functions of time where they change after a rest, as pulses do; empty if there
+  /// is no such place.
+  [[nodiscard]] std::vector<double> mesh() const;
   /// See Problem.
   void rhs(double t, const Eigen::VectorXd& x, const Eigen::VectorXd& p,
            Eigen::VectorXd& dxdt) const override;
@@ -49,7 +53,7 @@ class TypedBoundary final : public bvp::Problem {
   [[nodiscard]] program::Program conditions_of(const char* option, const std::string& text);
 
   program::Equations equations_;
-  double from_, until_;
+  std::vector<double> points_;
   program::Program slopes_, begin_, end_;
 };
 

@@ -23,7 +23,8 @@ class Problem {
   [[nodiscard]] virtual int states() const = 0;
   /// m >= 0: unknown constants, such as a final time or a multiplier.
   [[nodiscard]] virtual int parameters() const { return 0; }
-  /// t_0 < t_1 < ... < t_K, finite; K >= 1.
+  /// t_0 < t_1 < ... < t_K, finite; K >= 1. Between them f may jump: at such a point rhs() is the limit from
+  /// the right.
   [[nodiscard]] virtual std::vector<double> points() const = 0;
 
   /// dxdt = f(t, x, p), which has n components already.

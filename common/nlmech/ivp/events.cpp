@@ -57,6 +57,7 @@ class EventFinder::Scan {
     event_ = i;
     left_ = work;
     in_open_ = false;
+    if (is_excluded()) return;
     between(step_.t0, step_.t1, 0);
     if (f_.status_.ok()) close_open();
     if (f_.status_.ok() && f_.signs_[i] == 0) f_.signs_[i] = sign_at(step_.t1);
@@ -85,6 +86,78 @@ class EventFinder::Scan {
   // What an error of the states of @p size may be.
   [[nodiscard]] double error_of(double size) const {
     return many_tolerances * (f_.accuracy_.absolute + f_.accuracy_.relative * size);
+  }
+  // Does the step stay where the event has no zero? Then no dense output is needed.
+  bool is_excluded() {
+    if (!event().slopes || !event().bounds || f_.signs_[event_] == 0) return false;
+    SafeBox& safe = f_.safe_[event_];
+    if (stays_in(safe)) return true;
+    if (--safe.wait > 0) return false;
+    constexpr int longest_pause = 64;
+    const bool found = look_for(safe) && stays_in(safe);
+    safe.pause = found ? 1 : std::min(2 * safe.pause, longest_pause);
+    safe.wait = safe.pause;
+    return found;
+  }
+  [[nodiscard]] bool stays_in(const SafeBox& safe) const {
+    if (safe.x.empty() || !(safe.t.has(step_.t0) && safe.t.has(step_.t1))) return false;
+    const double half = (step_.t1 - step_.t0) / 2;
+    for (std::size_t i = 0; i < safe.x.size(); ++i) {
+      const auto k = static_cast<Eigen::Index>(i);
+      const double a = half * safe.slopes[i].low, b = half * safe.slopes[i].high, x0 = step_.x0[k],
+                   x1 = step_.x1[k];
+      const double least = std::min({a, b, 0.}), most = std::max({a, b, 0.});
+      if (!(std::min(x0 + least, x1 - most) >= safe.x[i].low &&
+            std::max(x0 + most, x1 - least) <= safe.x[i].high))
+        return false;
+    }
+    return true;
+  }
+  // A box of all states so far, or else of those of this step, with what steps half as long again add to it.
+  bool look_for(SafeBox& safe) {
+    const auto size = static_cast<std::size_t>(step_.x0.size());
+    const auto ends = [&](std::size_t i) {
+      const auto k = static_cast<Eigen::Index>(i);
+      return Interval(std::min(step_.x0[k], step_.x1[k]), std::max(step_.x0[k], step_.x1[k]));
+    };
+    if (safe.seen.size() != size) safe.seen.assign(size, Interval(0));
+    for (const bool all : {true, false}) {
+      for (std::size_t i = 0; i < size; ++i) {
+        const bool is_known = all && safe.slopes.size() == size;
+        safe.seen[i] = is_known ? hull(safe.seen[i], ends(i)) : ends(i);
+      }
+      safe.slopes.resize(size);
+      const double way = step_.t1 - step_.t0, later = step_.t1 + 64 * way;
+      for (const Interval& t : {Interval(), Interval(std::min(step_.t0, later), std::max(step_.t0, later))}) {
+        safe.t = t;
+        if (is_closed(safe, 0.75 * std::abs(way)) && has_no_zero(safe)) return true;
+      }
+    }
+    safe.x.clear();
+    return false;
+  }
+  // Sets the box and its slopes. Does it hold what comes from the states so far in the time @p h?
+  bool is_closed(SafeBox& safe, double h) {
+    safe.x = safe.seen;
+    constexpr int most = 5;
+    for (int k = 0; k < most; ++k) {
+      event().slopes(safe.t, safe.x, safe.slopes);
+      bool inside = true;
+      for (std::size_t i = 0; i < safe.x.size(); ++i) {
+        const Interval need = safe.seen[i] + safe.slopes[i] * Interval(-h, h);
+        if (!std::isfinite(need.width())) return false;
+        if (safe.x[i].low <= need.low && need.high <= safe.x[i].high) continue;
+        inside = false;
+        safe.x[i] = hull(safe.x[i], need.inflated(0.1 * need.width()));
+      }
+      if (inside) return true;
+    }
+    return false;
+  }
+  bool has_no_zero(const SafeBox& safe) {
+    for (std::size_t i = 0; i < safe.x.size(); ++i)
+      f_.box_[i] = safe.x[i].inflated(error_of(safe.x[i].magnitude()) + 1e-14 * safe.x[i].magnitude());
+    return !event().bounds(safe.t, f_.box_).value.has(0);
   }
   // Sets the box of the states from a to b. Does the polynomial represent them?
   bool bound_states(double a, double b) {
@@ -301,6 +374,7 @@ void EventFinder::begin(double t, const State& x) {
   box_.resize(size);
   samples_.resize(x.size(), nodes);
   coefficients_.resize(x.size(), nodes);
+  safe_.resize(events_.size());
   for (std::size_t i = 0; i < events_.size(); ++i) {
     const double value = events_[i].value(t, x);
     if (std::isnan(value) && status_.ok()) status_ = event_undefined(t);

@@ -37,6 +37,11 @@ struct Event {
   std::function<Enclosure(const program::Interval& t, std::span<const program::Interval> x)> bounds = {};
   /// What it makes of the state, which the integration goes on from; empty: it changes nothing.
   std::function<void(double t, State& x)> change = {};
+  /// Bounds on dx/dt of the equations that the bounds go with, a component each: steps that stay far from a
+  /// zero by them cost less.
+  std::function<void(const program::Interval& t, std::span<const program::Interval> x,
+                     std::span<program::Interval> slopes)>
+      slopes = {};
 };
 
 /// An event that took place.
@@ -82,6 +87,8 @@ class EventFinder {
   /// Looks at a step of @p system; false if the run must stop in it: an event ends it or changes the state,
   /// or a value was not a number.
   [[nodiscard]] bool see(const System& system, const Step& step, const Limits& limits = {});
+  /// How many functions are watched.
+  [[nodiscard]] std::size_t events() const { return events_.size(); }
   /// What was found up to now, in the direction of travel.
   [[nodiscard]] const std::vector<Hit>& hits() const { return hits_; }
   /// Where an event could not be decided: the first such part of each event, up to the last one.
@@ -98,6 +105,14 @@ class EventFinder {
 
  private:
   class Scan;
+  /// States and times for which an event has no zero: a solution that comes from x0 to x1 within h and keeps
+  /// x0 + [0, h/2] f and x1 - [0, h/2] f inside has none on its way (Moore 1966).
+  struct SafeBox {
+    program::Interval t{0};
+    std::vector<program::Interval> x, slopes;
+    std::vector<program::Interval> seen;  // the states so far
+    int wait = 0, pause = 1;              // steps until the next one is looked for, and after that
+  };
   void begin(double t, const State& x);
   bool stops_at(Hit& hit);
   void add_open(std::size_t event, double t0, double t1);
@@ -109,6 +124,7 @@ class EventFinder {
   std::vector<int> counts_;             // of hits of each event
   std::vector<program::Interval> box_;  // of the states, of a part of a step
   Nodes samples_, coefficients_;        // of a part of a step
+  std::vector<SafeBox> safe_;           // of each event
   std::vector<Hit> hits_;
   std::vector<OpenEvent> open_;
   Status status_;

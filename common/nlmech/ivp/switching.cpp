@@ -104,7 +104,24 @@ class Walk {
         if (zero[i]) choose(i, t, x);
       }
     }
+    for (std::size_t i = 0; i < mode_.size(); ++i) {
+      if (zero[i] && mode_[i] != 0) prefer_smooth(i, t, x);
+    }
     if (solution_.status.ok()) hold(t, x);
+  }
+  // Where no side leads away, as at the bottom of an empty tank, h' = -sqrt(max(h, 0)): the side with
+  // derivatives.
+  void prefer_smooth(std::size_t i, double t, const State& x) {
+    if (rate(i, 1, t, x) != 0 || rate(i, -1, t, x) != 0 || is_smooth(t, x)) return;
+    mode_[i] = static_cast<std::int8_t>(-mode_[i]);
+    if (!is_smooth(t, x)) mode_[i] = static_cast<std::int8_t>(-mode_[i]);
+  }
+  // Are there derivatives beside the state?
+  bool is_smooth(double t, const State& x) {
+    constexpr double beside = 1e-30, steep = 1e12;
+    Jacobian j(x.size(), x.size());
+    in(mode_).jacobian(segment_(t), (x.array() + beside).matrix(), j);
+    return j.allFinite() && j.cwiseAbs().maxCoeff() < steep;
   }
 
   // [choose]

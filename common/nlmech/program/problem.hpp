@@ -34,6 +34,16 @@ class Problem {
         second_order_(equations.second_order()),
         smooth_(switches_->count() == 0) {}
 
+  /// The same with the derivatives @p slopes of the state, of @p graph.
+  [[nodiscard]] Problem with_slopes(const Graph& graph, const std::vector<NodeId>& slopes) const {
+    Problem other = *this;
+    other.program_ = std::make_shared<const Program>(graph, slopes);
+    other.switches_ = std::make_shared<const Switches>(graph, slopes);
+    other.linear_ = std::make_shared<const LinearTerms>(program::linear_terms(graph, slopes));
+    other.smooth_ = other.switches_->count() == 0;
+    return other;
+  }
+
   /// Components of the state.
   [[nodiscard]] int size() const { return size_; }
   /// Is every unknown of second order?

@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "nlmech/program/domain.hpp"
 #include "nlmech/program/highest_derivatives.hpp"
 
 namespace nlmech::program {
@@ -166,6 +167,14 @@ void Switches::add_jumps(std::size_t k, double begin, double last, std::vector<d
   }
 }
 
+// Is it the square root, or a power with a fraction, of what a switch of the state keeps from being negative?
+bool Switches::is_root_of_size(const Node& n) const {
+  const bool is_root = (n.operation == Operation::function && n.function == Function::sqrt) ||
+                       (n.operation == Operation::power && n.c != std::floor(n.c));
+  return is_root && is_never_negative(graph_, n.a) &&
+         std::find(deciding_.begin(), deciding_.end(), graph_[n.a].decides) != deciding_.end();
+}
+
 // Slopes and then functions without choices, for a mode without zeros.
 std::vector<NodeId> Switches::resolved(const Mode& mode, Graph& graph) const {
   std::vector<NodeId> ids = slopes_;
@@ -187,6 +196,12 @@ std::vector<NodeId> Switches::resolved(const Mode& mode, Graph& graph) const {
         made[index(i)] = graph.number(0);
       else
         made[index(i)] = graph.choice(made[index(n.decides)], made[index(n.a)], made[index(n.b)]);
+    } else if (is_root_of_size(n)) {
+      // sqrt(abs(x)) is one of x or -x within a mode; trial steps lead beyond the surface, where that is
+      // none.
+      const NodeId a = made[index(n.a)];
+      const double half = n.operation == Operation::function ? 0.25 : n.c / 2;
+      made[index(i)] = graph.power(graph.product(a, a), graph.number(half));
     } else {
       made[index(i)] = graph.again(n, made[index(n.a)], made[index(n.b)]);
     }

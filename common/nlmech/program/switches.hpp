@@ -48,6 +48,7 @@ class Switches {
 
  private:
   [[nodiscard]] std::vector<NodeId> resolved(const Mode& mode, Graph& graph) const;
+  [[nodiscard]] bool is_root_of_size(const Node& n) const;
   [[nodiscard]] double step_value(std::size_t k, double t) const;
   void add_jumps(std::size_t k, double begin, double last, std::vector<double>& jumps) const;
 

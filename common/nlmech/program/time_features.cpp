@@ -121,7 +121,37 @@ void add_places(const Program& function, double t0, double t1, std::vector<doubl
   }
 }
 
-/// Which nodes depend on time and on nothing else.
+/// Adds the activities of one function that are no longer than @p longest.
+void add_activities(const Program& function, double t0, double t1, double longest,
+                    std::vector<TimeFeatures::Activity>& all) {
+  const Cells cells(function, t0, t1);
+  const std::vector<Cells::Cell>& cell = cells.all();
+  for (std::size_t first = 0; first < cell.size(); ++first) {
+    if (cell[first].rests) continue;
+    std::size_t last = first;
+    while (last + 1 < cell.size() && !cell[last + 1].rests) ++last;
+    if (cell[last].t1 - cell[first].t0 <= longest) all.push_back({cell[first].t0, cell[last].t1});
+    first = last;
+  }
+}
+
+/// Can it rest and then change fast? Sums and products of what cannot cannot either, nor can waves.
+bool may_rest(Graph& graph, const Node& node) {
+  switch (node.operation) {
+    case Operation::quotient:
+    case Operation::reciprocal:
+    case Operation::power:
+    case Operation::any_power:
+    case Operation::atan2: return true;
+    case Operation::function: break;
+    default: return false;
+  }
+  const bool is_periodic = node.function == Function::sin || node.function == Function::cos;
+  return !is_periodic || !graph.is_number(rates(graph, {node.a}, {}).front());
+}
+
+}  // namespace
+
 std::vector<bool> of_time_alone(const Graph& graph) {
   std::vector<bool> by_time(static_cast<std::size_t>(graph.nodes())), by_state(by_time.size());
   for (NodeId i = 0; i < graph.nodes(); ++i) {
@@ -142,23 +172,6 @@ std::vector<bool> of_time_alone(const Graph& graph) {
   for (std::size_t i = 0; i < by_time.size(); ++i) by_time[i] = by_time[i] && !by_state[i];
   return by_time;
 }
-
-/// Can it rest and then change fast? Sums and products of what cannot cannot either, nor can waves.
-bool may_rest(Graph& graph, const Node& node) {
-  switch (node.operation) {
-    case Operation::quotient:
-    case Operation::reciprocal:
-    case Operation::power:
-    case Operation::any_power:
-    case Operation::atan2: return true;
-    case Operation::function: break;
-    default: return false;
-  }
-  const bool is_periodic = node.function == Function::sin || node.function == Function::cos;
-  return !is_periodic || !graph.is_number(rates(graph, {node.a}, {}).front());
-}
-
-}  // namespace
 
 TimeFeatures::TimeFeatures(const Graph& graph, const std::vector<NodeId>& slopes) {
   const std::vector<bool> part = parts_of(graph, slopes), by_time = of_time_alone(graph);
@@ -192,6 +205,23 @@ std::vector<double> TimeFeatures::between(double t0, double t1) const {
     if (t > t0 && t < t1) between.push_back(t);
   }
   return between;
+}
+
+std::vector<TimeFeatures::Activity> TimeFeatures::short_activities(double t0, double t1,
+                                                                   double longest) const {
+  std::vector<Activity> all;
+  if (!(t0 < t1) || !std::isfinite(t1 - t0)) return all;
+  for (const Program& function : functions_) add_activities(function, t0, t1, longest, all);
+  std::ranges::sort(all, {}, &Activity::t0);
+  // Parts of one pulse: each function that is made of it has its own.
+  std::vector<Activity> once;
+  for (const Activity& a : all) {
+    if (!once.empty() && a.t0 <= once.back().t1)
+      once.back().t1 = std::max(once.back().t1, a.t1);
+    else
+      once.push_back(a);
+  }
+  return once;
 }
 
 }  // namespace nlmech::program

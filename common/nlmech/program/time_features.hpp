@@ -11,6 +11,9 @@
 
 namespace nlmech::program {
 
+/// Which nodes depend on time and on nothing else, by their numbers.
+[[nodiscard]] std::vector<bool> of_time_alone(const Graph& graph);
+
 /// Functions of time alone in equations, and the places that a method must not step over: its error estimate
 /// sees nothing of a pulse if all values of a step are taken in the rest before it.
 ///
@@ -27,6 +30,15 @@ class TimeFeatures {
   /// @p t0 and @p t1 (t0 < t1), ascending. Empty if there are more than ten thousand: so many pulses are not
   /// stepped over. May be called by several threads.
   [[nodiscard]] std::vector<double> between(double t0, double t1) const;
+
+  /// A time in which one of them is active, between two rests or a rest and an end of the interval.
+  struct Activity {
+    double t0;  ///< start
+    double t1;  ///< end
+  };
+  /// Those between @p t0 and @p t1 (t0 < t1) that last for at most @p longest, by their starts: pulses, and
+  /// fast changes from one rest to another.
+  [[nodiscard]] std::vector<Activity> short_activities(double t0, double t1, double longest) const;
 
  private:
   struct Known {

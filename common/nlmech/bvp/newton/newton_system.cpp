@@ -28,6 +28,12 @@ NewtonSystem::NewtonSystem(const Problem& problem, const Scheme& scheme)
       m_(problem.parameters()),
       phases_(problem.phases()) {}
 
+double NewtonSystem::node_time(const Interval& interval, Index node) const {
+  const double end = interval.t0 + interval.h;
+  if (phases_ > 1 && node + 1 == scheme_.nodes.size()) return std::nextafter(end, interval.t0);
+  return interval.t0 + scheme_.nodes[node] * interval.h;
+}
+
 bool NewtonSystem::residual(Unknowns& y) {
   const Index nodes = scheme_.nodes.size();
   parts_.resize(y.intervals.size());
@@ -39,7 +45,7 @@ bool NewtonSystem::residual(Unknowns& y) {
     phase_of_[k] = interval.phase;
     for (Index j = 0; j < nodes; ++j) {
       x = interval.values.col(j);
-      problem_.rhs(interval.t0 + scheme_.nodes[j] * interval.h, x, y.parameters, f);
+      problem_.rhs(node_time(interval, j), x, y.parameters, f);
       interval.slopes.col(j) = f;
     }
     evaluations_ += nodes;
@@ -62,7 +68,7 @@ void NewtonSystem::condense(const Interval& interval, Condensed& c) {
   VectorXd x(n_);
   for (Index j = 0; j < nodes; ++j) {
     x = interval.values.col(j);
-    problem_.jacobian(interval.t0 + scheme_.nodes[j] * interval.h, x, parameters_, by_state, by_parameter);
+    problem_.jacobian(node_time(interval, j), x, parameters_, by_state, by_parameter);
     auto block = j == 0           ? edges.leftCols(n_)
                  : j == nodes - 1 ? edges.middleCols(n_, n_)
                                   : between.middleCols((j - 1) * n_, n_);

@@ -71,6 +71,9 @@ class NewtonSystem {
     Eigen::VectorXd r_left;
     bool has_inner = false, has_left = false;
   };
+  // With several phases f may jump between them, and is the limit from the right there: at the end of an
+  // interval it is asked for one double before.
+  [[nodiscard]] double node_time(const Interval& interval, Eigen::Index node) const;
   void condense(const Interval& interval, Condensed& c);
   void chain();
   void border(const Unknowns& y);

@@ -165,7 +165,7 @@ class CatalogueRun {
     share_out(count, 1, threads_, [&](std::size_t first, std::size_t last) {
       for (std::size_t i = first; i < last; ++i) members[i] = member_of(rows.numbers[i]);
     });
-    const std::vector<EnsembleResult> ends = trajectories(members, method_, threads_);
+    const std::vector<EnsembleResult> ends = trajectories(members, method_, typed_.method.empty(), threads_);
     const auto row = [&rows](std::size_t i) { return rows.first + static_cast<std::int64_t>(i); };
     for (std::size_t i = 0; i < count; ++i) note(row(i), ends[i]);
     return scene::lines_in_threads(count, threads_, [&](std::size_t i, std::string& lines) {

@@ -271,21 +271,44 @@ std::vector<Choice> choices(const TypedOptions& typed, const UserProblem& proble
   return all;
 }
 
+namespace {
+
+/// Those of the problem, unless the solution comes to the zero of a root and goes on from there: a Taylor
+/// series follows the root to its other branch.
+std::vector<Candidate> extended_candidates(const UserProblem& problem, const RunOptions& r,
+                                           const Effort& effort) {
+  if (problem.domain && !problem.domain->arguments.empty()) {
+    bool rests = false;
+    constexpr double tolerance = 1e-6;
+    const auto pilot = ivp::within_domain(any_method("dop853").with({.tolerance = tolerance}), problem.domain,
+                                          {tolerance, tolerance}, &rests);
+    static_cast<void>(
+        pilot(problem.system, r.x0, r.t0, r.t1, {}, {.steps = 100'000, .seconds = effort.seconds / 4}));
+    if (rests) return {};
+  }
+  return problem.extended(effort);
+}
+
+}  // namespace
+
 Comparison comparison(const UserProblem& problem, const RunOptions& r, const std::vector<Choice>& methods,
                       std::string_view program) {
   const Stopwatch watch;
   const auto left = [&] { return r.limits.seconds - watch.seconds(); };
   constexpr double work = 6;  // seconds, or so
   std::optional<scene::Doing> doing("computing a reference");
-  const Effort effort{work, left() / 3, watchful_step(r.t0, r.t1, r.limits.largest_step)};
-  const Reference reference = reference_of(problem.extended(effort), problem.system, r.x0, r.t0,
-                                           look_at(r.t0, r.t1, 64), {1e-13, 1e-30}, effort);
+  const Effort effort{work, left() / 3, watchful_step(r.t0, r.t1, r.limits.largest_step), {}, problem.domain};
+  const Reference reference = reference_of(extended_candidates(problem, r, effort), problem.system, r.x0,
+                                           r.t0, look_at(r.t0, r.t1, 64), {1e-13, 1e-30}, effort);
   ComparisonTable table(program, reference, r.x0);
   for (std::size_t i = 0; i < methods.size(); ++i) {
     doing.emplace(fmt::format("running {}", methods[i].method->name));
     const double share = left() / static_cast<double>(methods.size() - i);
     try {
-      const auto run = methods[i].method->with(methods[i].settings);
+      const ivp::Settings& settings = methods[i].settings;
+      const Tolerance tolerance = settings.step ? Tolerance{0, 0} : tolerance_of(settings);
+      const auto run = ivp::within_domain(methods[i].method->with(settings), problem.domain,
+                                          {tolerance.relative, tolerance.absolute});
       const auto once = [&] {
         return run(problem.system, r.x0, r.t0, r.t1, {}, {r.limits.steps, share, r.limits.largest_step});
       };

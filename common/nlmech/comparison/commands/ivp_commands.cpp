@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "nlmech/comparison/commands/compare.hpp"
+#include "nlmech/comparison/commands/remarks.hpp"
 #include "nlmech/comparison/commands/run_figure.hpp"
 #include "nlmech/comparison/commands/runs.hpp"
 #include "nlmech/scene/picture.hpp"
@@ -34,7 +35,9 @@ int integrate(const TypedOptions& typed, const std::string& program) {
   const ivp::MethodInfo& method = method_of(typed, problem, options);
   const Trajectory run = typed.method.empty() ? usual_trajectory(problem, options, method)
                                               : trajectory(problem, options, method);
-  for (const std::string& remark : {run.remark, run.small}) {
+  std::vector<std::string> remarks = remarks_on(problem, options);
+  remarks.insert(remarks.end(), {run.remark, run.small});
+  for (const std::string& remark : remarks) {
     if (!remark.empty()) scene::tell(fmt::format("{}: {}", program, remark));
   }
   scene::print_result(run.rows);

@@ -12,11 +12,13 @@
 #include <optional>
 #include <utility>
 
+#include "nlmech/comparison/commands/remarks.hpp"
 #include "nlmech/comparison/reference/verification.hpp"
 #include "nlmech/ivp/ensemble/integrate_all.hpp"
 #include "nlmech/ivp/named/named_integrators.hpp"
 #include "nlmech/scene/program/this_process.hpp"
 #include "nlmech/scene/table.hpp"
+#include "nlmech/support/doubles.hpp"
 #include "nlmech/support/sentences.hpp"
 #include "nlmech/support/stopwatch.hpp"
 #include "nlmech/support/threads.hpp"
@@ -51,6 +53,31 @@ Effort effort_after(const Statistics& work, int components, double left) {
   return {std::min(1 + 4 * done, 100.0), std::min(left, 10 + 20 * work.seconds)};
 }
 
+/// A method that shares nothing with @p method, at a tenth of its tolerances, but not below what doubles
+/// allow.
+ivp::NamedIntegrator other_method(const ivp::MethodInfo& method, const ivp::Settings& settings) {
+  const auto finer = [](double tolerance) { return std::clamp(tolerance / 10, 1e-13, 1e-4); };
+  const Tolerance tolerance = tolerance_of(settings);
+  return any_method(method.name == "dop853" ? "series" : "dop853")
+      .with({.tolerance = finer(tolerance.relative), .absolute_tolerance = finer(tolerance.absolute)});
+}
+
+constexpr double many_turns = 1000;  // of a force
+
+/// Refuses a force that no method can follow within the limit: a turn takes some right-hand sides at least.
+void refuse_endless_turns(const UserProblem& problem, const RunOptions& r) {
+  constexpr double most_turns = 2e6;  // a second
+  const Wave wave = fastest_wave(problem, r.t0, r.t1);
+  const double seconds = wave.turns / most_turns;
+  const bool may_end = std::ranges::any_of(r.events, [](const WantedEvent& e) { return e.event.ends > 0; });
+  if (r.settings.step || may_end || seconds <= r.limits.seconds) return;
+  throw Failure(failed_with(
+      Outcome::time_limit,
+      "{} from t = {:.6g} to {:.6g}, which takes {:.2g} s at least, more than the limit of {:.6g} s; take an "
+      "earlier end, or the mean of the force",
+      wave.text(), r.t0, r.t1, seconds, r.limits.seconds));
+}
+
 /// A run from its options to its rows: what its steps show at asked times and events, and its verification.
 /// Its parts refer to each other, so it stays where it is.
 class Run {
@@ -62,11 +89,11 @@ class Run {
       : problem_(problem),
         options_(options),
         method_(method),
-        one_(one),
         other_(other),
         t1_(options.t1),
         accuracy_(accuracy_of(options)),
-        finder_(events_of(problem, options), accuracy_, one) {
+        one_(ivp::within_domain(one, problem.domain, accuracy_, &rests_)),
+        finder_(events_of(options), accuracy_, one_) {
     found_.rows = fmt::format("t,{}{}\n", fmt::join(printed_names(problem, options), ","),
                               options.events.empty() ? "" : ",event");
     found_.samples = {components_of(problem), SampledPath(options.t0, t1_), {}};
@@ -83,8 +110,7 @@ class Run {
   [[nodiscard]] ivp::Start start() {
     ivp::Start start{&problem_.system, options_.x0,      options_.t0, options_.t1, {},
                      options_.limits,  options_.deadline};
-    if (options_.every || !options_.at.empty() || options_.draw || !options_.events.empty() ||
-        !problem_.domain_ends.empty() || alone())
+    if (options_.every || !options_.at.empty() || options_.draw || !options_.events.empty() || alone())
       start.observer = [this](const ivp::Step& step) { return see(step); };
     return start;
   }
@@ -92,6 +118,10 @@ class Run {
   [[nodiscard]] bool has_changes() const {
     return std::ranges::any_of(options_.events,
                                [](const WantedEvent& e) { return static_cast<bool>(e.event.change); });
+  }
+  /// Must it be integrated alone, because its equations may end or its state changes on its way?
+  [[nodiscard]] bool goes_alone() const {
+    return has_changes() || (problem_.domain && problem_.domain->watches());
   }
   /// Integrates it, from change to change of the state.
   [[nodiscard]] ivp::Solution integrate() {
@@ -108,15 +138,10 @@ class Run {
     ivp::State x;
   };
 
-  /// Those that were asked for, then the ends of the domain of the equations.
-  static std::vector<ivp::Event> events_of(const UserProblem& problem, const RunOptions& options) {
+  static std::vector<ivp::Event> events_of(const RunOptions& options) {
     std::vector<ivp::Event> events;
     for (const WantedEvent& e : options.events) events.push_back(e.event);
-    events.insert(events.end(), problem.domain_ends.begin(), problem.domain_ends.end());
     return events;
-  }
-  [[nodiscard]] bool left_domain() const {
-    return finder_.ended() && finder_.hits().back().event >= options_.events.size();
   }
   // Of runs by tolerances.
   static ivp::StateAccuracy accuracy_of(const RunOptions& options) {
@@ -152,24 +177,29 @@ class Run {
   [[nodiscard]] std::string small_components() const;
   /// The next row that is asked for, if there is one before the end.
   [[nodiscard]] std::optional<double> next_row() const;
-  /// The asked times within a step and before @p end, by its dense output.
-  void add_before(double end, const ivp::Step& step);
+  /// The asked times within a step and up to @p end, by its dense output. @param at_event does an event take
+  /// place at the end? Its row stands for one that is asked for at its time
+  void add_before(double end, const ivp::Step& step, bool at_event = false);
   void show(const ivp::Hit& hit, const ivp::Step& step);
   /// What is worth saying of events that touch zero, or may.
   [[nodiscard]] std::string remark_on_events() const;
   /// Some of the rows, at most most_verified at equal distances and the last, and times between where these
   /// are few.
   [[nodiscard]] Verified verified() const;
+  [[nodiscard]] Status with_turns(const Status& status) const;
   [[nodiscard]] double left_after(const ivp::Solution& end) const;
   void verify_by_integration(const ivp::Solution& end);
+  [[nodiscard]] bool agrees_with(const ivp::NamedIntegrator& other, const Verified& run, const Effort& effort,
+                                 const ivp::Limits& limits) const;
 
   const UserProblem& problem_;
   const RunOptions& options_;
   const ivp::MethodInfo& method_;
-  const ivp::NamedIntegrator& one_;
   const ivp::NamedIntegrator* other_;  // or null
   double t1_;                          // to where it has come
   ivp::StateAccuracy accuracy_;        // of its states
+  bool rests_ = false;                 // did it come to an end of the domain, and go on from there?
+  ivp::NamedIntegrator one_;           // the method, within the domain
   ivp::EventFinder finder_;
   Trajectory found_;
   std::int64_t rows_ = 1, stride_ = 1, added_ = 0;
@@ -183,9 +213,7 @@ bool Run::see(const ivp::Step& step) {
   largest_ = largest_.cwiseMax(step.x0.cwiseAbs());
   const std::size_t before = finder_.hits().size();
   const bool goes_on = finder_.see(problem_.system, step, options_.limits);
-  for (std::size_t i = before; i < finder_.hits().size(); ++i) {
-    if (finder_.hits()[i].event < options_.events.size()) show(finder_.hits()[i], step);
-  }
+  for (std::size_t i = before; i < finder_.hits().size(); ++i) show(finder_.hits()[i], step);
   if (goes_on) add_before(step.t1, step);
   if (options_.draw && !options_.section)
     found_.samples.path.see(step, goes_on || finder_.hits().empty() ? step.t1 : finder_.hits().back().t);
@@ -193,7 +221,7 @@ bool Run::see(const ivp::Step& step) {
 }
 
 void Run::show(const ivp::Hit& hit, const ivp::Step& step) {
-  add_before(hit.t, step);
+  add_before(hit.t, step, !options_.section);
   const std::string& name = options_.events[hit.event].name;
   print(hit.t, hit.x, name);
   if (hit.after.size() > 0) print(hit.t, hit.after, name + " after");
@@ -215,16 +243,20 @@ std::optional<double> Run::next_row() const {
   }
   return next;
 }
-void Run::add_before(double end, const ivp::Step& step) {
-  const double way = t1_ - options_.t0;
+void Run::add_before(double end, const ivp::Step& step, bool at_event) {
+  const double way = t1_ - options_.t0, every = options_.every.value_or(0);
   const auto is_after = [way](double a, double b) { return way > 0 ? a > b : a < b; };
+  const double near = 1e-9 * every + 4 * eps * std::abs(end);
   for (;;) {
     const std::optional<double> t = next_row();
-    if (!t || is_after(*t, end)) return;
-    if (*t != options_.t0) add(*t, step.at(*t));
+    const bool is_event = t && at_event && std::abs(*t - end) <= near;
+    if (!t || (is_after(*t, end) && !is_event)) return;
+    if (is_event)
+      keep(*t, step.at(end));
+    else if (*t != options_.t0)
+      add(*t, step.at(*t));
     if (next_at_ < at_.size() && at_[next_at_] == *t) ++next_at_;
-    if (options_.every &&
-        static_cast<double>(rows_) * *options_.every <= std::abs(*t - options_.t0) + 1e-9 * *options_.every)
+    if (options_.every && static_cast<double>(rows_) * every <= std::abs(*t - options_.t0) + 1e-9 * every)
       ++rows_;
   }
 }
@@ -256,7 +288,6 @@ std::string Run::remark_on_events() const {
                     options_.events[i].name, count, first.t));
   }
   for (const ivp::OpenEvent& open : finder_.open()) {
-    if (open.event >= options_.events.size()) continue;
     remarks.push_back(
         fmt::format("{} cannot be told from zero between t = {:.9g} and {:.9g}: rows may be missing",
                     options_.events[open.event].name, open.t0, open.t1));
@@ -307,6 +338,13 @@ double Run::left_after(const ivp::Solution& end) const {
   return std::min(own, all.count());
 }
 
+bool Run::agrees_with(const ivp::NamedIntegrator& other, const Verified& run, const Effort& effort,
+                      const ivp::Limits& limits) const {
+  const auto within = ivp::within_domain(other, effort.domain, accuracy_);
+  return agrees(problem_.system, options_.x0, options_.t0, run,
+                ivp::with_changes(within, effort.changes, accuracy_), limits);
+}
+
 void Run::verify_by_integration(const ivp::Solution& end) {
   const Verified run = verified();
   const scene::Doing doing("verifying the run by integration");
@@ -319,37 +357,50 @@ void Run::verify_by_integration(const ivp::Solution& end) {
                            .seconds = effort.seconds,
                            .largest_step = effort.largest_step};
   const ivp::System& system = problem_.system;
-  if (other_ != nullptr && agrees(system, options_.x0, options_.t0, run,
-                                  ivp::with_changes(*other_, effort.changes, accuracy_), limits))
-    return;
-  const auto extended = effort.changes.empty() ? problem_.extended(effort) : std::vector<Candidate>();
+  effort.domain = problem_.domain;
+  if (other_ != nullptr && agrees_with(*other_, run, effort, limits)) return;
+  // A Taylor series in extended precision follows a root through its zero to the other branch.
+  const auto extended =
+      effort.changes.empty() && !rests_ ? problem_.extended(effort) : std::vector<Candidate>();
   const Reference reference =
       reference_of(extended, system, options_.x0, options_.t0, run.times, run.tolerance / 10, effort);
   const Verification v = verify(system, options_.x0, options_.t0, run, reference, effort);
   found_.is_open = v.verdict == Verification::Verdict::unknown;
+  if (found_.is_open && other_ == nullptr) {
+    const ivp::NamedIntegrator other = other_method(method_, options_.settings);
+    if (agrees_with(other, run, effort, limits)) {
+      found_.is_open = false;
+      return;
+    }
+  }
   if (found_.is_open) static_cast<void>(left_after(end));  // if for want of time
   found_.remark = remark(v, reference, method_, options_.settings, problem_.state_names, t1_);
+  if (const Wave wave = fastest_wave(problem_, options_.t0, t1_); found_.is_open && wave.turns > many_turns)
+    found_.remark += "; " + wave.text();
+}
+
+// Where a limit has ended the run, a fast force may be the reason.
+Status Run::with_turns(const Status& status) const {
+  const Outcome outcome = status.outcome();
+  const Wave wave = fastest_wave(problem_, options_.t0, options_.t1);
+  if ((outcome != Outcome::time_limit && outcome != Outcome::step_limit) || wave.turns < many_turns)
+    return status;
+  return Status::failure(outcome, fmt::format("{}; {}", status.sentence(), wave.text()));
 }
 
 // A run that an event has ended is a success, and its last row is there.
 Trajectory Run::finish(ivp::Solution end) {
   if (!finder_.status().ok()) {
     end.status = finder_.status();
-  } else if (left_domain()) {
-    end.status = failed_with(
-        Outcome::outside_validity,
-        "the argument of a square root, a power with a fraction or an arc becomes zero at t = "
-        "{:.9g}: the equations do not say how the solution goes on; end the run before, or say it: "
-        "sqrt(max(x, 0)) rests there",
-        finder_.hits().back().t);
   } else if (finder_.ended()) {
     end.t = finder_.hits().back().t;
     end.x = finder_.hits().back().x;
     end.status = {};
   }
-  if (!end.status.ok()) throw Failure(end.status);
+  if (!end.status.ok()) throw Failure(with_turns(end.status));
   t1_ = end.t;
-  if (finder_.ended())
+  // The row of an event there is the last one.
+  if (finder_.ended() || (!finder_.hits().empty() && finder_.hits().back().t == t1_))
     keep(t1_, end.x);
   else
     add(t1_, end.x);
@@ -358,15 +409,6 @@ Trajectory Run::finish(ivp::Solution end) {
   if (const std::string events = remark_on_events(); !events.empty())
     found_.remark += (found_.remark.empty() ? "" : "; ") + events;
   return std::move(found_);
-}
-
-/// A method that shares nothing with @p method, at a tenth of its tolerances, but not below what doubles
-/// allow.
-ivp::NamedIntegrator other_method(const ivp::MethodInfo& method, const ivp::Settings& settings) {
-  const auto finer = [](double tolerance) { return std::clamp(tolerance / 10, 1e-13, 1e-4); };
-  const Tolerance tolerance = tolerance_of(settings);
-  return any_method(method.name == "dop853" ? "series" : "dop853")
-      .with({.tolerance = finer(tolerance.relative), .absolute_tolerance = finer(tolerance.absolute)});
 }
 
 /// Of the processors' time that many runs took together the share of each, by its right-hand sides: no clock
@@ -383,7 +425,7 @@ void share_seconds(double all, std::vector<ivp::Solution>& ends) {
 std::vector<ivp::Solution> solutions_of(std::span<const std::unique_ptr<Run>> runs,
                                         const ivp::MethodInfo& method, const ivp::Settings& settings,
                                         int threads) {
-  if (method.name == ivp::Series::name && !settings.step && !runs.front()->has_changes()) {
+  if (method.name == ivp::Series::name && !settings.step && !runs.front()->goes_alone()) {
     std::vector<ivp::Start> starts;
     for (const std::unique_ptr<Run>& run : runs) starts.push_back(run->start());
     return ivp::integrate_all(starts, ivp::named::series_of(settings), threads);
@@ -441,6 +483,7 @@ const ivp::MethodInfo& usual_method(const UserProblem& problem, const RunOptions
 
 Trajectory trajectory(const UserProblem& problem, const RunOptions& options, const ivp::MethodInfo& method) {
   const auto one = about("--method", [&] { return method.with(options.settings); });
+  refuse_endless_turns(problem, options);
   Run run(problem, options, method, one);
   return run.finish(about("--method", [&] { return run.integrate(); }));
 }
@@ -470,7 +513,7 @@ Trajectory usual_trajectory(const UserProblem& problem, const RunOptions& option
 }
 
 std::vector<EnsembleResult> trajectories(std::span<const EnsembleMember> members,
-                                         const ivp::MethodInfo& method, int threads) {
+                                         const ivp::MethodInfo& method, bool is_usual, int threads) {
   if (members.empty()) return {};
   const ivp::Settings& settings = members.front().options.settings;
   const auto one = about("--method", [&] { return method.with(settings); });
@@ -489,12 +532,19 @@ std::vector<EnsembleResult> trajectories(std::span<const EnsembleMember> members
   share_seconds(watch.seconds() * static_cast<double>(threads_for(threads)), ends);
   std::vector<EnsembleResult> all(members.size());
   each([&](std::size_t i) {
-    try {
-      all[i].trajectory = runs[i]->finish(std::move(ends[i]));
-    } catch (const Failure& failure) {
-      all[i].status =
-          failure.status().ok() ? Status::failure(Outcome::not_converged, failure.what()) : failure.status();
-    }
+    const auto attempt = [&all, i](const auto& work) {
+      try {
+        all[i].trajectory = work();
+        all[i].status = {};
+      } catch (const Failure& failure) {
+        all[i].status = failure.status().ok() ? Status::failure(Outcome::not_converged, failure.what())
+                                              : failure.status();
+      }
+    };
+    attempt([&] { return runs[i]->finish(std::move(ends[i])); });
+    const Outcome outcome = all[i].status.outcome();
+    if (is_usual && !all[i].status.ok() && outcome != Outcome::time_limit)
+      attempt([&] { return usual_trajectory(*members[i].problem, members[i].options, method); });
     runs[i].reset();
   });
   return all;

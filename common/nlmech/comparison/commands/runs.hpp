@@ -63,9 +63,11 @@ struct EnsembleResult {
                                           const ivp::MethodInfo& usual);
 
 /// The same for many runs with the same settings, side by side where the method can; what trajectory() throws
-/// as Failure is their status. @param threads how many; 0: one a processor
+/// as Failure is their status. @param is_usual was the method not named? Then others are tried where it
+/// fails, as by usual_trajectory() @param threads how many; 0: one a processor
 [[nodiscard]] std::vector<EnsembleResult> trajectories(std::span<const EnsembleMember> members,
-                                                       const ivp::MethodInfo& method, int threads);
+                                                       const ivp::MethodInfo& method, bool is_usual,
+                                                       int threads);
 
 /// `integrate --states`, one run for each row of a CSV file: prints `row,t,...,status` in the order of the
 /// file, `...` the unknowns, `event` if events were asked for, and the other columns. A run that fails is a

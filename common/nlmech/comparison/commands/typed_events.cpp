@@ -140,8 +140,10 @@ void add_change(const std::string& option, const std::string& typed, const UserP
     if (sign == std::string::npos || known == problem.state_names.end())
       throw refuse(fmt::format("{}: say one of {} = its new value", echoed(one),
                                fmt::join(problem.state_names, ", ")));
-    values.emplace_back(known - problem.state_names.begin(),
-                        problem.expression(option, one.substr(sign + 1)));
+    const Eigen::Index i = known - problem.state_names.begin();
+    if (std::ranges::find(values, i, &std::pair<Eigen::Index, StateFunction>::first) != values.end())
+      throw refuse(fmt::format("{} gets a second value; give one", component));
+    values.emplace_back(i, problem.expression(option, one.substr(sign + 1)));
   }
   if (values.empty()) throw refuse("say what changes there: \"bounce: y' = -0.8 y'\"");
   bool found = false;

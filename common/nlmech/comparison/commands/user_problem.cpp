@@ -69,72 +69,6 @@ UserProblem problem_of_text(const problems::ProblemText& known, const program::S
   return typed_problem({fmt::format("{}.ode", known.name), std::string(known.text)}, settings, known.name);
 }
 
-/// A node as an event.
-ivp::Event zero_of(program::Graph graph, program::NodeId node, const std::vector<program::NodeId>& slopes) {
-  const program::NodeId rate = program::rates(graph, {node}, slopes).front();
-  const auto program = std::make_shared<const program::Program>(graph, std::vector{node, rate});
-  ivp::Event event;
-  event.value = [program](double t, const ivp::State& x) {
-    double value = 0;
-    program->run(t, x, 0, 1, [&value](int, double v) { value = v; });
-    return value;
-  };
-  event.bounds = [program](const program::Interval& t, std::span<const program::Interval> x) {
-    ivp::Enclosure g;
-    program->run(t, x, 0, 2, [&g](int i, const program::Interval& v) { (i == 0 ? g.value : g.rate) = v; });
-    return g;
-  };
-  return event;
-}
-
-/// What a function of a solution needs to be positive; nothing if it needs nothing.
-std::optional<program::NodeId> needs_positive(program::Graph& graph, const program::Node& n) {
-  using program::Operation;
-  if (n.operation == Operation::any_power) return n.a;
-  if (n.operation == Operation::power && n.c != std::floor(n.c)) return n.a;
-  if (n.operation != Operation::function) return {};
-  if (n.function == program::Function::sqrt) return n.a;
-  if (n.function == program::Function::asin || n.function == program::Function::acos)
-    return graph.difference(graph.number(1), graph.product(n.a, n.a));
-  return {};
-}
-
-/// Does it depend on the state, and is not positive by the way in which it is written: abs(x), max(x, 0)?
-bool may_end(const program::Graph& graph, program::NodeId argument) {
-  const std::vector<bool> part = program::parts_of(graph, {argument});
-  const auto states = part.begin() + 1, end = states + graph.size();
-  if (std::find(states, end, true) == end) return false;
-  const program::Node& n = graph[argument];
-  if (n.operation != program::Operation::choice || n.a != n.decides) return true;
-  const program::Node& other = graph[n.b];
-  const bool is_opposite =
-      other.operation == program::Operation::scaled && other.c < 0 && other.a == n.decides;
-  return !is_opposite && !(other.operation == program::Operation::number && other.c >= 0);
-}
-
-/// Ends of the domain of the equations that depend on the state: where the argument of a square root, a power
-/// with a fraction, or an arc becomes zero. Not those that are positive whatever the state is.
-std::vector<ivp::Event> domain_ends(const program::Equations& equations) {
-  program::Graph graph = equations.graph();
-  const std::vector<bool> part = program::parts_of(graph, equations.slopes());
-  std::vector<ivp::Event> ends;
-  std::vector<program::NodeId> known;
-  const std::vector<program::Interval> anywhere(static_cast<std::size_t>(equations.size()));
-  for (std::size_t i = 0; i < part.size(); ++i) {
-    if (!part[i]) continue;
-    const program::Node node = graph[static_cast<program::NodeId>(i)];
-    const std::optional<program::NodeId> argument = needs_positive(graph, node);
-    if (!argument || std::ranges::find(known, *argument) != known.end() || !may_end(graph, *argument))
-      continue;
-    known.push_back(*argument);
-    ivp::Event end = zero_of(graph, *argument, equations.slopes());
-    if (end.bounds({}, anywhere).value.low >= 0) continue;
-    end.ends = 1;
-    ends.push_back(std::move(end));
-  }
-  return ends;
-}
-
 }  // namespace
 
 ivp::State UserProblem::initial_state(const std::string& typed) const {
@@ -181,7 +115,7 @@ StateFunction UserProblem::expression(const std::string& option, const std::stri
 ivp::Event UserProblem::event(const std::string& option, const std::string& typed) const {
   program::Equations names = text;
   const program::NodeId node = names.expression(option, typed);
-  return zero_of(names.graph(), node, names.slopes());
+  return ivp::event_of(names.graph(), node, names.slopes());
 }
 
 UserProblem typed_problem(const program::SourceText& source, const program::Settings& settings,
@@ -203,7 +137,7 @@ UserProblem typed_problem(const program::SourceText& source, const program::Sett
           .t1 = equations.final_time(),
           .system = ivp::System(problem),
           .extended = extended,
-          .domain_ends = domain_ends(equations),
+          .domain = std::make_shared<const ivp::Domain>(equations),
           .text = equations};
 }
 

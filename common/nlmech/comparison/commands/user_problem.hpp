@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,6 +13,7 @@
 #include <vector>
 
 #include "nlmech/comparison/reference/reference_of.hpp"
+#include "nlmech/ivp/domain.hpp"
 #include "nlmech/ivp/events.hpp"
 #include "nlmech/program/equations.hpp"
 #include "nlmech/program/program.hpp"
@@ -44,10 +46,9 @@ struct UserProblem {
   ivp::System system;                    ///< what methods run on
   /// Computations in extended precision, for references; may be none.
   std::function<std::vector<Candidate>(const Effort&)> extended;
-  /// Where the argument of a square root, a power with a fraction or an arc becomes zero.
-  std::vector<ivp::Event> domain_ends = {};
-  program::Equations text;                  ///< as they were read
-  std::vector<EventLine> event_lines = {};  ///< of the text
+  std::shared_ptr<const ivp::Domain> domain = {};  ///< where the equations hold
+  program::Equations text;                         ///< as they were read
+  std::vector<EventLine> event_lines = {};         ///< of the text
 
   /// The initial state as typed: numbers in the order of the state, or "x1=1, v1=pi/2" for some of them, by
   /// expressions; what the publication or the text says for what is not given.

@@ -122,7 +122,9 @@ Status by_judge(const Judge& judge, const ivp::System& system, const Tolerance& 
         observer = [&pace](const ivp::Step& step) { return pace.suffices(step.t1); };
       const ivp::Limits limits{
           .steps = steps, .seconds = seconds - watch.seconds(), .largest_step = effort.largest_step};
-      const auto run = ivp::with_changes(method.with(settings), effort.changes, {relative, absolute});
+      const ivp::StateAccuracy accuracy{relative, absolute};
+      const auto run = ivp::with_changes(ivp::within_domain(method.with(settings), effort.domain, accuracy),
+                                         effort.changes, accuracy);
       status = states_by(run, system, way, observer, limits, states);
     } catch (const std::invalid_argument& error) {  // the problem is not for it, or the tolerance
       status = Status::failure(Outcome::outside_validity, error.what());

@@ -13,9 +13,11 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "nlmech/ivp/domain.hpp"
 #include "nlmech/ivp/events.hpp"
 #include "nlmech/ivp/named/named_methods.hpp"
 #include "nlmech/ivp/system.hpp"
@@ -45,7 +47,8 @@ struct Effort {
   double seconds = std::numeric_limits<double>::infinity();  ///< wall time besides
   /// Longest step of each computation.
   double largest_step = std::numeric_limits<double>::infinity();
-  std::vector<ivp::Event> changes = {};  ///< of the state on the way, as of the run that is judged
+  std::vector<ivp::Event> changes = {};            ///< of the state on the way, as of the run that is judged
+  std::shared_ptr<const ivp::Domain> domain = {};  ///< of the equations; may be null
 };
 
 /// The longest step of computations from @p t0 to @p t1 that are to miss nothing: at most that of the run

@@ -1,0 +1,112 @@
+#include "nlmech/comparison/commands/remarks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+
+#include "nlmech/program/switches.hpp"
+#include "nlmech/program/time_features.hpp"
+
+namespace nlmech::comparison {
+namespace {
+
+/// "a", and how many more.
+std::string first_of(const std::string& first, std::size_t count) {
+  if (count == 1) return first;
+  return fmt::format("{} and {} more time{}", first, count - 1, count == 2 ? "" : "s");
+}
+
+std::string remark_on_pulses(const UserProblem& problem, double t0, double t1) {
+  constexpr double narrow = 0.1;  // of the run
+  const program::TimeFeatures features(problem.text.graph(), problem.text.slopes());
+  const auto all = features.short_activities(t0, t1, narrow * (t1 - t0));
+  if (all.empty()) return {};
+  return fmt::format("a function of the time changes after a rest, within t = {}: steps begin there",
+                     first_of(fmt::format("{:.6g} to {:.6g}", all.front().t0, all.front().t1), all.size()));
+}
+
+std::string remark_on_jumps(const UserProblem& problem, double t0, double t1) {
+  const std::vector<double> times =
+      program::Switches(problem.text.graph(), problem.text.slopes()).times(t0, t1);
+  if (times.empty()) return {};
+  return fmt::format("the equations change at t = {}: steps end there",
+                     first_of(fmt::format("{:.6g}", times.front()), times.size()));
+}
+
+/// Does a switching function that is zero at the start lead away on both sides, as x' = sign(x) from 0?
+bool leads_both_ways(const ivp::System& system, const RunOptions& r) {
+  const auto count = static_cast<std::size_t>(system.switches());
+  ivp::Mode mode(count, 1);
+  std::vector<double> values(count), rates(count);
+  const auto look = [&] { system.in_mode(mode).surfaces(r.t0, r.x0, values, rates); };
+  std::vector<bool> is_zero(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    look();
+    is_zero[i] = values[i] == 0;
+    if (values[i] < 0) mode[i] = -1;
+  }
+  const double direction = r.t1 > r.t0 ? 1 : -1;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!is_zero[i]) continue;
+    const auto rate_on = [&](int side) {
+      mode[i] = static_cast<std::int8_t>(side);
+      look();
+      mode[i] = 1;
+      return direction * rates[i];
+    };
+    if (rate_on(1) > 0 && rate_on(-1) < 0) return true;
+  }
+  return false;
+}
+
+std::string remark_on_start(const UserProblem& problem, const RunOptions& r) {
+  if (r.t0 == r.t1) return {};
+  if (leads_both_ways(problem.system, r))
+    return fmt::format(
+        "several solutions begin at t = {:.6g}: both sides of a switch lead away from it; the run takes the "
+        "side where its function is positive",
+        r.t0);
+  if (problem.domain && ivp::several_begin(*problem.domain, r.t0, r.x0, r.t1 > r.t0 ? 1 : -1))
+    return fmt::format(
+        "several solutions begin at t = {:.6g}: the argument of a root is zero there, and may stay so or "
+        "not; the run takes the one for which it stays zero",
+        r.t0);
+  return {};
+}
+
+}  // namespace
+
+std::vector<std::string> remarks_on(const UserProblem& problem, const RunOptions& r) {
+  std::vector<std::string> all;
+  const auto [first, last] = std::minmax(r.t0, r.t1);
+  for (const std::string& remark : {remark_on_start(problem, r), remark_on_pulses(problem, first, last),
+                                    remark_on_jumps(problem, first, last)}) {
+    if (!remark.empty()) all.push_back(remark);
+  }
+  return all;
+}
+
+std::string Wave::text() const {
+  return fmt::format("a force of the frequency {:.6g} turns {:.2g} times", frequency, turns);
+}
+
+Wave fastest_wave(const UserProblem& problem, double t0, double t1) {
+  const program::Graph& graph = problem.text.graph();
+  const std::vector<bool> part = program::parts_of(graph, problem.text.slopes());
+  Wave fastest;
+  for (program::NodeId i = 0; i < graph.nodes(); ++i) {
+    const program::Node& n = graph[i];
+    const bool is_wave = n.operation == program::Operation::function &&
+                         (n.function == program::Function::sin || n.function == program::Function::cos);
+    if (!part[program::index(i)] || !is_wave) continue;
+    const double frequency = std::abs(graph.drift(n.a));
+    if (frequency > fastest.frequency) fastest.frequency = frequency;  // not NaN
+  }
+  fastest.turns = fastest.frequency * std::abs(t1 - t0) / (2 * std::numbers::pi);
+  return fastest;
+}
+
+}  // namespace nlmech::comparison

@@ -1,0 +1,115 @@
+Where equations end, rest, or begin at a singular point
+=======================================================
+
+  $ integrate() { integrators integrate --equation "$@"; }
+
+Singular points at the start
+----------------------------
+
+A power series begins these solutions; then every method goes on. sin(t)/t, Bessel's J0, and Lane and Emden's star of index 5, 1/sqrt(1 + t^2/3):
+
+  $ for method in series dop853 ode45 adaptive-collocation; do
+  >   integrate "x'' + 2 x'/t + x = 0" --initial "x=1, x'=0" --until 10 --method $method |
+  >     holds 'x = sin(10)/10 +- 1e-8' "x' = cos(10)/10 - sin(10)/100 +- 1e-8"
+  >   integrate "t x'' + x' + t x = 0" --initial "x=1, x'=0" --until 10 --method $method | holds 'x = besselj(0, 10) +- 1e-8'
+  >   integrate "x'' + 2 x'/t + x^5 = 0" --initial "x=1, x'=0" --until 10 --method $method | holds 'x = 1/sqrt(1 + 100/3) +- 1e-8'
+  > done
+  $ integrate "x'' + 2 x'/t + x = 0" --initial "x=1, x'=0" --until 1 --every 0.01 | holds --each 'n = 101' 'x = (sin(t)/t if t > 0 else 1) +- 1e-9'
+  $ integrate "x'' + 2 x'/t + x = 0" --initial "x=1, x'=0" --until -10 | holds 'x = sin(10)/10 +- 1e-8'
+  $ integrate "x' = sin(t)/t" --initial x=0 --until 1 | holds 'x = si(1) +- 1e-9'
+
+Where no series begins, the reason:
+
+  $ integrate "x'' + 2 x'/t + x = 0" --initial "x=1, x'=1" --until 1
+  integrators: outside_validity: the equations are singular at the start t = 0, where a denominator is zero: no smooth solution begins with these initial values: what is divided has to be zero there too (x' = 0 in x'' + 2 x'/t = 0)
+  [1]
+  $ integrate "x' = x/t" --initial x=0 --until 1
+  integrators: outside_validity: the equations are singular at the start t = 0, where a denominator is zero: several solutions begin with these initial values; start beside it
+  [1]
+  $ integrate "x' = x/t^2" --initial x=0 --until 1
+  integrators: outside_validity: the equations are singular at the start t = 0, where a denominator is zero: it is no regular singular point, so no power series begins there; start beside it
+  [1]
+
+Denominators that become zero
+-----------------------------
+
+C sin(t) for every C beyond pi; but sin(t)/t is regular at 0, and a run may end at the point or before it:
+
+  $ for method in series ode45 "rk4 --step 0.01"; do
+  >   integrate "sin(t) x' = cos(t) x" --from 1 --initial x=1 --until 4 --method $method
+  > done
+  integrators: outside_validity: a denominator of the equations becomes zero at t = 3.14159265: many solutions go on from there, so none is determined beyond; end the run before
+  integrators: outside_validity: a denominator of the equations becomes zero at t = 3.14159265: many solutions go on from there, so none is determined beyond; end the run before
+  integrators: outside_validity: a denominator of the equations becomes zero at t = 3.14159265: many solutions go on from there, so none is determined beyond; end the run before
+  [1]
+  $ for method in series dop853 ode45; do
+  >   integrate "x' = 1; y' = y/x" --initial "x=-1, y=1" --until 2 --method $method 2> said.txt; grep -c 't = 1: many solutions' said.txt
+  >   integrate "x'' = -x; y' = x'/x*y" --initial "x=1, x'=0, y=1" --until 3 --method $method 2> said.txt; grep -c 't = 1.5707963.*: many solutions' said.txt
+  > done | sort | uniq -c | tr -s ' '
+   6 1
+  $ integrate "x'' = -x; y' = sin(x)/x" --initial "x=1, x'=0, y=0" --until 3 | holds 'y = quad(lambda s: sin(cos(s))/cos(s), [0, 3]) +- 1e-8'
+  $ integrate "sin(t) x' = cos(t) x" --from 1 --initial x=1 --until 3 | holds 'x = sin(3)/sin(1) +- 1e-8'
+  $ integrate "x' = sin(t)/t" --from -1 --initial x=0 --until 1 | holds 'x = 2*si(1) +- 1e-8'
+
+The solution ends where it becomes infinite, or its slope does; here sqrt(1 - 2 t):
+
+  $ integrate "x' = 1/(t - 1)" --initial x=1 --until 3 --method rk4 --step 0.3
+  integrators: outside_validity: a denominator of the equations becomes zero at t = 1: the solution ends there; end the run before
+  [1]
+  $ integrate "x' = -1/x" --initial x=1 --until 4 --method ode45
+  integrators: step_underflow: ode45: a denominator of the equations becomes zero at t = 0.5*, where the solution ends; end the run before (glob)
+  [1]
+
+Roots
+-----
+
+A tank from 1 is (1 - t/2)^2 until it is empty at 2, and stays empty, at every tolerance:
+
+  $ for tolerance in 1e-3 1e-6 1e-9 1e-12; do
+  >   integrate "h' = -sqrt(h)" --initial h=1 --until 3 --every 1 --tolerance $tolerance | holds --each "h = max(1 - t/2, 0)**2 +- 20*$tolerance"
+  > done
+
+With an inflow it fills again, here to (t - 5)^2/4, or has a level that is never empty:
+
+  $ integrate "h' = max(0, t - 5) - sqrt(h)" --initial h=1 --until 7 | holds 'h = 1 +- 1e-6'
+  integrators: the equations change at t = 5: steps end there
+  $ integrate "h' = 0.5 - sqrt(h)" --initial h=1 --until 60 | holds 'h = 0.25 +- 1e-8'
+
+An argument that touches zero, 1 - sin(t)^2, and one that would become negative:
+
+  $ integrate "x' = cos(t); y' = sqrt(1 - x^2)" --initial "x=0, y=0" --until 3 | holds 'y = 2 - sin(3) +- 1e-6'
+  $ integrate "y' = sqrt(1 - x); x' = 1" --initial "x=0, y=0" --until 3
+  integrators: outside_validity: the argument of a square root, a power with a fraction or an arc becomes negative at t = 1, and the equations do not say how the solution goes on; end the run before
+  [1]
+
+abs under a root is passed by every method:
+
+  $ for method in series dop853 ode45 adaptive-collocation; do
+  >   integrate "x' = 1; y' = sqrt(abs(x))" --initial "x=-1, y=0" --until 2 --tolerance 1e-8 --method $method | holds 'y = 4/3 +- 1e-6'
+  > done
+
+Starts with several solutions
+-----------------------------
+
+  $ integrate "x' = sign(x)" --initial x=0 --until 1
+  integrators: several solutions begin at t = 0: both sides of a switch lead away from it; the run takes the side where its function is positive
+  t,x
+  0,0
+  1,1
+  $ integrate "x' = sqrt(x)" --initial x=0 --until 1
+  integrators: several solutions begin at t = 0: the argument of a root is zero there, and may stay so or not; the run takes the one for which it stays zero
+  t,x
+  0,0
+  1,0
+  $ integrate "x' = -sqrt(x)" --initial x=0 --until 1
+  t,x
+  0,0
+  1,0
+
+Comparisons
+-----------
+
+  $ integrators compare --equation "h' = -sqrt(h)" --initial h=1 --until 3 --methods dop853,ode45 2> said.txt | cut -d, -f 1-3
+  method,setting,status
+  dop853,tolerance 1e-09,success
+  ode45,tolerance 1e-09,success

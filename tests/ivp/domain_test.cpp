@@ -1,0 +1,157 @@
+/// Equations that end, rest, or begin at a singular point.
+#include "nlmech/ivp/domain.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <string>
+
+#include "nlmech/ivp/named/named_methods.hpp"
+#include "nlmech/ivp/singular_start.hpp"
+#include "tests/ivp/typed.hpp"
+
+namespace nlmech::ivp::domain_test {
+namespace {
+
+Domain domain_of(const std::string& text) {
+  return Domain(program::Equations(program::SourceText("equation", text)));
+}
+
+Solution run(const std::string& text, const State& x0, double t0, double t1, double tolerance,
+             const std::string& method = "dop853", bool* rests = nullptr) {
+  const auto within =
+      within_domain(named_integrator(method, {.tolerance = tolerance}),
+                    std::make_shared<const Domain>(domain_of(text)), {tolerance, tolerance}, rests);
+  return within(testing::typed(text), x0, t0, t1, {}, {});
+}
+
+TEST(Domain, WhatIsLookedFor) {
+  EXPECT_EQ(domain_of("x' = sqrt(x) + x^1.5 + (1 - x)^0.3").arguments.size(), 2U);
+  EXPECT_TRUE(
+      domain_of("x' = sqrt(abs(x)) + sqrt(1 + x^2) + sqrt(max(x, 0)) + x^3 + sqrt(t)").arguments.empty());
+  EXPECT_EQ(domain_of("x' = 1/x + x/(1 + x^2) + x^-2").denominators.size(), 2U);  // x and x^2
+  EXPECT_EQ(domain_of("x' = x/t + x/sin(t) + x/(2 + cos(t))").timed.size(), 2U);
+  EXPECT_TRUE(domain_of("x'' = -x - x^3").empty());
+}
+
+// h' = -a sqrt(h) is (sqrt(h0) - a t/2)^2 until it is empty, at any tolerance. Errors of h of some tolerances
+// (a hundred here) move the end by their root, and nothing after it.
+RC_GTEST_PROP(Domain, TanksStayEmpty, ()) {
+  const double a = *rc::gen::inRange(2, 40) / 10., h0 = *rc::gen::inRange(1, 50) / 10.,
+               tolerance = std::pow(10, -*rc::gen::inRange(3, 13));
+  const auto method = *rc::gen::element<std::string>("dop853", "ode45", "adaptive-collocation");
+  const double empty = 2 * std::sqrt(h0) / a;
+  bool rests = false;
+  const Solution end =
+      run("h' = -" + std::to_string(a) + " sqrt(h)", State{h0}, 0, 1.5 * empty, tolerance, method, &rests);
+  RC_LOG() << end.status.text();
+  RC_ASSERT(end.status.ok());
+  RC_ASSERT(rests);
+  RC_ASSERT(std::abs(end.x[0]) <= 100 * tolerance * (1 + h0));
+}
+
+// From an empty tank with the inflow t - t0 the level is (t - t0)^2/4 (put into the equation), and back.
+TEST(Domain, ATankFillsAgain) {
+  const Solution end = run("h' = max(0, t - 5) - sqrt(h)", State{1}, 0, 9, 1e-9);
+  ASSERT_TRUE(end.status.ok()) << end.status.text();
+  EXPECT_NEAR(end.x[0], 4, 1e-6);
+}
+
+TEST(Domain, LeavingIsAnEnd) {
+  const Solution end = run("y' = sqrt(1 - x); x' = 1", State{0, 0}, 0, 3, 1e-9);
+  EXPECT_EQ(end.status.outcome(), Outcome::outside_validity);
+  EXPECT_NE(end.status.text().find("becomes negative at t = 1,"), std::string::npos) << end.status.text();
+  // sin(t) - sqrt(h) leaves where its tank is empty and the inflow negative.
+  const Solution drained = run("h' = sin(t) - sqrt(h)", State{0.5}, 0, 8, 1e-9);
+  EXPECT_EQ(drained.status.outcome(), Outcome::outside_validity) << drained.status.text();
+}
+
+// 1 - sin(t)^2 touches zero and comes back: y = int |cos t| dt.
+TEST(Domain, TouchingIsNoEnd) {
+  const Solution end = run("x' = cos(t); y' = sqrt(1 - x^2)", State{0, 0}, 0, 7, 1e-10);
+  ASSERT_TRUE(end.status.ok()) << end.status.text();
+  EXPECT_NEAR(end.x[1], 4 + std::sin(7.), 1e-6);
+}
+
+// x' = sqrt(x) grows from any level, however small.
+TEST(Domain, WhatRepelsIsPassed) {
+  for (const double x0 : {1e-4, 1e-8}) {
+    const Solution end = run("x' = sqrt(x)", State{x0}, 0, 3, 1e-12);
+    ASSERT_TRUE(end.status.ok()) << end.status.text();
+    EXPECT_NEAR(end.x[0], std::pow(std::sqrt(x0) + 1.5, 2), 1e-6) << x0;
+  }
+}
+
+// Bessel's J_n by x'' + x'/t + (1 - n^2/t^2) x = 0 for n = 0, of the standard library.
+RC_GTEST_PROP(SingularStart, IsBessels, ()) {
+  const double size = *rc::gen::inRange(-30, 30) / 10. + 0.05, end = *rc::gen::inRange(1, 200) / 10.;
+  const Solution found = run("t x'' + x' + t x = 0", State{size, 0}, 0, end, 1e-11);
+  RC_ASSERT(found.status.ok());
+  RC_ASSERT(std::abs(found.x[0] - size * std::cyl_bessel_j(0, end)) <= 1e-8);
+}
+
+// The polynomial alone is right to rounding, in both directions and at any time: sin(t - t0)/(t - t0).
+TEST(SingularStart, ThePolynomialIsRightToRounding) {
+  for (const double t0 : {0., 100.}) {
+    for (const double way : {3., -3.}) {
+      const System system = testing::typed("x'' + 2 x'/(t - " + std::to_string(t0) + ") + x = 0");
+      StatePolynomial series;
+      const State x0{1, 0};
+      ASSERT_TRUE(begin_at_singular_point(system, x0, t0, t0 + way, series).ok());
+      const double middle = t0 + (series.end() - t0) * 0.4, s = middle - t0;
+      State x(2);
+      series.at(middle, x);
+      EXPECT_NEAR(x[0], std::sin(s) / s, 1e-13);
+      EXPECT_NEAR(x[1], std::cos(s) / s - std::sin(s) / (s * s), 1e-12);
+    }
+  }
+}
+
+TEST(SingularStart, ReasonsWhereThereIsNone) {
+  const auto reason = [](const std::string& text, const State& x0) {
+    StatePolynomial series;
+    return std::string(begin_at_singular_point(testing::typed(text), x0, 0, 1, series).text());
+  };
+  EXPECT_NE(reason("x'' + 2 x'/t + x = 0", {1, 1}).find("no smooth solution"), std::string::npos);
+  EXPECT_NE(reason("x' = 2 x/t", {0}).find("several solutions"), std::string::npos);
+  EXPECT_NE(reason("x' = x/t^2", {0}).find("no regular singular point"), std::string::npos);
+}
+
+// A typed event has bounds on its slopes, by which steps are left out: none with a zero. x = cos(w t) reaches
+// any level below 1 twice a turn, and none above.
+RC_GTEST_PROP(TypedEvents, NoStepWithAZeroIsLeftOut, ()) {
+  const double frequency = *rc::gen::inRange(1, 40) / 10., level = *rc::gen::inRange(-1100, 1100) / 1000.;
+  RC_PRE(std::abs(std::abs(level) - 1) > 0.0005);
+  const bool backwards = *rc::gen::arbitrary<bool>();
+  const auto method = *rc::gen::element<std::string>("dop853", "ode45", "series");
+  program::Equations equations({"test", "x'' = -" + std::to_string(frequency * frequency) + " x"});
+  const program::NodeId node = equations.expression("event", "x = " + std::to_string(level));
+  const Event event = event_of(equations.graph(), node, equations.slopes());
+  const double t1 = backwards ? -100.3 : 100.3;
+  const auto [end, hits, open] = integrate_with_events(named_integrator(method, {.tolerance = 1e-10}),
+                                                       System(program::Problem(equations)), State{1, 0}, 0,
+                                                       t1, {event}, {1e-10, 1e-10}, {}, {});
+  RC_ASSERT(end.status.ok());
+  std::size_t count = 0;
+  if (std::abs(level) < 1) {
+    const double turn = 2 * std::acos(-1.), angle = std::acos(level);
+    for (int k = 0; k < 100; ++k) {
+      for (const double a : {k * turn + angle, (k + 1) * turn - angle}) count += a / frequency < 100.3;
+    }
+  }
+  RC_ASSERT(hits.size() == count);
+}
+
+TEST(Domain, SingularTimesEndARun) {
+  const Solution end = run("sin(t) x' = cos(t) x", State{1}, 1, 4, 1e-9);
+  EXPECT_NE(end.status.text().find("becomes zero at t = 3.14159265"), std::string::npos);
+  // Regular: sin(t)/t; the sine integral Si(1) = 0.946083070367183 (Abramowitz and Stegun, table 5.1).
+  const Solution through = run("x' = sin(t)/t", State{0}, -1, 1, 1e-12);
+  ASSERT_TRUE(through.status.ok()) << through.status.text();
+  EXPECT_NEAR(through.x[0], 2 * 0.946083070367183, 1e-10);
+}
+
+}  // namespace
+}  // namespace nlmech::ivp::domain_test
