@@ -31,7 +31,7 @@ help:
 	@echo "make package         a Debian package of programs, library, manual pages and book: $(BUILD)/nlmech_*.deb"
 	@echo "make gallery         the pictures of README and docs/chapters drawn anew"
 	@echo "make pages           docs/chapters: the chapters' pages as forges show them"
-	@echo "make adversary       random cases in search of wrong successes, all of them; tables/ADVERSARY.md; SEEDS=\"1 2\" for more"
+	@echo "make adversary       random cases in search of silent failures, all of them; tables/ADVERSARY.md; SEEDS=\"1 2\" for more"
 	@echo "make oracles         the independent programs of tools/oracles, against the rows that are kept of them"
 	@echo "make bench           claims about speed, held or not, and printed ratios of run times; tables/BENCH.md, RATIOS.md"
 	@echo "make build           programs in $(BUILD)/bin"

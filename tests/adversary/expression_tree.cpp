@@ -58,9 +58,17 @@ std::optional<Estimate> estimate(const std::vector<Real>& values, const Real& sc
   return Estimate{values[0], spread};
 }
 
-const std::vector<std::string> unary = {"sqrt", "exp",  "log",  "sin",  "cos", "tan", "asin", "acos",
-                                        "atan", "sinh", "cosh", "tanh", "erf", "abs", "sign", "-"};
+const std::vector<std::string> unary = {"sqrt", "exp",   "log",   "sin",   "cos",  "tan",      "asin",
+                                        "acos", "atan",  "sinh",  "cosh",  "tanh", "erf",      "abs",
+                                        "sign", "-",     "ln",    "log10", "log2", "sec",      "csc",
+                                        "cot",  "asinh", "acosh", "atanh", "step", "heaviside"};
 const std::vector<std::string> binary = {"+", "-", "*", "*", "/", "+", "^", "atan2", "min", "max"};
+const std::vector<std::string> comparisons = {"<", "<=", ">", ">="};
+const std::vector<std::string> of_time = {"floor", "ceil", "frac", "mod"};  // these alone; and they jump
+
+bool is_in(const std::vector<std::string>& names, const std::string& name) {
+  return std::ranges::find(names, name) != names.end();
+}
 
 }  // namespace
 
@@ -77,6 +85,18 @@ int Tree::grow(Draw& draw, int depth) {
   } else if (draw.chance(0.35)) {
     n.what = draw.one_of(unary);
     n.a = grow(draw, depth - 1);
+  } else if (draw.chance(0.04)) {
+    n.what = draw.one_of(of_time);
+    n.rate = draw.one_of({-1.0, 1.0}) * draw.whole(1, 800) / 64.0;
+    n.start = draw.whole(0, 200) / 16.0;
+    n.number = draw.one_of({-1.0, 1.0}) * draw.whole(1, 80) / 16.0;
+  } else if (draw.chance(0.06)) {
+    n.what = draw.one_of(comparisons);
+    n.a = grow(draw, depth - 1);
+    n.b = grow(draw, depth - 1);
+    n.c = grow(draw, depth - 1);
+    n.d = grow(draw, depth - 1);
+    n.blank = draw.chance(0.3);
   } else {
     n.what = draw.chance(0.15) ? "^n" : std::string(draw.one_of(binary));
     n.a = grow(draw, depth - 1);
@@ -100,7 +120,13 @@ std::string Tree::written(int node, int rank, const std::string& prefix) const {
 std::string Tree::written_here(const Node& n, int& rank, const std::string& prefix) const {
   const auto part = [&](int node, int least) { return written(node, least, prefix); };
   if (n.what == "number") return n.digits;
+  if (is_in(of_time, n.what))
+    return fmt::format("{}({} t + {}{})", n.what, n.rate, n.start,
+                       n.what == "mod" ? fmt::format(", {}", n.number) : "");
   if (n.a < 0) return n.what;
+  if (is_in(comparisons, n.what))  // blank: the other way round
+    return fmt::format("if({}({} {} {}), {}, {})", n.blank ? "not " : "", part(n.c, 0), n.what, part(n.d, 0),
+                       part(n.blank ? n.b : n.a, 0), part(n.blank ? n.a : n.b, 0));
   if (n.what == "^n") {
     rank = 3;
     const std::string exponent = fmt::format("{}", n.number);
@@ -138,18 +164,42 @@ std::string Tree::text(const std::string& left, const std::string& prefix) const
 }
 
 template <class T>
+T Tree::jumping(std::size_t node, const T& time, int run, bool& edge) const {
+  constexpr std::size_t unused = 1000;  // trees have fewer nodes
+  const Node& n = nodes_[node];
+  const T of = disturbed(T(Real(n.rate) * time), node + unused, run) + T(Real(n.start));
+  const Real parts = n.what == "mod" ? Real(lead(of) / n.number) : lead(of);
+  edge = edge || abs(parts - round(parts)) < 1e-6;
+  if (n.what == "floor") return T(Real(floor(parts)));
+  if (n.what == "ceil") return T(Real(ceil(parts)));
+  if (n.what == "frac") return of - T(Real(floor(parts)));
+  return of - disturbed(T(Real(n.number * floor(parts))), node + 2 * unused, run);
+}
+
+template <class T>
 T Tree::apply(std::size_t node, const std::vector<T>& known, int run, bool& edge) const {
   const Node& n = nodes_[node];
   const T& a = known[static_cast<std::size_t>(n.a)];
   const T& b = n.b < 0 ? a : known[static_cast<std::size_t>(n.b)];
   const Real x = lead(a), y = lead(b), near = 1e-6;
+  const T one(Real(1));
   if (n.b < 0 && n.what == "-") return -a;
+  if (n.c >= 0) {
+    const Real left = lead(known[static_cast<std::size_t>(n.c)]),
+               right = lead(known[static_cast<std::size_t>(n.d)]);
+    edge = edge || abs(left - right) < near * (1 + abs(left));
+    return (left < right) == n.what.starts_with("<") ? a : b;
+  }
   if (n.what == "+") return a + b;
   if (n.what == "-") return a - b;
   if (n.what == "*") return a * b;
   edge =
       edge || (n.what == "/" && abs(y) < near) || (n.what == "^" && x < near) ||
-      ((n.what == "sqrt" || n.what == "log") && x < near) || (n.what == "tan" && abs(cos(x)) < near) ||
+      ((n.what == "sqrt" || n.what == "ln" || n.what.starts_with("log")) && x < near) ||
+      ((n.what == "tan" || n.what == "sec") && abs(cos(x)) < near) ||
+      ((n.what == "csc" || n.what == "cot") && abs(sin(x)) < near) || (n.what == "acosh" && x < 1 + near) ||
+      (n.what == "atanh" && abs(x) > 1 - near) ||
+      ((n.what == "step" || n.what == "heaviside") && abs(x) < near) ||
       ((n.what == "asin" || n.what == "acos") && abs(x) > 1 - near) ||
       ((n.what == "abs" || n.what == "sign") && abs(x) < near) ||
       ((n.what == "min" || n.what == "max") && abs(x - y) < near) ||
@@ -159,7 +209,17 @@ T Tree::apply(std::size_t node, const std::vector<T>& known, int run, bool& edge
   if (n.what == "/") return a / b;
   if (n.what == "sqrt") return sqrt(a);
   if (n.what == "exp") return exp(a);
-  if (n.what == "log") return log(a);
+  if (n.what == "log" || n.what == "ln") return log(a);
+  if (n.what == "log10") return log(a) / T(log(Real(10)));
+  if (n.what == "log2") return log(a) / T(log(Real(2)));
+  if (n.what == "sec") return one / cos(a);
+  if (n.what == "csc") return one / sin(a);
+  if (n.what == "cot") return cos(a) / sin(a);
+  if (n.what == "asinh" && x < 0) return -log(sqrt(a * a + one) - a);
+  if (n.what == "asinh") return log(sqrt(a * a + one) + a);
+  if (n.what == "acosh") return log(sqrt(a * a - one) + a);
+  if (n.what == "atanh") return log((one + a) / (one - a)) / T(Real(2));
+  if (n.what == "step" || n.what == "heaviside") return x < 0 ? T(Real(0)) : one;
   if (n.what == "sin") return sin(a);
   if (n.what == "cos") return cos(a);
   if (n.what == "tan") return tan(a);
@@ -177,9 +237,9 @@ T Tree::apply(std::size_t node, const std::vector<T>& known, int run, bool& edge
   if (n.what == "atan2") return atan2(a, b);
   if (n.what == "^") return power(a, b, node, run);
   if (n.number != std::floor(n.number)) return exp(Real(n.number) * log(a));
-  T power = T(Real(1));
+  T power = one;
   for (int k = 0; k < std::abs(n.number); ++k) power = power * a;
-  return n.number < 0 ? T(Real(1) / power) : power;
+  return n.number < 0 ? T(one / power) : power;
 }
 
 template <class T>
@@ -187,6 +247,10 @@ T Tree::evaluate(const std::array<T, 3>& at, int run, bool& edge) const {
   std::vector<T> known;
   for (std::size_t i = 0; i < nodes_.size() && !edge; ++i) {
     const Node& n = nodes_[i];
+    if (is_in(of_time, n.what)) {
+      known.push_back(disturbed(jumping(i, at[0], run, edge), i, run));
+      continue;
+    }
     if (n.a < 0) {
       known.push_back(n.what == "t"    ? at[0]
                       : n.what == "x"  ? at[1]

@@ -41,16 +41,20 @@ class Tree {
 
  private:
   struct Node {
-    std::string what;  // "+", "sin", "x", "number"
-    int a = -1, b = -1;
-    double number = 0;
-    bool named = false;  // a definition
-    bool blank = false;  // a product without its sign
-    std::string digits;  // of a number
+    std::string what;            // "+", "sin", "x", "number"; "<": if(c < d, a, b)
+    int a = -1, b = -1;          // operands
+    int c = -1, d = -1;          // sides of a comparison
+    double number = 0;           // an exponent; the other number of mod
+    double rate = 0, start = 0;  // floor(rate t + start)
+    bool named = false;          // a definition
+    bool blank = false;          // a product without its sign
+    std::string digits;          // of a number
   };
   int grow(Draw& draw, int depth);
   [[nodiscard]] std::string written(int node, int rank, const std::string& prefix) const;
   [[nodiscard]] std::string written_here(const Node& node, int& rank, const std::string& prefix) const;
+  template <class T>
+  T jumping(std::size_t node, const T& time, int run, bool& edge) const;
   template <class T>
   T apply(std::size_t node, const std::vector<T>& known, int run, bool& edge) const;
 

@@ -3,11 +3,16 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <cmath>
+
 #include "nlmech/ivp/runge_kutta/explicit_runge_kutta.hpp"
 #include "nlmech/problems/texts.hpp"
+#include "tests/ivp/typed.hpp"
 
 namespace nlmech::ivp::fixed_steps_test {
 namespace {
+
+using testing::typed;
 
 RC_GTEST_PROP(StepGrid, CoversTheSegmentWithEqualStepsAndOneRest, ()) {
   const auto real = [](int low, int high, double scale) {
@@ -35,6 +40,31 @@ TEST(StepGrid, AWholeNumberOfStepsHasNoRest) {
     const StepGrid grid = make_step_grid(1, 1 + 16600 * h, h);
     EXPECT_EQ(grid.count, 16600);
     EXPECT_EQ(grid.last, grid.step);
+  }
+}
+
+// At 1e16 doubles are two apart, and the fifth step ends between two: the last one is 495 long all the same.
+TEST(StepGrid, TheLastStepIsNotRoundedAsTimesAre) {
+  const StepGrid grid = make_step_grid(1e16, 1e16 + 8000, 1501);
+  EXPECT_EQ(grid.count, 6);
+  EXPECT_EQ(grid.last, 495);
+}
+
+// x'' = -w^2 x by rk4: (w h)^5/120 = 6e-7 a step. A last step of 496 would change x by 7e-5.
+TEST(FixedSteps, GoAsFarAsAskedWhereTimesAreRounded) {
+  const auto s = integrate(typed("x'' = -1e-8 x"), {1, 0}, 1e16, 1e16 + 8000, Rk4{.step = 1501});
+  ASSERT_TRUE(s.status.ok()) << s.status.text();
+  EXPECT_EQ(s.t, 1e16 + 8000);
+  EXPECT_NEAR(s.x[0], std::cos(0.8), 1e-5);
+}
+
+TEST(FixedSteps, AreRefusedWhereRoundingOfTheTimeIsAPartOfThem) {
+  for (const double sign : {1.0, -1.0}) {
+    const double t1 = sign * 1e16, t0 = t1 - 1e5;
+    const auto s = integrate(typed("x'' = -x"), {1, 0}, t0, t1, Rk4{.step = 1000});
+    EXPECT_EQ(s.status.outcome(), Outcome::step_underflow);
+    EXPECT_EQ(s.t, t0);
+    EXPECT_TRUE(integrate(typed("x'' = 0"), {1, 0}, t0, t1, Rk4{.step = 1024}).status.ok());
   }
 }
 

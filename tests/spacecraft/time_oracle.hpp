@@ -4,7 +4,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <functional>
@@ -45,6 +47,12 @@ struct Moved {
   double theta, theta_dot, deflection, deflection_dot;
 };
 
+/// An oscillating pole, and the amplitudes that it gives theta and y(x) at t = 0.
+struct Mode {
+  Complex pole;
+  double theta, deflection;
+};
+
 /// M x'' + C x' + K x = k1 e_0 from rest, x = (theta, q): in the hub's balance the appendages weigh kappa/2
 /// of what they do. For k1 = 0 nothing would move; then a unit torque is applied instead.
 class StepByElements {
@@ -71,6 +79,24 @@ class StepByElements {
     const Eigen::MatrixXd e = (matrix_ * time).exp();
     const Eigen::VectorXd x = e.rightCols(1);
     return {x[0], x[n], shape_.dot(x.segment(1, n - 1)), shape_.dot(x.segment(n + 1, n - 1))};
+  }
+
+  /// By frequency.
+  [[nodiscard]] std::vector<Mode> modes() const {
+    const Eigen::Index n = (matrix_.rows() - 1) / 2;
+    const Eigen::EigenSolver<Eigen::MatrixXd> solver(matrix_);
+    const Eigen::MatrixXcd& vectors = solver.eigenvectors();
+    const Eigen::VectorXcd weights =
+        vectors.partialPivLu().solve(Eigen::VectorXcd::Unit(matrix_.rows(), matrix_.rows() - 1));
+    std::vector<Mode> all;
+    for (Eigen::Index i = 0; i < weights.size(); ++i) {
+      const Complex pole = solver.eigenvalues()[i];
+      if (!(pole.imag() > 0)) continue;
+      const Complex y = shape_.cast<Complex>().dot(vectors.col(i).segment(1, n - 1));
+      all.push_back({pole, 2 * std::abs(weights[i] * vectors(0, i)), 2 * std::abs(weights[i] * y)});
+    }
+    std::ranges::sort(all, {}, [](const Mode& mode) { return mode.pole.imag(); });
+    return all;
   }
 
  private:

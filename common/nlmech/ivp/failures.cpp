@@ -34,6 +34,14 @@ Status step_underflow(std::string_view method, double t, double step) {
                      method, step, t);
 }
 
+Status time_too_coarse(std::string_view method, double t, double step, double shortest) {
+  return failed_with(
+      Outcome::step_underflow,
+      "{}: at t = {:.17g} times are rounded by a noticeable part of the step of {:.6g}; take a "
+      "step of at least {:.6g}, or count the time from the start",
+      method, t, step, shortest);
+}
+
 Status tolerance_missed(std::string_view method, double t, double step) {
   return failed_with(Outcome::step_underflow,
                      "{}: even the shortest step, {:.6g}, from t = {:.17g} misses the tolerance; the "

@@ -17,6 +17,9 @@ namespace nlmech::ivp {
 [[nodiscard]] Status non_finite_coefficients(std::string_view method, double t, int order);
 /// t + step == t.
 [[nodiscard]] Status step_underflow(std::string_view method, double t, double step);
+/// Doubles near @p t are so far apart that rounding of the time is a noticeable part of a given step:
+/// step_underflow. @param shortest step that is not refused
+[[nodiscard]] Status time_too_coarse(std::string_view method, double t, double step, double shortest);
 /// Step control arrived at the shortest step and still misses the tolerance: step_underflow.
 [[nodiscard]] Status tolerance_missed(std::string_view method, double t, double step);
 /// More steps than allowed.

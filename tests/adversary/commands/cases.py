@@ -1,4 +1,4 @@
-"""Random cases of whole commands in search of wrong successes: draws with corners, verdicts, counts.
+"""Random cases of whole commands in search of silent failures: draws with corners, verdicts, counts.
 
     @hunt(quick=8, full=1000)
     def test_every_row_is_right(draw):

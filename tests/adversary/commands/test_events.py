@@ -1,11 +1,13 @@
 """Random events by `integrators integrate`: all zeros of functions whose zeros have closed forms, by all methods, and state changes."""
 import math
+import re
 
 from cases import EPS, failed, hunt, judged, needs, number, ran, undecided, wrong
 
 needs_integrators = needs("integrators")
 METHODS = ["", "", "series", "ode45", "dop853", "adaptive-collocation", "laier"]
 TOLERANCE = 1e-9
+MOST_TOLERANCES = 100
 LONGEST = 40.0
 
 
@@ -28,12 +30,14 @@ class Motion:
 
 
 class Asked:
-    """An event: its text, times at which it rises, falls and touches zero, and how much errors of x and of t move these, at most."""
+    """An event: its text, times at which it rises, falls and touches zero, and by how much these times may be off: by `state`, the error of x in
+    units of the amplitude, over the rate at which the function passes zero, and by its rounding."""
 
     def __init__(self, draw, motion):
         self.rising, self.falling, self.touching = [], [], []
+        self.by_state = lambda state: 0.0  # of the time alone
+        self.by_rounding = 0.0
         getattr(self, draw.one_of(["level", "product", "square", "wave", "pulse", "polynomial", "touch", "peak"]))(draw, motion)
-        self.is_whole = all(t == 0 or abs(t - motion.end) > 1e-6 * motion.end for t in self.times())
 
     def times(self):
         return self.rising + self.falling + self.touching
@@ -45,17 +49,27 @@ class Asked:
         share = draw.uniform(-0.95, 0.95)
         self.text, angle = f"x = {share * m.size!r}", math.acos(share)
         self.crossings(m, [-angle], [angle])
+        self.passing(m, math.sin(angle))
+
+    def passing(self, m, sine):
+        """x passes a level where x' = -w A sine."""
+        self.by_state = lambda state: state / (m.w * sine)
+        self.by_rounding = 4 * EPS / (m.w * sine)
 
     def product(self, draw, m):
         """x x' = -A^2 w sin(2 (w t + c))/2"""
         share = draw.uniform(-0.95, 0.95)
         self.text, angle = f"x x' = {share * m.size**2 * m.w / 2!r}", math.asin(-share)
         self.crossings(m, [(math.pi - angle) / 2, (3 * math.pi - angle) / 2], [angle / 2, angle / 2 + math.pi])
+        rate = m.w * math.cos(angle)  # of x x'/(A^2 w); an error of both factors changes that by 2^(1/2) times as much at most
+        self.by_state, self.by_rounding = lambda state: math.sqrt(2) * state / rate, 4 * EPS / rate
 
     def square(self, draw, m):
         share = draw.uniform(0.05, 0.95)
         self.text, angle = f"x^2 = {(share * m.size)**2!r}", math.acos(share)
         self.crossings(m, [-angle, math.pi - angle], [angle, math.pi + angle])
+        self.passing(m, math.sin(angle))
+        self.by_rounding /= share
 
     def wave(self, draw, m):
         """Of time alone, up to 300 periods of the motion's steps."""
@@ -64,11 +78,13 @@ class Asked:
         for n in range(math.ceil(k * m.end / turn) + 2):
             self.rising.append((angle + turn * n) / k)
             self.falling.append((math.pi - angle + turn * n) / k)
+        self.by_rounding = 4 * EPS / (k * math.cos(angle))
 
     def pulse(self, draw, m):
         middle, width, level = draw.uniform(0, m.end), draw.log_uniform(1e-6, 1) * m.end, draw.uniform(0.05, 0.95)
         self.text, off = f"exp(-((t - {middle!r})/{width!r})^2) = {level!r}", width * math.sqrt(-math.log(level))
         self.rising, self.falling = [middle - off], [middle + off]
+        self.by_rounding = 4 * EPS * width**2 / (2 * off)
 
     def polynomial(self, draw, m):
         """Two zeros near to each other, and a third."""
@@ -81,23 +97,32 @@ class Asked:
             self.text = "t - 2*t"
 
     def touch(self, draw, m):
-        """Double zeros."""
+        """Double zeros. Where the square is within a rounding of what it is a difference of, nothing tells it from zero."""
         which = draw.whole(0, 2)
         if which == 0:
             at = draw.uniform(0, m.end)
-            self.text, self.touching = f"(t - {at!r})^2", [at]
+            self.text, self.touching, self.by_rounding = f"(t - {at!r})^2", [at], math.sqrt(EPS) * m.end
         else:
             self.text = ["x^2 = 0", "abs(x) = 0"][which - 1]
             self.touching = m.angles([math.pi / 2, -math.pi / 2])
+            self.passing(m, 1)
 
     def peak(self, draw, m):
-        """At the greatest x, which the run has to within its tolerance."""
+        """At the greatest x, which the run has to within its error: A (w t)^2/2 below it."""
         self.text, self.touching = f"x = {m.size!r}", m.angles([0])
+        self.by_state, self.by_rounding = lambda state: math.sqrt(2 * state) / m.w, math.sqrt(8 * EPS) / m.w
 
 
-def matched(found, times, within):
-    """Are these the times, each once?"""
-    return len(found) == len(times) and all(abs(a - b) <= within for a, b in zip(found, sorted(times)))
+def error_of_state(m, errors):
+    """Of x in units of its amplitude, at any phase: 100 tolerances of x and of x', or what the digits say that the command knows."""
+    said = re.search(r"verified: (.*?) digits", errors)
+    state = MOST_TOLERANCES * TOLERANCE * math.hypot(1 + 1 / m.size, 1 + 1 / (m.w * m.size))
+    return max(state, 2 * 10**-number(said[1])) if said else state
+
+
+def ratio_of(found, times, within):
+    """How far off the times are; nothing if they are not these, each once."""
+    return max((abs(a - b) / within for a, b in zip(found, sorted(times))), default=0) if len(found) == len(times) else math.inf
 
 
 @needs_integrators
@@ -111,27 +136,21 @@ def test_events_are_all_there(draw):
     r = ran(words)
     if r.exit_code:
         return failed(r)
-    if any(abs(t) <= 1e-6 * m.end or abs(t - m.end) <= 1e-6 * m.end for t in a.times()):
+    # The time itself, and angles of it, are rounded.
+    within = a.by_state(error_of_state(m, r.errors)) + a.by_rounding + 8 * EPS * m.end
+    if any(abs(t) <= within or abs(t - m.end) <= within for t in a.times()):
         return undecided(r.words)  # at an end
     inside = [t for t in {"": a.times(), " rising": a.rising, " falling": a.falling}[crossing] if 0 < t < m.end]
     found = [number(row[0]) for row in r.rows if row[-1]]
-    # Errors of steps add up over the way; where the function is flat, the time of a zero goes with the root of these.
-    error = 100 * TOLERANCE * (1 + m.w * m.end)
-    flat = math.sqrt(error) if crossing == "" and a.touching else error / 0.3
-    within = (flat * (1 + 1 / m.w) if "x" in a.text else 0) + 1e-7 * flat + 1e-9 * m.end
-    if a.touching and crossing == "":
-        # A double zero is a row, or named on standard error, or by rounding two zeros.
-        named = "cannot be told" in r.errors or "touches" in r.errors
-        close = all(any(abs(t - f) <= within for f in found) or named for t in inside)
-        return judged(0, 1, r.words) if close and all(any(abs(t - f) <= within for t in inside) for f in found) else wrong(f"{r.words}: {found}, {inside}")
+    if a.touching:
+        # A double zero is a row, or named on standard error, or by rounding two zeros; with a direction none, but for rounding there.
+        stray = [f for f in found if all(abs(t - f) > within for t in a.touching)]
+        is_named = crossing or "cannot be told" in r.errors or "touches" in r.errors
+        missed = [] if is_named else [t for t in inside if all(abs(t - f) > within for f in found)]
+        return wrong(f"{r.words}: {stray}, {missed}") if stray or missed else judged(0, 1, r.words)
     if "cannot be told" in r.errors:
         return undecided(r.words)
-    if a.touching:  # with a direction none, but for rounding there
-        stray = [f for f in found if all(abs(t - f) > within for t in inside + a.touching)]
-        return wrong(f"{r.words}: {stray}") if stray else judged(0, 1, r.words)
-    if not matched(found, inside, max(within, 4 * EPS * m.end)):
-        return wrong(f"{r.words}: {len(found)} zeros, {found[:9]}, for {len(inside)}, {sorted(inside)[:9]}")
-    return judged(0, 1, r.words)
+    return judged(ratio_of(found, inside, within), 1, f"{r.words}: {len(found)} zeros, {found[:9]}, for {len(inside)}, {sorted(inside)[:9]}")
 
 
 @needs_integrators

@@ -98,8 +98,10 @@ class Run {
                               options.events.empty() ? "" : ",event");
     found_.samples = {components_of(problem), SampledPath(options.t0, t1_), {}};
     if (options.t1 < options.t0) std::ranges::reverse(at_);
-    if (options.every)
-      stride_ = 1 + static_cast<std::int64_t>(std::abs(t1_ - options.t0) / *options.every / most_verified);
+    if (options.every) {  // all of exactly most_verified parts, whatever rounding makes of their number
+      const double parts = std::abs(t1_ - options.t0) / *options.every * (1 - 1e-9);
+      stride_ = std::max(std::int64_t{1}, static_cast<std::int64_t>(std::ceil(parts / most_verified)));
+    }
     add(options.t0, options.x0);
     if (options.draw && t1_ != options.t0) found_.samples.path.add(options.t0, options.x0);
   }

@@ -16,7 +16,8 @@ StepGrid make_step_grid(double begin, double end, double length) {
   }
   const double full = std::min(std::floor(ratio), most);
   const double step = std::copysign(length, end - begin);
-  return {begin, end, step, end - (begin + full * step), static_cast<std::int64_t>(full) + 1};
+  // Not end - (begin + full step): that sum is rounded as times are.
+  return {begin, end, step, end - begin - full * step, static_cast<std::int64_t>(full) + 1};
 }
 
 }  // namespace nlmech::ivp
