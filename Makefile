@@ -8,21 +8,21 @@ BUILD := $(if $(filter release,$(PRESET)),build,build-$(PRESET))
 OUT := .
 # Sections of packages.txt, by goal.
 needs = $(if $(filter $(2),$(MAKECMDGOALS)),$(1))
-SECTIONS := programs $(call needs,tests,test test-long adversary book-test oracles) $(call needs,pages,check pages bench book book-test package) \
+SECTIONS := programs $(call needs,tests,test test-long randomised book-test oracles) $(call needs,pages,check pages bench book book-test package) \
   $(call needs,benchmarks,bench) $(call needs,book,book book-test package) $(call needs,browser,book-test test-long) $(call needs,package,package)
 # Tests are configured once a goal runs them, and stay so.
-NLMECH_TESTS := $(or $(call needs,ON,test test-long adversary book-test),$(if $(wildcard $(BUILD)/CMakeCache.txt),,OFF))
+NLMECH_TESTS := $(or $(call needs,ON,test test-long randomised book-test),$(if $(wildcard $(BUILD)/CMakeCache.txt),,OFF))
 SELECTION := $(foreach v,NLMECH_CHAPTERS NLMECH_PEERS NLMECH_TESTS NLMECH_WARNINGS_ARE_ERRORS NLMECH_UNITY,$(if $($(v)),-D$(v)='$($(v))'))
 CHAPTERS = $(shell cat $(BUILD)/chapters.txt 2>/dev/null)
 DRAWN = $(CHAPTERS:%=$(OUT)/figures/%/.complete)
 # All chapters at once: what measures times waits until it has the machine for itself.
 AT_ONCE = $(MAKE) --no-print-directory -j
 
-.PHONY: help deps configure build programs figures tables test test-long adversary oracles check bench book book-test package gallery pages clean
+.PHONY: help deps configure build programs figures tables test test-long randomised oracles check bench book book-test package gallery pages clean
 help:
 	@echo "make figures         every figure and table of every chapter"
 	@echo "make test            all tests but the long ones"
-	@echo "make test-long       the long tests, except random cases (make adversary) and oracles (make oracles)"
+	@echo "make test-long       the long tests, except random cases (make randomised) and oracles (make oracles)"
 	@echo "make tables          numbers and tables without drawing"
 	@echo "make chapter-NAME    one chapter: figures, tables, verdicts"
 	@echo "make check           published beside reproduced, verdicts, figures, claims; tables/REPRODUCTION.md"
@@ -31,7 +31,7 @@ help:
 	@echo "make package         a Debian package of programs, library, manual pages and book: $(BUILD)/nlmech_*.deb"
 	@echo "make gallery         the pictures of README and docs/chapters drawn anew"
 	@echo "make pages           docs/chapters: the chapters' pages as forges show them"
-	@echo "make adversary       random cases in search of silent failures, all of them; tables/ADVERSARY.md; SEEDS=\"1 2\" for more"
+	@echo "make randomised       random cases in search of silent failures, all of them; tables/RANDOMISED.md; SEEDS=\"1 2\" for more"
 	@echo "make oracles         the independent programs of tools/oracles, against the rows that are kept of them"
 	@echo "make bench           claims about speed, held or not, and printed ratios of run times; tables/BENCH.md, RATIOS.md"
 	@echo "make build           programs in $(BUILD)/bin"
@@ -93,15 +93,15 @@ test: build
 
 # What takes long and rarely fails: all scenes twice, a program built against the installed library, pages broken on purpose.
 test-long: build
-	@ctest --test-dir $(BUILD) -L '^long$$' -E '^long/(adversary|oracles|Package)' -j2 --output-on-failure
+	@ctest --test-dir $(BUILD) -L '^long$$' -E '^long/(randomised|oracles|Package)' -j2 --output-on-failure
 
 # All random cases, of each of the seeds; the tests of `make test` run a share of the first's.
 SEEDS ?= 1
-adversary: build
-	@rm -rf $(BUILD)/adversary
+randomised: build
+	@rm -rf $(BUILD)/randomised
 	@failed=0; for seed in $(SEEDS); do \
-	  NLMECH_ADVERSARY_SEED=$$seed ctest --test-dir $(BUILD) -R '^long/adversary/' -j2 --output-on-failure || failed=1; done; \
-	scripts/adversary-table $(BUILD)/adversary > tables/ADVERSARY.md.new && mv tables/ADVERSARY.md.new tables/ADVERSARY.md; exit $$failed
+	  NLMECH_RANDOMISED_SEED=$$seed ctest --test-dir $(BUILD) -R '^long/randomised/' -j2 --output-on-failure || failed=1; done; \
+	scripts/randomised-table $(BUILD)/randomised > tables/RANDOMISED.md.new && mv tables/RANDOMISED.md.new tables/RANDOMISED.md; exit $$failed
 
 # Runs each program of tools/oracles and compares with tables/reference/oracles; then sources with these rows.
 oracles: configure

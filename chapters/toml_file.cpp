@@ -3,7 +3,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "nlmech/support/echo.hpp"
+#include "nlmech/support/quoted_input.hpp"
 #include "nlmech/support/sentences.hpp"
 
 namespace nlmech::chapters {
@@ -42,15 +42,15 @@ toml::table parse_toml(std::string_view text, const std::string& name) {
     return toml::parse(text, name);
   } catch (const toml::parse_error& error) {
     throw input_error("{}, line {}, column {}: {}", name, error.source().begin.line,
-                      error.source().begin.column, echoed(error.description(), 400));
+                      error.source().begin.column, quoted_input(error.description(), 400));
   }
 }
 
 void complain(const std::string& name, const toml::node& node, std::string_view key, std::string_view what) {
   std::ostringstream value;
   node.visit([&value](const auto& v) { value << v; });
-  throw input_error("{}, line {}: {} = {}: {}", name, node.source().begin.line, echoed(key),
-                    echoed(value.str()), what);
+  throw input_error("{}, line {}: {} = {}: {}", name, node.source().begin.line, quoted_input(key),
+                    quoted_input(value.str()), what);
 }
 
 double number_of(const std::string& name, const toml::node& node, std::string_view key) {

@@ -25,7 +25,7 @@ function beginning(text) {
 const times = (pattern, text) => [...text.matchAll(pattern)].length;
 
 // Lists of evidence hold every word of the chapters: they come after the pages that explain.
-const lists = /^(reproduction|completeness|claims|errata|bench|ratios|adversary)\.html/;
+const lists = /^(reproduction|completeness|claims|errata|bench|ratios|randomised)\.html/;
 
 // Sections in which every word begins another one, best first: what stands in a title counts most, then the words in their order;
 // rows of a table repeat a word without saying more of it.

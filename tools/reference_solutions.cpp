@@ -63,19 +63,19 @@ struct Twice {
 };
 
 /// The two computations.
-struct Effort {
+struct WorkLimit {
   int order[2];
   double tolerance[2];
 };
-constexpr Effort fine = {{46, 58}, {1e-62, 1e-64}};
+constexpr WorkLimit fine = {{46, 58}, {1e-62, 1e-64}};
 /// Where stability, not accuracy, holds the steps down: a lower order is cheaper.
-constexpr Effort stiff = {{28, 34}, {1e-42, 1e-44}};
+constexpr WorkLimit stiff = {{28, 34}, {1e-42, 1e-44}};
 
 /// From the problem's own initial state at time 0. @throws std::runtime_error if a solution does not reach
 /// the end
 template <class Problem>
 Twice<Problem::dimension> solve_twice(const Problem& problem, const std::vector<Real>& times,
-                                      const Effort& effort) {
+                                      const WorkLimit& effort) {
   Twice<Problem::dimension> states;
   const auto solve = [&](std::vector<Vector<Real, Problem::dimension>>& found, int order, double tolerance) {
     const auto start = std::chrono::steady_clock::now();
@@ -96,7 +96,7 @@ Twice<Problem::dimension> solve_twice(const Problem& problem, const std::vector<
 /// Rows for all states at the given times; @p texts say the times exactly.
 template <class Problem>
 Twice<Problem::dimension> tabulate(const Problem& problem, const std::string& parameters,
-                                   const std::vector<std::string>& texts, const Effort& effort = fine) {
+                                   const std::vector<std::string>& texts, const WorkLimit& effort = fine) {
   std::vector<Real> times;
   for (const std::string& text : texts) times.emplace_back(text);
   auto states = solve_twice(problem, times, effort);

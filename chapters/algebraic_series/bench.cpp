@@ -45,7 +45,7 @@ double error_of(const ivp::State& found, const ivp::LongState& reference) {
                                  .maxCoeff<Eigen::PropagateNaN>());
 }
 
-/// Ours inlined, ours through the tape, and the library alone and in our walk, each at the fastest tolerance
+/// Ours inlined, ours through the tape, and the library alone and in our loop, each at the fastest tolerance
 /// that has the wanted median over the end times. @param least of ours inlined against the library
 template <class Problem>
 void add_rivals(chapters::Speed& all, const std::string& name, const ivp::State& x0, double end,
@@ -72,7 +72,7 @@ void add_rivals(chapters::Speed& all, const std::string& name, const ivp::State&
   };
   const ivp::Direct direct(problem);
   const std::string inlined = name + ", series inlined", tape = name + ", series through the tape",
-                    walk = name + ", odeint-fehlberg78 in our walk",
+                    walk = name + ", odeint-fehlberg78 in our loop",
                     alone = name + ", odeint-fehlberg78 alone";
   add(inlined, by_integrate(direct, x0, series), {});
   add(tape, by_integrate(ivp::System(problem), x0, series), {});
@@ -82,7 +82,7 @@ void add_rivals(chapters::Speed& all, const std::string& name, const ivp::State&
     });
     const auto native = chapters::odeint_alone<Problem::dimension>(problem, fehlberg78);
     add(walk, walked, {});
-    // Alone it may never come back: only with tolerances with which it does in our walk.
+    // Alone it may never come back: only with tolerances with which it does in our loop.
     add(
         alone,
         [native, x0](double until, double tolerance) -> std::optional<ivp::State> {
@@ -93,7 +93,7 @@ void add_rivals(chapters::Speed& all, const std::string& name, const ivp::State&
         walked);
   }
   all.claim(inlined, alone, least);
-  all.claim(walk, alone, 0.5);    // a library pays for our walk: at most so much again
+  all.claim(walk, alone, 0.5);    // a library pays for our loop: at most so much again
   all.claim(tape, inlined, 0.4);  // at most 2.5 times the time
 }
 

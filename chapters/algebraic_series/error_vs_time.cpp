@@ -11,7 +11,7 @@ namespace {
 
 using comparison::Kind;
 
-std::vector<comparison::Contender> methods(bool quick) {
+std::vector<comparison::MethodSweep> methods(bool quick) {
   return {comparison::by_tolerances("series", Kind::series, quick),
           comparison::by_tolerances("ode45", Kind::explicit_, quick)};
 }

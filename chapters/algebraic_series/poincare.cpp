@@ -37,7 +37,7 @@ void put_printed(const States& all, scene::Show& show) {
   for (std::size_t k = 0; k + 31 < count; k += 31)
     greatest = std::max(greatest, (all[k + 31] - all[k]).norm());
   show.equals("sections in 750 s", count, 239, "750/pi = 238.7");
-  show.at_most("way from a section near the begin to that 31 later", greatest, 1.2e-4,
+  show.at_most("way from a section near the start to that 31 later", greatest, 1.2e-4,
                "chord of 0.0778 turns on an island of half width 2.35e-4; regression value");
   ivp::State most = ivp::State::Zero(2);
   for (const ivp::State& s : printed) most = most.cwiseMax(s.cwiseAbs());

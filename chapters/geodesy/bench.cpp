@@ -1,27 +1,25 @@
 /// @file
-/// `geodesy_bench`: times of all contenders by Google Benchmark, and the claims about them. Writes
+/// `geodesy_bench`: times of all timed_methods by Google Benchmark, and the claims about them. Writes
 /// results/bench/geodesy.json under the current folder; exit code 1 if a claim is not held.
 #include <memory>
 #include <string>
 
-#include "chapters/geodesy/contenders.hpp"
+#include "chapters/geodesy/timed_methods.hpp"
 #include "chapters/speed.hpp"
 
 namespace {
 
 using namespace nlmech;
 
-/// All contenders on so many points, and what the chapter promises of them.
+/// All timed_methods on so many points, and what the chapter promises of them.
 void add_rows(chapters::Speed& all, std::size_t count) {
   const geodesy::Ellipsoid earth = geodesy::Ellipsoid::wgs84();
   const auto points =
       std::make_shared<chapters::geodesy::Points>(chapters::geodesy::sample_points(count, earth));
-  const auto name_of = [count](const std::string& contender) {
-    return fmt::format("{} / {}", contender, count);
-  };
-  for (const auto& contender : chapters::geodesy::contenders(earth)) {
-    chapters::Work work{name_of(contender.name()),
-                        chapters::keep_result([contender, points] { contender.pass(*points); })};
+  const auto name_of = [count](const std::string& method) { return fmt::format("{} / {}", method, count); };
+  for (const auto& method : chapters::geodesy::timed_methods(earth)) {
+    chapters::Work work{name_of(method.name()),
+                        chapters::keep_result([method, points] { method.pass(*points); })};
     work.points = static_cast<double>(count);
     all.add(work);
   }

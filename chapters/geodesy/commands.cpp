@@ -15,8 +15,8 @@
 #include "nlmech/scene/program/options.hpp"
 #include "nlmech/scene/program/this_process.hpp"
 #include "nlmech/support/degrees.hpp"
-#include "nlmech/support/echo.hpp"
 #include "nlmech/support/errors.hpp"
+#include "nlmech/support/quoted_input.hpp"
 #include "nlmech/support/sentences.hpp"
 
 namespace nlmech::chapters::geodesy {
@@ -108,8 +108,8 @@ std::string plain_name(const std::string& text) {
 /// A name, or equatorial radius and flattening: "6378137,0.00335" or "6378137,1/298.25".
 Shape parse_ellipsoid(const std::string& text) {
   const auto refuse = [&](const std::string& why) {
-    return input_error("--ellipsoid {}: {}; say {}, or A,F as in 6378137,1/298.257223563", echoed(text), why,
-                       names_of_ellipsoids());
+    return input_error("--ellipsoid {}: {}; say {}, or A,F as in 6378137,1/298.257223563", quoted_input(text),
+                       why, names_of_ellipsoids());
   };
   const auto comma = text.find(',');
   if (comma == std::string::npos) {
@@ -229,7 +229,7 @@ std::string reverse_by_series(const Input& in, const Shape& shape, const Request
     out.add(i, found.position.latitude / degree, found.position.longitude / degree, found.position.height);
   }
   if (largest.total > negligible_error)
-    scene::tell(fmt::format(
+    scene::print_message(fmt::format(
         "geodesy: warning: at line {} the series of order {} is off by {:.2g} degrees of "
         "latitude and by {:.2g}{} of height; --method fast is exact to rounding",
         largest_line, order, largest.latitude / degree, largest.height, shape.in_metres ? " m" : ""));
@@ -245,7 +245,7 @@ std::string reverse(const Request& request) {
   try {
     static_cast<void>(nlmech::geodesy::ClosestPoint(shape.ellipsoid));
   } catch (const std::invalid_argument& error) {
-    throw input_error("--ellipsoid {}: {}", echoed(request.ellipsoid), error.what());
+    throw input_error("--ellipsoid {}: {}", quoted_input(request.ellipsoid), error.what());
   }
   const Input in = read_input(request, cartesian, geodetic(shape.in_metres));
   return request.method == "fast" ? reverse_fast(in, shape) : reverse_by_series(in, shape, request);
@@ -279,7 +279,7 @@ std::string forward(const Request& request) {
     out.add(i, p.x, p.y, p.z);
   }
   if (beyond > 0)
-    scene::tell(
+    scene::print_message(
         fmt::format("geodesy: note: the point of line {} is so deep that another point of the ellipsoid is "
                     "nearer; reverse gives that one",
                     beyond));

@@ -30,12 +30,12 @@ void fill(ErrorMap& map, const nlmech::geodesy::PerturbationSeries& method,
   const auto ellipsoid = BasicEllipsoid<T>::wgs84();
   for (const double height_km : map.height_km) {
     for (const double latitude_deg : map.latitude_deg) {
-      const BasicGeodetic<Extended> truth{latitude_deg * degree, longitude, height_km * Extended(1000)};
-      const BasicCartesian<Extended> p = forward(truth, exact);
+      const BasicGeodetic<Extended> expected{latitude_deg * degree, longitude, height_km * Extended(1000)};
+      const BasicCartesian<Extended> p = forward(expected, exact);
       const BasicCartesian<T> given{static_cast<T>(p.x), static_cast<T>(p.y), static_cast<T>(p.z)};
       const auto found = reverse(given, ellipsoid, method, table).position;
-      const auto latitude_error = static_cast<double>((truth.latitude - found.latitude) / degree);
-      const auto height_error = static_cast<double>(truth.height - found.height);
+      const auto latitude_error = static_cast<double>((expected.latitude - found.latitude) / degree);
+      const auto height_error = static_cast<double>(expected.height - found.height);
       map.latitude_error_deg.push_back(latitude_error);
       map.height_error_m.push_back(height_error);
       note(map.latitude, latitude_error, latitude_deg, height_km);

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "chapters/geodesy/contenders.hpp"
 #include "chapters/geodesy/reference.hpp"
+#include "chapters/geodesy/timed_methods.hpp"
 #include "nlmech/scene/scene.hpp"
 #include "nlmech/scene/work_precision.hpp"
 
@@ -25,8 +25,8 @@ constexpr std::size_t timed_points = 4096;  // six columns of them stay in the s
 enum Group : std::size_t { series, fast_batch, fast_point, other_batch, other_point, library };
 const char *const fast = "fast", *const geographiclib = "GeographicLib";
 
-/// A contender without times.
-scene::MethodLine line_of(const Contender& c) {
+/// A method without times.
+scene::MethodLine line_of(const TimedMethod& c) {
   const bool ours = c.method.starts_with(fast);
   const Group group = c.method.starts_with("series") ? series
                       : c.method == geographiclib    ? library
@@ -41,24 +41,24 @@ struct Errors {
   double latitude = 0, height = 0;
 };
 
-Errors errors_of(const Contender& contender, Points points, const Truth& truth) {
-  contender.pass(points);
-  const double unit = contender.in_degrees ? std::numbers::pi / 180 : 1;
+Errors errors_of(const TimedMethod& method, Points points, const Truth& exact) {
+  method.pass(points);
+  const double unit = method.in_degrees ? std::numbers::pi / 180 : 1;
   Errors e;
-  for (std::size_t i = 0; i < truth.size(); ++i) {
-    const auto off = std::abs(points.latitude[i] * Extended(unit) - truth[i].latitude);
+  for (std::size_t i = 0; i < exact.size(); ++i) {
+    const auto off = std::abs(points.latitude[i] * Extended(unit) - exact[i].latitude);
     e.latitude = std::max(e.latitude, static_cast<double>(off));
-    e.height = std::max(e.height, static_cast<double>(std::abs(points.height[i] - truth[i].height)));
+    e.height = std::max(e.height, static_cast<double>(std::abs(points.height[i] - exact[i].height)));
   }
   return e;
 }
 
 /// Seconds a point.
-Timing time_of(const Contender& contender, Points& points, bool quick) {
+Timing time_of(const TimedMethod& method, Points& points, bool quick) {
   const int passes = quick ? 2 : 8;  // long enough for the clock
   const Timing t = time_repeats(
       [&] {
-        for (int i = 0; i < passes; ++i) contender.pass(points);
+        for (int i = 0; i < passes; ++i) method.pass(points);
       },
       quick ? 5 : 31);
   const double n = static_cast<double>(timed_points) * passes;
@@ -68,20 +68,20 @@ Timing time_of(const Contender& contender, Points& points, bool quick) {
 scene::ProblemLines measure(bool quick) {
   const Ellipsoid e = Ellipsoid::wgs84();
   const Points accuracy_points = sample_points(quick ? 4000 : 40000, e);
-  Truth truth;
+  Truth exact;
   for (std::size_t i = 0; i < accuracy_points.x.size(); ++i)
-    truth.push_back(reference_reverse(accuracy_points.at(i), e));
+    exact.push_back(reference_reverse(accuracy_points.at(i), e));
 
   Points timing_points = sample_points(timed_points, e);
   scene::ProblemLines all;
-  for (const Contender& c : contenders(e)) {
+  for (const TimedMethod& c : timed_methods(e)) {
     scene::Attempt attempt{c.batch ? fmt::format("batch, {}", to_string(*c.batch)) : "one point",
                            "no position",  // a floor
                            {},
                            time_of(c, timing_points, quick),
                            {scene::Cell()}};
     if (c.answers) {
-      const Errors errors = errors_of(c, accuracy_points, truth);
+      const Errors errors = errors_of(c, accuracy_points, exact);
       attempt.status = "success";
       attempt.error = errors.latitude;
       attempt.work = {errors.height};

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "chapters/geodesy/contenders.hpp"
 #include "chapters/geodesy/reference.hpp"
+#include "chapters/geodesy/timed_methods.hpp"
 #include "nlmech/scene/scene.hpp"
 
 namespace nlmech::chapters::geodesy::range {
@@ -30,21 +30,21 @@ struct Errors {
 };
 
 std::optional<double> worst(const OnePointMethod& method, const std::vector<Cartesian>& points,
-                            const std::vector<Extended>& truth) {
+                            const std::vector<Extended>& exact) {
   double largest = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const std::optional<Geodetic> found = method.reverse(points[i]);
     if (!found || !std::isfinite(found->latitude)) return std::nullopt;
-    largest = std::max(largest, static_cast<double>(std::abs(found->latitude - truth[i])));
+    largest = std::max(largest, static_cast<double>(std::abs(found->latitude - exact[i])));
   }
   return largest;
 }
 
 Errors errors_of(double abscissa, const Ellipsoid& e, const std::vector<Cartesian>& points) {
-  std::vector<Extended> truth;
-  for (const Cartesian& p : points) truth.push_back(reference_reverse(p, e).latitude);
+  std::vector<Extended> exact;
+  for (const Cartesian& p : points) exact.push_back(reference_reverse(p, e).latitude);
   Errors errors{abscissa, {}};
-  for (const OnePointMethod& m : range_methods(e)) errors.of[m.name] = worst(m, points, truth);
+  for (const OnePointMethod& m : range_methods(e)) errors.of[m.name] = worst(m, points, exact);
   return errors;
 }
 
@@ -164,10 +164,10 @@ void put(const std::vector<Errors>& distance, const std::vector<Errors>& flatten
 
 std::vector<scene::Scene> scenes() {
   const scene::Result distance("latitude-error-over-distance",
-                               "WGS84, 45 rays; truth in extended precision for the doubles given",
+                               "WGS84, 45 rays; exact in extended precision for the doubles given",
                                over_distance);
   const scene::Result flattening("latitude-error-over-flattening",
-                                 "a = 6378137 m, 100 km high, 45 latitudes; truth in extended precision",
+                                 "a = 6378137 m, 100 km high, 45 latitudes; exact in extended precision",
                                  over_flattening);
   return {{.name = "range",
            .title = "Latitude error from the centre to a million kilometres, and against flattening",

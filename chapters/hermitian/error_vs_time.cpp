@@ -10,11 +10,11 @@
 namespace nlmech::chapters::hermitian::error_vs_time {
 namespace {
 
-using comparison::Contender;
 using comparison::Kind;
+using comparison::MethodSweep;
 
 /// @param scale longest of the fixed steps
-std::vector<Contender> methods(double scale, bool quick) {
+std::vector<MethodSweep> methods(double scale, bool quick) {
   constexpr std::array<double, 7> factors = {1, 0.5, 0.25, 0.1, 0.05, 0.02, 0.005};
   return {comparison::by_tolerances("laier", Kind::source, quick),
           comparison::by_tolerances("argyris", Kind::source, quick),

@@ -59,12 +59,12 @@ std::vector<Judged> judge(bool /*quick*/) {
   for (const SetProblem& p : problem_set()) {
     if (!p.has_solution()) continue;
     const comparison::ChoiceRequest request{p.system, p.x0, p.t0, p.t1, p.absolute};
-    const comparison::Chosen examined = comparison::examine(request);
+    const comparison::MethodChoice examined = comparison::examine(request);
     for (const scene::CsvRecord& row : rows) {
       const std::string& fastest = row.cells.at(2);
       if (row.cells[0] != p.name || fastest == "none") continue;
       const int digits = std::stoi(row.cells[1]);
-      const comparison::Chosen c = comparison::choose(request, digits, examined);
+      const comparison::MethodChoice c = comparison::choose(request, digits, examined);
       const comparison::Ranked first = c.ranked.empty() ? comparison::Ranked{"none"} : c.ranked.front();
       judged.push_back({p.name, digits, c.features,
                         std::string(comparison::choice_rule(c.features, digits).name), first.method, fastest,

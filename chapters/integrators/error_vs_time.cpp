@@ -14,7 +14,7 @@ using comparison::Kind;
 /// The equation of the page's commands, as it is typed there.
 constexpr const char* equation = "x'' + 0.1 x' + x + 3 x^3 = 0.2 cos(1.1 t)";
 
-std::vector<comparison::Contender> methods(bool quick) {
+std::vector<comparison::MethodSweep> methods(bool quick) {
   constexpr std::array<double, 7> factors = {1, 0.5, 0.25, 0.1, 0.05, 0.02, 0.005};
   return {comparison::by_tolerances("adaptive-collocation", Kind::own, quick),
           comparison::by_tolerances("series", Kind::series, quick),

@@ -89,7 +89,7 @@ scene::ColumnOf<Row> column_behind(const std::string& method) {
 }
 
 /// Those that somewhere are at most three times as slow as the fastest.
-std::vector<std::size_t> contenders(const std::vector<const ProblemTrials*>& problems) {
+std::vector<std::size_t> methods_of(const std::vector<const ProblemTrials*>& problems) {
   std::vector<std::size_t> all;
   for (std::size_t m = 0; m < problems.front()->methods.size(); ++m) {
     const bool counts = std::ranges::any_of(problems, [&](const ProblemTrials* p) {
@@ -102,7 +102,7 @@ std::vector<std::size_t> contenders(const std::vector<const ProblemTrials*>& pro
 
 void put(const std::vector<ProblemTrials>& all, scene::Show& show) {
   const auto problems = with_solution(all);
-  const auto shown = contenders(problems);
+  const auto shown = methods_of(problems);
   HeatMap map{"Which method is fastest on which problem",
               "behind",
               "●  fastest      blank: does not deliver",

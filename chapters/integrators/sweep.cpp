@@ -19,11 +19,11 @@ namespace {
 constexpr double least_digits = 2;  // to expect, before half of them say anything
 
 // In counts, so that two sweeps are the same; nor does a tighter tolerance follow a step limit.
-constexpr Effort full = {3, 13, 2, 60'000, 60'000}, look = {4, 8, 4, 4'000, 2'000};
+constexpr WorkLimit full = {3, 13, 2, 60'000, 60'000}, look = {4, 8, 4, 4'000, 2'000};
 
 /// Steps of a run: fewer where they have many nodes. A long problem has ten times as many, which formulas of
 /// low order are through with at once.
-std::int64_t most_steps(const ivp::MethodInfo& info, int size, std::int64_t length, const Effort& effort) {
+std::int64_t most_steps(const ivp::MethodInfo& info, int size, std::int64_t length, const WorkLimit& effort) {
   const bool many_nodes = info.has(ivp::nodes_setting) || info.has(ivp::points_setting);
   const bool fewer = info.fixed_step() && many_nodes;
   return (fewer ? std::max<std::int64_t>(100, effort.steps / (std::int64_t{10} * size * size))
@@ -66,7 +66,7 @@ ivp::Solution first_tenth(const SetProblem& p, const ivp::Settings& settings, co
 }
 
 Trial trial(const SetProblem& p, const ivp::MethodInfo& method, const ivp::Settings& settings,
-            const Effort& effort) {
+            const WorkLimit& effort) {
   Trial t{settings.tolerance.value_or(0), "refused"};
   t.step = settings.step.value_or(0);
   ivp::Limits limits{.steps = most_steps(method, p.system.size(), p.length, effort)};
@@ -102,7 +102,7 @@ constexpr int loosest_of_long = 7;
 
 /// What is asked of a method: tolerances, or equal steps, coarse first.
 std::vector<ivp::Settings> settings_of(const SetProblem& p, const ivp::MethodInfo& info,
-                                       const Effort& effort) {
+                                       const WorkLimit& effort) {
   std::vector<ivp::Settings> all;
   if (info.fixed_step()) {
     const double most = static_cast<double>(most_steps(info, p.system.size(), p.length, effort));
@@ -122,7 +122,7 @@ std::vector<ivp::Settings> settings_of(const SetProblem& p, const ivp::MethodInf
   return all;
 }
 
-MethodTrials trials_of(const SetProblem& problem, const std::string& name, const Effort& effort) {
+MethodTrials trials_of(const SetProblem& problem, const std::string& name, const WorkLimit& effort) {
   const ivp::MethodInfo& method = comparison::any_method(name);
   MethodTrials all{name, method.is_peer(), !method.fixed_step(), {}};
   for (const ivp::Settings& settings : settings_of(problem, method, effort)) {
@@ -135,7 +135,7 @@ MethodTrials trials_of(const SetProblem& problem, const std::string& name, const
 }
 
 ProblemTrials trials_on(const SetProblem& problem, const std::vector<std::string>& methods,
-                        const Effort& effort) {
+                        const WorkLimit& effort) {
   ProblemTrials p{problem.name,
                   problem.kind,
                   problem.has_solution(),

@@ -66,7 +66,7 @@ struct ProblemTrials {
 };
 
 /// How much of it: of each run, and after which run a method's sweep ends.
-struct Effort {
+struct WorkLimit {
   int loosest;          ///< power of ten of the first tolerance
   int tightest;         ///< of the last
   int by;               ///< from one to the next

@@ -10,20 +10,20 @@
 namespace nlmech::chapters::transversal::error_vs_time {
 namespace {
 
-using comparison::Contender;
 using comparison::Kind;
+using comparison::MethodSweep;
 
-Contender by_points(int p, bool quick) {
+MethodSweep by_points(int p, bool quick) {
   constexpr std::array factors = {0.4, 0.2, 0.1, 0.05, 0.025, 0.0125, 0.00625};
-  Contender c = comparison::by_steps("mtl", {}, Kind::source, 1, factors, quick);
+  MethodSweep c = comparison::by_steps("mtl", {}, Kind::source, 1, factors, quick);
   c.points = p;
   for (comparison::Setting& s : c.settings) s.settings.points = p;
   return c;
 }
 
-std::vector<Contender> methods(bool quick) {
+std::vector<MethodSweep> methods(bool quick) {
   constexpr std::array factors = {0.2, 0.1, 0.05, 0.025, 0.0125, 0.00625};
-  std::vector<Contender> all;
+  std::vector<MethodSweep> all;
   for (const int p : {1, 2, 3, 4, 5, 8}) all.push_back(by_points(p, quick));
   for (const char* name : {"laier", "newmark", "rk4", "rk6"})
     all.push_back(comparison::by_steps(name, {}, Kind::classical, 1, factors, quick));

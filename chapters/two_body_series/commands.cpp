@@ -319,7 +319,7 @@ std::string state(const TypedElements& t) {
       about(place.empty() ? shape : shape + " " + place, [&] { return state_on(conic, t); });
   refuse_other_units(shape, s, t.mu);
   if (const double lost = lost_by_rounding(t, s); lost > 1e-6)
-    scene::tell(fmt::format(
+    scene::print_message(fmt::format(
         "two_body_series: {} {}: rounding of e or nu moves the body by {:.1g} of its distance; --a and --q "
         "with --time-since-periapsis, as elements prints them, determine it to rounding",
         shape, place, lost));

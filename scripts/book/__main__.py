@@ -39,7 +39,7 @@ def label_pages(book):
     book.labels = {"docs/glossary.md": "glossary", "docs/architecture.md": "architecture"}
     book.labels |= {f"chapters/{chapter}/{chapter}.md": f"chapter_{chapter}" for chapter in book.chapters}
     book.labels |= {source: "choosing" for source in book.choosing()}
-    for name in ("reproduction", "completeness", "claims", "errata", "bench", "ratios", "adversary"):
+    for name in ("reproduction", "completeness", "claims", "errata", "bench", "ratios", "randomised"):
         book.labels[f"tables/{name.upper()}.md"] = name
     book.labels["docs/index.md"] = "mainpage"
 

@@ -132,7 +132,7 @@ class ForgePage(Page):
     formula = code = staticmethod(lambda mark: mark)
 
     def inline(self, line, number):
-        """Names of the library, which Doxygen links, are code. A result with a full stop at the begin of a line is no list."""
+        """Names of the library, which Doxygen links, are code. A result with a full stop at the start of a line is no list."""
         line = IDENTIFIER.sub(lambda name: name[1] or f"`{name[0]}`", super().inline(line, number))
         return LIST_MARK.sub(r"\1\\\2", line)
 
@@ -158,7 +158,7 @@ def with_forge_formulas(page):
 
 
 def plain_number(text):
-    """The number at the begin of a result as a page shows it, and what stands behind it; None for words."""
+    """The number at the start of a result as a page shows it, and what stands behind it; None for words."""
     for shown, meant in (("&nbsp;", ""), ("&minus;", "-"), ("\u202f", ""), ("\\,", ""), (" ", "")):
         text = text.replace(shown, meant)
     match = NUMBER.fullmatch(text)

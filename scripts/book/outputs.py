@@ -1,7 +1,7 @@
 """python3 scripts/book/outputs.py BUILD PAGE...: puts below each command of a page's ```sh blocks, and below the code of each example,
 what the program of BUILD prints, as a ```text block. tests/pages holds them to what the programs print.
 
-A block has one command. Long outputs are shown by their begin and their last line, long lines by their begin; of a run that is not
+A block has one command. Long outputs are shown by their start and their last line, long lines by their start; of a run that is not
 verified the end is left out, for another machine has another one."""
 import pathlib
 import re

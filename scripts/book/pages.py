@@ -222,7 +222,7 @@ class Page:
         return path, (self.book.out if generated else self.book.source) / path
 
     def grouped(self, figure, number):
-        """A figure with the begin or the end of a group of figures side by side, if it is the first or the last of one."""
+        """A figure with the start or the end of a group of figures side by side, if it is the first or the last of one."""
         if number in self.groups:
             figure = f'\\htmlonly[block]<div class="plates">\\endhtmlonly {figure}'
         return figure + (" \\htmlonly[block]</div>\\endhtmlonly" if number in self.groups.values() else "")

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "nlmech/comparison/cost/accuracy.hpp"
-#include "nlmech/comparison/cost/contenders.hpp"
+#include "nlmech/comparison/cost/method_sweep.hpp"
 
 // x' = -2 t x from 1: the bell curve.
 struct Bell {
@@ -30,10 +30,10 @@ std::vector<nlmech::comparison::Accuracy> sweep(const std::string& method) {
                        const long double s = t, half_root_pi = std::sqrt(std::acos(-1.0L)) / 2;
                        return {std::exp(-s * s), half_root_pi * std::erf(s)};
                      }};
-  const Contender contender = by_tolerances(method, Kind::explicit_, true);
+  const Contender sweep = by_tolerances(method, Kind::explicit_, true);
   std::vector<Accuracy> found;
-  for (const Setting& setting : contender.settings) {
-    found.push_back(accuracy_of(bell, integrator(contender, setting), {}));
+  for (const Setting& setting : sweep.settings) {
+    found.push_back(accuracy_of(bell, integrator(sweep, setting), {}));
   }
   return found;
 }

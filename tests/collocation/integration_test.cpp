@@ -45,7 +45,7 @@ TEST(IntegrationMatrix, IsExactToTheLastDigits) {
   EXPECT_LE(error_of(integration_matrix(many), exact_integration_matrix(many)), 1e-15);
 }
 
-// The sum of |P_k| times the promised 1e-15: at most 200 of them, in truth far fewer as |P_199| is mostly
+// The sum of |P_k| times the promised 1e-15: at most 200 of them, in reference far fewer as |P_199| is mostly
 // small.
 TEST(IntegrationMatrix, HoldsFor200Nodes) {
   for (const NodeFamily family : oracle::families) {

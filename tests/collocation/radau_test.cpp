@@ -47,7 +47,7 @@ TYPED_TEST(Tables, IntegratePowers) {
   }
 }
 
-// Values at the begin and coefficients of Legendre polynomials, of P_k itself.
+// Values at the start and coefficients of Legendre polynomials, of P_k itself.
 TYPED_TEST(Tables, KnowLegendrePolynomials) {
   constexpr int s = TypeParam::count;
   const Radau<s>& r = radau<s>();
@@ -136,7 +136,7 @@ TEST(Transforms3, CharacteristicPolynomial) {
 using Real = ExtendedReal<150>;
 using RealMatrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
 
-// A = (D without the begin)^-1 in 150 digits, from Phi and Phi' as they are defined.
+// A = (D without the start)^-1 in 150 digits, from Phi and Phi' as they are defined.
 template <int s>
 RealMatrix integral(double shape) {
   const Radau<s>& radau_tables = radau<s>();

@@ -144,8 +144,8 @@ TEST(ExactLeaveOneOutCost, IsTheCostWithoutRounding) {
       for (int i = 0; i < n; ++i) {
         for (int j = 0; j < n; ++j) sum += D(j, i) * D(j, i) / (inverse(i, i) * inverse(i, i));
       }
-      const double truth = oracle::to_double(sqrt(sum));
-      EXPECT_NEAR(exact_leave_one_out_cost(lgl_times(n), shape) / truth, 1, 1e-9) << n << ' ' << shape;
+      const double reference = oracle::to_double(sqrt(sum));
+      EXPECT_NEAR(exact_leave_one_out_cost(lgl_times(n), shape) / reference, 1, 1e-9) << n << ' ' << shape;
     }
   }
 }

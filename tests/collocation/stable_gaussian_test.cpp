@@ -81,7 +81,7 @@ std::vector<double> affordable(NodeFamily family, int n) {
 /// A few rows stand for all: both ends, where D is largest, and one between.
 std::vector<Eigen::Index> some_rows(Eigen::Index n) { return {0, n / 3, n - 1}; }
 
-// The bounds of the header. The truth is Phi' Phi^-1 with as many digits as its pivots ask for.
+// The bounds of the header. The reference is Phi' Phi^-1 with as many digits as its pivots ask for.
 TEST(StableGaussian, DifferentiatesAsExtendedPrecisionDoes) {
   for (const NodeFamily family : {NodeFamily::legendre_gauss_lobatto, NodeFamily::left_end_and_radau}) {
     for (const int n : {2, 7, 15, 35, 60, 100}) {
@@ -89,11 +89,11 @@ TEST(StableGaussian, DifferentiatesAsExtendedPrecisionDoes) {
       for (const double shape : affordable(family, n)) {
         std::vector<double> at;
         for (const Eigen::Index i : some_rows(n)) at.push_back(times[i]);
-        const Eigen::MatrixXd truth = exact(times, shape, at);
+        const Eigen::MatrixXd reference = exact(times, shape, at);
         const Eigen::MatrixXd D = StableGaussian(times, shape).differentiation_matrix();
         Eigen::Index r = 0;
         for (const Eigen::Index i : some_rows(n)) {
-          const Eigen::RowVectorXd row = truth.row(r++);
+          const Eigen::RowVectorXd row = reference.row(r++);
           EXPECT_LE((D.row(i) - row).cwiseAbs().maxCoeff(), 1e-12 * D.cwiseAbs().maxCoeff())
               << to_string(family) << ' ' << n << ' ' << shape << ' ' << i;
           for (Eigen::Index j = 0; j < n; ++j) {
@@ -200,17 +200,17 @@ RC_GTEST_PROP(StableGaussianProperty, ChangesItsSignUnderReflection, ()) {
   RC_ASSERT((D + E.reverse()).cwiseAbs().maxCoeff() <= 1e-12 * D.cwiseAbs().maxCoeff());
 }
 
-// The truth is independent of the nodes' family: nodes as they come.
+// The reference is independent of the nodes' family: nodes as they come.
 RC_GTEST_PROP(StableGaussianProperty, HoldsForAnyNodes, ()) {
   const Eigen::VectorXd times = arbitrary_times();
   const double length = times[times.size() - 1] - times[0];
   const double shape = std::exp(*rc::gen::inRange(-40, 40) / 10.0) / length;
   const StableGaussian basis(times, shape);
-  const Eigen::MatrixXd truth = exact(times, shape, {times[0], times[times.size() - 1]});
+  const Eigen::MatrixXd reference = exact(times, shape, {times[0], times[times.size() - 1]});
   const Eigen::MatrixXd& D = basis.differentiation_matrix();
   const double size = D.cwiseAbs().maxCoeff();
-  RC_ASSERT((D.row(0) - truth.row(0)).cwiseAbs().maxCoeff() <= 1e-12 * size);
-  RC_ASSERT((D.bottomRows(1) - truth.row(1)).cwiseAbs().maxCoeff() <= 1e-12 * size);
+  RC_ASSERT((D.row(0) - reference.row(0)).cwiseAbs().maxCoeff() <= 1e-12 * size);
+  RC_ASSERT((D.bottomRows(1) - reference.row(1)).cwiseAbs().maxCoeff() <= 1e-12 * size);
 }
 
 TEST(StableGaussian, RefusesWhatIsNoBasis) {

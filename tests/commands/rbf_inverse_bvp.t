@@ -25,7 +25,7 @@ Boundary layers of exp(-t/sqrt(e)) at both ends, through which nothing can be in
 the tolerance is:
 
   $ bvp "e x'' = x; e = 1e-4" --begin x=1 --end x=2 --until 1 > layers.csv
-  rbf_inverse: verified by integration of each of * intervals; integrated from its begin alone it is lost (* off), since rounding grows on the way: both ends hold this solution (glob)
+  rbf_inverse: verified by integration of each of * intervals; integrated from its start alone it is lost (* off), since rounding grows on the way: both ends hold this solution (glob)
   $ holds --each 'n > 20' 'x = exp(-100*t) + 2*exp(100*(t - 1)) +- 1e-8' < layers.csv
 
 Neighbours part by exp(1000 t), so that intervals on which the residual is small are still too long to be verified. The solution is k/(k + 1) sin(t)

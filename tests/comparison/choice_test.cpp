@@ -76,7 +76,7 @@ TEST(Probe, TellsVelocitiesAndSwitches) {
 
 TEST(Probe, SaysThatASolutionEnds) {
   const auto q = request(problems::TextProblem("blow-up"), problems::TextProblem("blow-up").final_time);
-  const Chosen none = choose(q, 9, examine(q));
+  const MethodChoice none = choose(q, 9, examine(q));
   EXPECT_FALSE(none.status.ok());
   EXPECT_TRUE(none.ranked.empty());
   EXPECT_THROW(static_cast<void>(choice_rows(none)), Failure);
@@ -110,7 +110,7 @@ TEST(Rules, NameMethodsThatAreFit) {
 
 TEST(Choice, IsRepeatableAndFitsTheProblem) {
   const auto first = [](const ChoiceRequest& q) {
-    const Chosen c = choose(q, 9, examine(q)), again = choose(q, 9, examine(q));
+    const MethodChoice c = choose(q, 9, examine(q)), again = choose(q, 9, examine(q));
     EXPECT_TRUE(c.status.ok()) << c.status.text();
     EXPECT_EQ(c.ranked.size(), again.ranked.size());
     for (std::size_t i = 0; i < c.ranked.size(); ++i) {
@@ -145,10 +145,10 @@ TEST(Choice, PassesOverMethodsThatFail) {
 
 TEST(Choice, MoreDigitsTakeTighterTolerances) {
   const auto q = request(problems::TextProblem("duffing"), 50);
-  const Chosen examined = examine(q);
+  const MethodChoice examined = examine(q);
   double last = 1;
   for (const double digits : {3., 6., 9.}) {
-    const Chosen c = choose(q, digits, examined);
+    const MethodChoice c = choose(q, digits, examined);
     ASSERT_FALSE(c.ranked.empty());
     EXPECT_LT(c.ranked.front().tolerance, std::min(last, std::pow(10, -digits)));
     last = c.ranked.front().tolerance;
@@ -158,7 +158,7 @@ TEST(Choice, MoreDigitsTakeTighterTolerances) {
 // Along x' = x an error grows by e^t; relative to x, which grows as well, it keeps its size. x'' = x from (1,
 // -1) decays, and an error grows by e^t.
 TEST(Condition, IsTheGrowthOfErrors) {
-  const Chosen c = examine(typed("x'' = x", {1, -1}, 5));
+  const MethodChoice c = examine(typed("x'' = x", {1, -1}, 5));
   EXPECT_EQ(c.growth.covered, 1);
   EXPECT_GT(c.condition, std::exp(5) / 3);
   EXPECT_LT(c.condition, std::exp(5) * 10);

@@ -42,8 +42,8 @@ Example pole() {
 const std::vector<double> halves = {1, 0.5, 0.25, 0.125, 0.0625};
 
 TEST(CostCurves, RunEverySettingOfEveryMethod) {
-  const std::vector<Contender> both = {by_steps("rk4", {}, Kind::classical, 0.5, halves, false),
-                                       by_tolerances("ode45", Kind::explicit_, false)};
+  const std::vector<MethodSweep> both = {by_steps("rk4", {}, Kind::classical, 0.5, halves, false),
+                                         by_tolerances("ode45", Kind::explicit_, false)};
   const std::vector<scene::MethodLine> curves = cost_curves(saddle(2), both, false);
   ASSERT_EQ(curves.size(), 2u);
   ASSERT_EQ(curves[0].attempts.size(), halves.size());
@@ -69,19 +69,19 @@ TEST(CostCurves, RunEverySettingOfEveryMethod) {
 // The first run already takes more right-hand sides than a curve goes on after.
 TEST(CostCurves, EndAfterADearRunButNotBeforeThreePoints) {
   const double dear = 1.0 / (1.1 * static_cast<double>(enough_right_hand_sides));
-  const std::vector<Contender> euler = {by_steps("euler", {}, Kind::classical, dear, halves, false)};
+  const std::vector<MethodSweep> euler = {by_steps("euler", {}, Kind::classical, dear, halves, false)};
   EXPECT_EQ(cost_curves(saddle(1), euler, false).front().attempts.size(), 3u);
   EXPECT_EQ(cost_curves(saddle(1), euler, true).front().attempts.size(), 1u);
   const double enough = 1.0 / (1.1 * static_cast<double>(enough_for_a_look));
-  const std::vector<Contender> seen = {by_steps("euler", {}, Kind::classical, 2.2 * enough, halves, true)};
+  const std::vector<MethodSweep> seen = {by_steps("euler", {}, Kind::classical, 2.2 * enough, halves, true)};
   EXPECT_EQ(cost_curves(saddle(1), seen, true).front().attempts.size(), 2u) << "a half of that, then twice";
   // Runs of a tenth of that at first, doubled: the fifth is the first dear one, and all are wanted.
-  const std::vector<Contender> cheap = {by_steps("euler", {}, Kind::classical, 10 * dear, halves, false)};
+  const std::vector<MethodSweep> cheap = {by_steps("euler", {}, Kind::classical, 10 * dear, halves, false)};
   EXPECT_EQ(cost_curves(saddle(1), cheap, false).front().attempts.size(), 5u);
 }
 
 TEST(CostCurves, KeepRunsThatFailWithoutAnError) {
-  const std::vector<Contender> ode45 = {by_tolerances("ode45", Kind::explicit_, true)};
+  const std::vector<MethodSweep> ode45 = {by_tolerances("ode45", Kind::explicit_, true)};
   const std::vector<scene::MethodLine> curves = cost_curves(pole(), ode45, true);
   ASSERT_EQ(curves.front().attempts.size(), 2u);
   for (const scene::Attempt& cost : curves.front().attempts) {

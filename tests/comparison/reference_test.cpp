@@ -15,23 +15,23 @@ namespace {
 
 /// A computation that gives these states, or none.
 Candidate giving(const std::string& name, double value, bool arrives = true) {
-  return {name, false, [=](const Way& way, double, StatesAt& states) {
+  return {name, false, [=](const ReferenceRequest& way, double, StatesAt& states) {
             states = StatesAt::Constant(way.x0.size(), static_cast<Eigen::Index>(way.times.size()), value);
             return arrives ? Status() : Status::failure(Outcome::step_limit, name + ": too many steps");
           }};
 }
 
-const Way one_step = {ExtendedState::Constant(1, 1.0L), 0, {1}};
+const ReferenceRequest one_step = {ExtendedState::Constant(1, 1.0L), 0, {1}};
 
 // In whichever component it stands: those after it must not hide it.
 TEST(RelativeError, KeepsWhatIsNoNumber) {
   const Vector<double, 3> size(1, 1, 1);
-  const Vector<long double, 3> truth(1, 2, 4);
-  EXPECT_EQ(relative_error({1, 2, 5}, truth, size), 0.25);
+  const Vector<long double, 3> exact(1, 2, 4);
+  EXPECT_EQ(relative_error({1, 2, 5}, exact, size), 0.25);
   for (int i = 0; i < 3; ++i) {
     Vector<double, 3> found(1, 2, 5);
     found[i] = NAN;
-    EXPECT_TRUE(std::isnan(relative_error(found, truth, size))) << i;
+    EXPECT_TRUE(std::isnan(relative_error(found, exact, size))) << i;
   }
 }
 
@@ -75,11 +75,11 @@ TEST(ReferenceOf, TheDuffingOscillatorByTaylorSeries) {
     const Reference r = reference_of(problems::TextProblem("duffing"), {1, 0}, 0, times, {}, {});
     ASSERT_TRUE(r.status.ok()) << r.text();
     EXPECT_TRUE(r.first.extended && r.second.extended) << r.text();
-    EXPECT_LT(r.doubt.maxCoeff(), 1e-16);
+    EXPECT_LT(r.difference.maxCoeff(), 1e-16);
     for (std::size_t k = 0; k < times.size(); ++k) {
-      const Vector<double, 2> truth = oracle::duffing(times[k]);
+      const Vector<double, 2> exact = oracle::duffing(times[k]);
       for (int i = 0; i < 2; ++i)
-        EXPECT_NEAR(static_cast<double>(r.states(i, static_cast<Eigen::Index>(k))), truth[i], 3e-16);
+        EXPECT_NEAR(static_cast<double>(r.states(i, static_cast<Eigen::Index>(k))), exact[i], 3e-16);
     }
   }
 }
@@ -88,7 +88,7 @@ TEST(ReferenceOf, TheDuffingOscillatorByTaylorSeries) {
 // tell is that it is far. (log cosh(675) - log cosh(475))/100 = 2 to 400 digits; sqrt(pi)/2 to 1e-4343.
 TEST(ReferenceOf, SeriesDoNotLeapAcrossWhatTheirCoefficientsDoNotShow) {
   const auto end_of = [](const std::string& equation, double end) {
-    const Effort effort{.largest_step = watchful_step(0, end, 1e9)};
+    const WorkLimit effort{.largest_step = watchful_step(0, end, 1e9)};
     const Reference r = reference_of(ivp::testing::typed_problem(equation), ivp::State::Zero(1), 0,
                                      look_at(0, end, 16), {}, effort);
     EXPECT_TRUE(r.status.ok() && r.first.extended) << r.text();
@@ -110,12 +110,12 @@ TEST(ReferenceOf, RobertsonByTwoMethods) {
                                    {.relative = 1e-9, .absolute = 1e-18}, {});
   ASSERT_TRUE(r.status.ok()) << r.text();
   EXPECT_FALSE(r.first.extended) << r.text();
-  const Vector<double, 3> truth = {0.2083340149701255e-7, 0.8333360770334713e-13, 0.9999999791665050};
+  const Vector<double, 3> exact = {0.2083340149701255e-7, 0.8333360770334713e-13, 0.9999999791665050};
   for (int i = 0; i < 3; ++i) {
-    const double error = std::abs(static_cast<double>(r.states(i, 0)) - truth[i]);
+    const double error = std::abs(static_cast<double>(r.states(i, 0)) - exact[i]);
     // The two may err in the same direction, each by a few times what they differ by; 16 digits are stored.
-    EXPECT_LE(error, 10 * r.doubt(i, 0) + 1e-15 * truth[i]) << i;
-    EXPECT_LT(r.doubt(i, 0), 1e-7 * truth[i]) << i;
+    EXPECT_LE(error, 10 * r.difference(i, 0) + 1e-15 * exact[i]) << i;
+    EXPECT_LT(r.difference(i, 0), 1e-7 * exact[i]) << i;
   }
 }
 

@@ -52,7 +52,7 @@ State state(std::initializer_list<double> values) {
 // most.
 std::vector<Case> cases() {
   const double pi = std::numbers::pi;
-  // Half a swing at the frequency 1, half of one at 2, and the begin of the next.
+  // Half a swing at the frequency 1, half of one at 2, and the start of the next.
   const double period = pi + pi / 2, late = 3 * period + 0.4;
   // Friction takes 2 mu from each half swing: 1, -0.7, 0.4, then rest at -0.1.
   return {{"duffing", "x'' + k x' + x^3 = B cos(t); k = 0.05; B = 7.5", state({3, 4}), 6},
@@ -112,12 +112,12 @@ TEST(TypedEquations, EndInNineDigitsOrWithAStatus) {
   for (const Case& c : cases()) {
     const Equations equations(SourceText("test", c.text));
     const ivp::System system{Typed(equations)};
-    const Truth truth = truth_of(c, equations);
-    const double scale = 1 + truth.end.cwiseAbs().maxCoeff();
-    EXPECT_LT(truth.condition, 3000) << c.name;
+    const Truth expected = truth_of(c, equations);
+    const double scale = 1 + expected.end.cwiseAbs().maxCoeff();
+    EXPECT_LT(expected.condition, 3000) << c.name;
     for (const std::string& name : built_method_names()) {
       const ivp::MethodInfo& method = any_method(name);
-      if (!method.is_peer() && method.steps == ivp::Steps::given) continue;
+      if (!method.is_peer() && method.steps == ivp::Steps::fixed) continue;
       if (of_second_order.contains(name) || (method.second_order_only && !equations.second_order())) continue;
       const double tolerance = of_short_steps.contains(name) ? 1e-14 : 1e-12;
       std::optional<ivp::Solution> end;
@@ -131,8 +131,8 @@ TEST(TypedEquations, EndInNineDigitsOrWithAStatus) {
       // None of these is beyond any method: a status would be news.
       EXPECT_TRUE(end->status.ok()) << c.name << ", " << name << ": " << end->status.text();
       ++ends;
-      const double error = (end->x - truth.end).cwiseAbs().maxCoeff() / scale;
-      EXPECT_LE(error, digits) << c.name << ", " << name << ", condition " << truth.condition;
+      const double error = (end->x - expected.end).cwiseAbs().maxCoeff() / scale;
+      EXPECT_LE(error, digits) << c.name << ", " << name << ", condition " << expected.condition;
     }
   }
   EXPECT_GT(ends, 100);
@@ -145,11 +145,11 @@ TEST(TypedEquations, StiffOnesEndOrSaySo) {
       "a' = -k1 a + k3 b c; b' = k1 a - k3 b c - k2 b^2; c' = k2 b^2; k1 = 0.04; k2 = 3e7; k3 = 1e4"));
   const ivp::System system{Typed(equations)};
   const auto exact = reference(Typed(equations), state({1, 0, 0}), 40);
-  const State truth = exact.cast<double>();
+  const State expected = exact.cast<double>();
   std::set<std::string> arrived;
   for (const std::string& name : built_method_names()) {
     const ivp::MethodInfo& method = any_method(name);
-    if (!method.is_peer() && method.steps == ivp::Steps::given) continue;
+    if (!method.is_peer() && method.steps == ivp::Steps::fixed) continue;
     if (method.second_order_only) continue;
     const auto end =
         method.with({.tolerance = 1e-11})(system, state({1, 0, 0}), 0, 40, {}, {.steps = 20'000});
@@ -158,7 +158,7 @@ TEST(TypedEquations, StiffOnesEndOrSaySo) {
       continue;
     }
     arrived.insert(name);
-    EXPECT_LE((end.x - truth).cwiseAbs().maxCoeff(), 1e-9) << name;
+    EXPECT_LE((end.x - expected).cwiseAbs().maxCoeff(), 1e-9) << name;
   }
   for (const char* name : {"adaptive-collocation", "cvode-bdf"}) EXPECT_TRUE(arrived.contains(name)) << name;
 }

@@ -22,13 +22,13 @@ program::Problem saddle() { return ivp::testing::typed_problem("x'' = x"); }
 /// A run of a problem that is off by @p error in its first component at the end.
 template <class Problem>
 Verification verdict(const Problem& problem, const problems::StateOf<double, Problem>& x0, double end,
-                     double error, const Tolerance& tolerance, const Effort& effort = {}) {
+                     double error, const Tolerance& tolerance, const WorkLimit& effort = {}) {
   const std::vector<double> times = look_at(0, end, 16);
-  const Reference truth = reference_of(problem, x0, 0, times, tolerance / 10, effort);
+  const Reference expected = reference_of(problem, x0, 0, times, tolerance / 10, effort);
   Verified run{times, Eigen::MatrixXd(x0.size(), 16), tolerance};
-  if (truth.status.ok()) run.states = truth.states.template cast<double>();
+  if (expected.status.ok()) run.states = expected.states.template cast<double>();
   run.states(0, 15) += error;
-  return verify(ivp::System(problem), x0, 0, run, truth, {});
+  return verify(ivp::System(problem), x0, 0, run, expected, {});
 }
 
 TEST(Verify, CountsTolerances) {
@@ -67,16 +67,16 @@ TEST(Verify, DigitsOfWhatDecaysAreRelativeToItsSize) {
   EXPECT_NEAR(v.digits, 6.7, 0.01);
 }
 
-// An error of the size a in x and v, made at the begin, becomes a (cosh t + sinh t) = a exp(t).
+// An error of the size a in x and v, made at the start, becomes a (cosh t + sinh t) = a exp(t).
 TEST(Amplification, OfTheSaddleIsTheExponential) {
   const double a = 1e-9;
   const std::vector<double> times = look_at(0, 5, 16);
-  const Reference truth = reference_of(saddle(), {1, -1}, 0, times, {}, {});
-  ASSERT_TRUE(truth.status.ok());
+  const Reference expected = reference_of(saddle(), {1, -1}, 0, times, {}, {});
+  ASSERT_TRUE(expected.status.ok());
   const Eigen::MatrixXd weight = Eigen::MatrixXd::Constant(2, 16, a);
   Eigen::MatrixXd moved;
-  const Way way{ExtendedState(Eigen::Vector2d(1, -1).cast<long double>()), 0, times};
-  ASSERT_TRUE(amplification(way, truth, Eigen::Vector2d(a, a), weight, 10, moved).ok());
+  const ReferenceRequest way{ExtendedState(Eigen::Vector2d(1, -1).cast<long double>()), 0, times};
+  ASSERT_TRUE(amplification(way, expected, Eigen::Vector2d(a, a), weight, 10, moved).ok());
   for (Eigen::Index k = 0; k < 16; ++k) {
     const double exact = a * std::exp(times[static_cast<std::size_t>(k)]);
     for (int i = 0; i < 2; ++i) EXPECT_NEAR(moved(i, k) / exact, 1, 1e-6);  // differences over 2e-7
@@ -88,12 +88,12 @@ TEST(Amplification, OfTheSaddleIsTheExponential) {
 TEST(Amplification, OfAnOscillatorGrowsWithTimeAlone) {
   for (const double end : {100.0, 1600.0}) {
     const std::vector<double> times = look_at(0, end, 16);
-    const Reference truth = reference_of(problems::TextProblem("duffing"), {1, 0}, 0, times, {}, {});
-    ASSERT_TRUE(truth.status.ok());
+    const Reference expected = reference_of(problems::TextProblem("duffing"), {1, 0}, 0, times, {}, {});
+    ASSERT_TRUE(expected.status.ok());
     Eigen::MatrixXd moved;
-    const Way way{ExtendedState(Eigen::Vector2d(1, 0).cast<long double>()), 0, times};
+    const ReferenceRequest way{ExtendedState(Eigen::Vector2d(1, 0).cast<long double>()), 0, times};
     ASSERT_TRUE(
-        amplification(way, truth, Eigen::Vector2d(1, 1), Eigen::MatrixXd::Ones(2, 16), 10, moved).ok());
+        amplification(way, expected, Eigen::Vector2d(1, 1), Eigen::MatrixXd::Ones(2, 16), 10, moved).ok());
     const double most = moved.rightCols(1).maxCoeff();
     EXPECT_GT(most, 0.1 * end);
     EXPECT_LT(most, 3 * end);
@@ -101,7 +101,7 @@ TEST(Amplification, OfAnOscillatorGrowsWithTimeAlone) {
 }
 
 TEST(Verify, AllowsWhatTheProblemMakesOfErrors) {
-  // At t = 8 one tolerance of the begin has become 3000.
+  // At t = 8 one tolerance of the start has become 3000.
   const Tolerance tolerance{1e-12, 1e-12};
   const Verification v = verdict(saddle(), {1, -1}, 8, 2000 * 1e-12, tolerance);
   EXPECT_EQ(v.verdict, Verdict::inexact);
@@ -148,14 +148,14 @@ TEST(Verify, SaysThatTheSolutionEnds) {
 // A reference that knows eight digits does not find a run wrong that is off by as much.
 TEST(Verify, TakesTheDoubtOfTheReferenceIntoAccount) {
   const std::vector<double> times = {1};
-  Reference truth = reference_of(problems::TextProblem("duffing"), {1, 0}, 0, times, {}, {});
-  truth.doubt.setConstant(1e-6);
-  Verified run{times, truth.states.cast<double>(), {1e-9, 1e-9}};
+  Reference expected = reference_of(problems::TextProblem("duffing"), {1, 0}, 0, times, {}, {});
+  expected.uncertainty.setConstant(1e-6);
+  Verified run{times, expected.states.cast<double>(), {1e-9, 1e-9}};
   run.states(0, 0) += 9e-7;
   const ivp::System system{problems::TextProblem("duffing")};
-  EXPECT_EQ(verify(system, {1, 0}, 0, run, truth, {}).verdict, Verdict::unknown);
+  EXPECT_EQ(verify(system, {1, 0}, 0, run, expected, {}).verdict, Verdict::unknown);
   run.states(0, 0) += 1e-4;
-  EXPECT_EQ(verify(system, {1, 0}, 0, run, truth, {}).verdict, Verdict::wrong);
+  EXPECT_EQ(verify(system, {1, 0}, 0, run, expected, {}).verdict, Verdict::wrong);
 }
 
 // What a user reads: method, place, how far off, what the tolerance holds, what to change.

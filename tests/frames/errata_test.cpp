@@ -74,13 +74,13 @@ TEST(Errata, MomentsAreMadeDimensionlessByTheLength) {  // 2.26
 
 TEST(Errata, FlexibilityInTension) {  // 2.29
   const double n = 5, root = std::sqrt(n), coth = 1 / std::tanh(root / 2);
-  const double truth = static_cast<double>(Real(1 / exact(Real(n)).antisymmetric.value));
+  const double reference = static_cast<double>(Real(1 / exact(Real(n)).antisymmetric.value));
   EXPECT_NEAR(-1 / n - coth / (2 * root), -0.47712, 5e-6);
-  EXPECT_NEAR(truth, 0.0771238508, 5e-11);
+  EXPECT_NEAR(reference, 0.0771238508, 5e-11);
   // Rounding of 1/n and of the quotient, each three times the difference.
   expect_erratum("homotopy-2.29", {.printed = -1 / n - coth / (2 * root),
                                    .corrected = -1 / n + coth / (2 * root),
-                                   .oracle = truth,
+                                   .oracle = reference,
                                    .tolerance = 32 * eps});
 }
 

@@ -14,11 +14,11 @@ namespace {
 
 using namespace oracle;
 
-void expect_close(const StabilityFunction<double>& mine, const StabilityFunction<Real>& truth, double n) {
-  const double size = std::max(1., std::abs(static_cast<double>(truth.value)));
-  EXPECT_LE(std::abs(static_cast<double>(Real(mine.value - truth.value))) / (size * eps), 16) << n;
-  EXPECT_LE(error(mine.slope, truth.slope), 16) << n;
-  EXPECT_LE(error(mine.curvature, truth.curvature), 128) << n;
+void expect_close(const StabilityFunction<double>& mine, const StabilityFunction<Real>& reference, double n) {
+  const double size = std::max(1., std::abs(static_cast<double>(reference.value)));
+  EXPECT_LE(std::abs(static_cast<double>(Real(mine.value - reference.value))) / (size * eps), 16) << n;
+  EXPECT_LE(error(mine.slope, reference.slope), 16) << n;
+  EXPECT_LE(error(mine.curvature, reference.curvature), 128) << n;
 }
 
 // Bounds as the header promises them. g_s crosses 0 at n = -pi^2 and g_a at -4 pi^2: values below 1 are as
@@ -28,9 +28,9 @@ TEST(StabilityFunctions, KeepTheirDigits) {
        {-39.4, -35., -30., -20., -9.9,   -9.8, -6.,    -4.0001, -4., -3.9999, -1.,   -1e-2, -1e-4,
         1e-4,  1e-3, 0.1,  1.,   3.9999, 4.,   4.0001, 10.,     39., 200.,    2000., 2e4,   1e6}) {
     const auto mine = stability_functions(n);
-    const auto truth = exact(Real(n));
-    expect_close(mine.symmetric, truth.symmetric, n);
-    expect_close(mine.antisymmetric, truth.antisymmetric, n);
+    const auto reference = exact(Real(n));
+    expect_close(mine.symmetric, reference.symmetric, n);
+    expect_close(mine.antisymmetric, reference.antisymmetric, n);
   }
 }
 
@@ -60,12 +60,12 @@ TEST(StabilityFunctions, AreContinuousAtTheSeams) {
 
 TEST(StabilityFunctions, InFiftyDigits) {
   for (const double n : {-30., -4.5, -3.5, -1., 0.5, 3.9, 5., 100.}) {
-    const auto mine = stability_functions(Real(n)), truth = exact(Real(n));
+    const auto mine = stability_functions(Real(n)), reference = exact(Real(n));
     for (const auto part : {&StabilityFunctions<Real>::antisymmetric, &StabilityFunctions<Real>::symmetric}) {
       // The oracle cancels like n^-3 in the second derivative.
-      EXPECT_LT(abs(Real((mine.*part).value / (truth.*part).value - 1)), Real(1e-45)) << n;
-      EXPECT_LT(abs(Real((mine.*part).slope / (truth.*part).slope - 1)), Real(1e-43)) << n;
-      EXPECT_LT(abs(Real((mine.*part).curvature / (truth.*part).curvature - 1)), Real(1e-41)) << n;
+      EXPECT_LT(abs(Real((mine.*part).value / (reference.*part).value - 1)), Real(1e-45)) << n;
+      EXPECT_LT(abs(Real((mine.*part).slope / (reference.*part).slope - 1)), Real(1e-43)) << n;
+      EXPECT_LT(abs(Real((mine.*part).curvature / (reference.*part).curvature - 1)), Real(1e-41)) << n;
     }
   }
 }
@@ -75,15 +75,15 @@ TEST(StabilityFunctions, AboveThePole) {
   const Real pole = FourPiSquared<Real>{}.high;
   for (const double p : {1e-100, 1e-16, 1e-10, 1e-3, 1., 20., 35.}) {
     const auto mine = stability_functions_above_pole(p);
-    StabilityFunctions<Real> truth = stability_functions_above_pole(Real(p));
+    StabilityFunctions<Real> reference = stability_functions_above_pole(Real(p));
     if (p >= 1e-3)
-      truth = exact(Real(Real(p) - pole));  // nearer, 50 digits of the textbook's form are too few
-    for (const auto& [a, b] : {std::pair{mine.symmetric.value, truth.symmetric.value},
-                               {mine.symmetric.slope, truth.symmetric.slope},
-                               {mine.symmetric.curvature, truth.symmetric.curvature},
-                               {mine.antisymmetric.slope, truth.antisymmetric.slope},
-                               {mine.antisymmetric.value, truth.antisymmetric.value},
-                               {mine.antisymmetric.curvature, truth.antisymmetric.curvature}}) {
+      reference = exact(Real(Real(p) - pole));  // nearer, 50 digits of the textbook's form are too few
+    for (const auto& [a, b] : {std::pair{mine.symmetric.value, reference.symmetric.value},
+                               {mine.symmetric.slope, reference.symmetric.slope},
+                               {mine.symmetric.curvature, reference.symmetric.curvature},
+                               {mine.antisymmetric.slope, reference.antisymmetric.slope},
+                               {mine.antisymmetric.value, reference.antisymmetric.value},
+                               {mine.antisymmetric.curvature, reference.antisymmetric.curvature}}) {
       EXPECT_LE(error(a, b) * eps, 1e-13) << p;
     }
     // The leading term, -8 pole/p.

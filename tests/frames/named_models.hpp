@@ -148,7 +148,7 @@ inline std::vector<FramePoint> only(const FramePaths& paths, Kind kind, int bran
 }
 
 /// The paths, which have to come to their ends.
-inline FramePaths paths_of(const NamedFrame& f, const FrameWalk& walk = {}) {
+inline FramePaths paths_of(const NamedFrame& f, const PathOptions& walk = {}) {
   FramePaths paths = equilibrium_paths(f, walk);
   EXPECT_TRUE(paths.status.ok()) << paths.status.text();
   return paths;

@@ -428,7 +428,7 @@ struct Sprung {
 };
 
 /// Points of a path within a tenth of a load that are no steps.
-std::vector<FramePoint> criticals(const NamedFrame& frame, const FrameWalk& walk, double around) {
+std::vector<FramePoint> criticals(const NamedFrame& frame, const PathOptions& walk, double around) {
   std::vector<FramePoint> some;
   for (const FramePoint& p : equilibrium_paths(frame, walk).points) {
     if (p.kind != Kind::step && std::abs(p.load - around) < around / 10) some.push_back(p);
@@ -436,7 +436,7 @@ std::vector<FramePoint> criticals(const NamedFrame& frame, const FrameWalk& walk
   return some;
 }
 
-void expect_one_point(const Sprung& sprung, int elements, const FrameWalk& walk) {
+void expect_one_point(const Sprung& sprung, int elements, const PathOptions& walk) {
   const auto points = criticals(build(sprung.model(), elements), walk, sprung.critical());
   ASSERT_EQ(points.size(), 1u) << sprung.ei << ' ' << sprung.far << ' ' << elements;
   EXPECT_NE(points[0].kind, Kind::minimum);
@@ -554,7 +554,7 @@ struct Estimated {
   }
 };
 
-Estimated estimated(const FrameModel& model, int elements, const FrameWalk& walk) {
+Estimated estimated(const FrameModel& model, int elements, const PathOptions& walk) {
   const NamedFrame frame = build(model, elements);
   const int others = second_mesh(elements, frame.members.size());
   const NamedFrame second = build(model, others);

@@ -52,10 +52,10 @@ TEST(Oracle, InvertsForwardTo40Digits) {
     const BasicEllipsoid<Real> e(Real(6378137), Real(f));
     for (const double latitude : {-1.57, -0.4, 1e-9, 0.8}) {
       for (const double height : {-1e5, 10.0, 4e7}) {
-        const BasicGeodetic<Real> truth{latitude, 0.5, height};
-        const auto found = oracle::reverse(forward(truth, e), e);
-        EXPECT_LT(abs(found.latitude - truth.latitude), Real(1e-40));
-        EXPECT_LT(abs(found.height - truth.height), Real(1e-33));
+        const BasicGeodetic<Real> reference{latitude, 0.5, height};
+        const auto found = oracle::reverse(forward(reference, e), e);
+        EXPECT_LT(abs(found.latitude - reference.latitude), Real(1e-40));
+        EXPECT_LT(abs(found.height - reference.height), Real(1e-33));
       }
     }
   }

@@ -28,13 +28,13 @@ Errors largest_errors(const PerturbationSeries& method) {
   for (const double height : {200e3, 300e3, 700e3, 2100e3, 3200e3, 8000e3, 12700e3, 35000e3}) {
     for (int latitude = -180; latitude <= 180; ++latitude) {
       const Cartesian p = forward(Geodetic{latitude / 2.0 * std::numbers::pi / 180, 0.5, height}, e);
-      const auto truth = oracle::reverse(p, e);
+      const auto exact = oracle::reverse(p, e);
       const Reversed found = reverse(p, e, method);
       EXPECT_EQ(found.outcome, Outcome::success);
-      const Real in_degrees = abs(truth.latitude - found.position.latitude) * 180 / oracle::pi();
+      const Real in_degrees = abs(exact.latitude - found.position.latitude) * 180 / oracle::pi();
       largest.latitude_deg = std::max(largest.latitude_deg, static_cast<double>(in_degrees));
       largest.height_m =
-          std::max(largest.height_m, static_cast<double>(abs(truth.height - found.position.height)));
+          std::max(largest.height_m, static_cast<double>(abs(exact.height - found.position.height)));
     }
   }
   return largest;
@@ -69,9 +69,9 @@ TEST(PerturbationSeries, ProjectedHeightOfOrder2IsAtRounding) {
 /// Error of one point in 50 digits for the flattening f.
 Real truncation_error(double latitude, double height, const Real& f, int order, bool of_height) {
   const BasicEllipsoid<Real> e(Real(6378137), f);
-  const BasicGeodetic<Real> truth{latitude, 0, height};
-  const auto found = reverse(forward(truth, e), e, PerturbationSeries{order, HeightFrom::series}).position;
-  return abs(of_height ? Real(found.height - truth.height) : Real(found.latitude - truth.latitude));
+  const BasicGeodetic<Real> exact{latitude, 0, height};
+  const auto found = reverse(forward(exact, e), e, PerturbationSeries{order, HeightFrom::series}).position;
+  return abs(of_height ? Real(found.height - exact.height) : Real(found.latitude - exact.latitude));
 }
 
 // A wrong coefficient of order k leaves an error p^k, so the observed order would stop short. The next term
@@ -98,12 +98,12 @@ Real largest_at_surface(const Real& f, int order) {
   const BasicEllipsoid<Real> e(Real(6378137), f);
   Real largest = 0;
   for (int i = 1; i < 90; ++i) {
-    const BasicGeodetic<Real> truth{i * oracle::pi() / 180, 0, 0};
-    const auto p = forward(truth, e);
+    const BasicGeodetic<Real> exact{i * oracle::pi() / 180, 0, 0};
+    const auto p = forward(exact, e);
     const Real R = sqrt(p.x * p.x + p.z * p.z);
     const Real parametric = detail::sum_series(p.x, p.z, R, e, order, corrected_series()).latitude;
     const Real found = atan2(e.a() * sin(parametric), e.b() * cos(parametric));
-    largest = std::max(largest, Real(abs(found - truth.latitude)));
+    largest = std::max(largest, Real(abs(found - exact.latitude)));
   }
   return largest;
 }
@@ -128,12 +128,12 @@ RC_GTEST_PROP(PerturbationSeries, AnyEllipsoid, ()) {
   const Geodetic given{fraction() * 1.57, fraction() * 3.14, e.a() * (1 + fraction())};
   const Cartesian p = forward(given, e);
   const Reversed found = reverse(p, e, {6, HeightFrom::projection});
-  const auto truth = oracle::reverse(p, e);
+  const auto exact = oracle::reverse(p, e);
   RC_ASSERT(found.outcome == Outcome::success);
   const double eps = std::numeric_limits<double>::epsilon();
   const double bound = 60 * std::pow(std::abs(e.p()), 7) + 5 * eps;
-  RC_ASSERT(static_cast<double>(abs(truth.latitude - found.position.latitude)) <= bound);
-  RC_ASSERT(static_cast<double>(abs(truth.height - found.position.height)) <= e.a() * (bound + 8 * eps));
+  RC_ASSERT(static_cast<double>(abs(exact.latitude - found.position.latitude)) <= bound);
+  RC_ASSERT(static_cast<double>(abs(exact.height - found.position.height)) <= e.a() * (bound + 8 * eps));
   // Near a pole the position holds the longitude to fewer digits.
   const double turn = std::remainder(found.position.longitude - given.longitude, 2 * std::numbers::pi);
   RC_ASSERT(std::abs(turn) * std::hypot(p.x, p.y) <= 8 * eps * (e.a() + given.height));

@@ -75,8 +75,8 @@ Cartesian random_point(std::mt19937_64& engine, const Ellipsoid& e, double lowes
   const double latitude = std::asin(2 * unit(engine) - 1), longitude = (2 * unit(engine) - 1) * pi;
   const double top = unit(engine) < 0.5 ? std::min(highest, 1e5) : highest;
   const Cartesian p = forward<double>({latitude, longitude, lowest + (top - lowest) * unit(engine)}, e);
-  const auto shake = [&] { return 1e-3 * (2 * unit(engine) - 1); };
-  return {p.x + shake(), p.y + shake(), p.z + shake()};
+  const auto offset = [&] { return 1e-3 * (2 * unit(engine) - 1); };
+  return {p.x + offset(), p.y + offset(), p.z + offset()};
 }
 
 /// Points on which transformations have failed before: poles, equator, antimeridian, zeros of both signs,
@@ -100,8 +100,8 @@ void expect_accurate(const GeodeticPoint& result, const Cartesian& point, const 
                      double angle_error, double height_error) {
   const auto exact = reference::reverse(point, e);
   ASSERT_EQ(result.outcome, Outcome::success);
-  const auto error = [](double value, const reference::Real& truth) {
-    return abs(value - truth).convert_to<double>();
+  const auto error = [](double value, const reference::Real& expected) {
+    return abs(value - expected).convert_to<double>();
   };
   EXPECT_LE(error(result.position.latitude, exact.latitude), angle_error)
       << point.x << ' ' << point.y << ' ' << point.z;

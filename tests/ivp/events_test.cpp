@@ -38,16 +38,16 @@ RC_GTEST_PROP(Events, AreThoseOfTheCosine, ()) {
   const auto [end, hits, open] = integrate_with_events(System(testing::Oscillator{.frequency = frequency}),
                                                        State{1, 0}, 0, t1, accurate, {passes(level)});
   RC_ASSERT(end.status.ok());
-  std::vector<double> truth;
+  std::vector<double> exact;
   const double turn = 2 * std::numbers::pi, angle = std::acos(level);
   for (int k = 0; k < 10; ++k) {
     for (const double a : {k * turn + angle, (k + 1) * turn - angle})
-      if (a / frequency < 10.1) truth.push_back(std::copysign(a / frequency, t1));
+      if (a / frequency < 10.1) exact.push_back(std::copysign(a / frequency, t1));
   }
-  RC_ASSERT(hits.size() == truth.size());
+  RC_ASSERT(hits.size() == exact.size());
   // The slope there is sin(angle) >= 0.43: errors of the state of 100 eps become twice as large in the angle.
-  for (std::size_t k = 0; k < truth.size(); ++k)
-    RC_ASSERT(std::abs(hits[k].t - truth[k]) <= 300 * eps * 10.1);
+  for (std::size_t k = 0; k < exact.size(); ++k)
+    RC_ASSERT(std::abs(hits[k].t - exact[k]) <= 300 * eps * 10.1);
 }
 
 TEST(Events, DirectionCountsAlongTheWay) {

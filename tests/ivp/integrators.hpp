@@ -32,8 +32,8 @@ inline const std::vector<Integrator>& all_integrators() {
       found.push_back({label, &row, by_steps});
     };
     for (const MethodInfo& row : named_methods()) {
-      if (row.steps != Steps::chosen) add(row, row.fixed_step() ? "" : "_by_steps", true);
-      if (row.steps != Steps::given) add(row, "", false);
+      if (row.steps != Steps::adaptive) add(row, row.fixed_step() ? "" : "_by_steps", true);
+      if (row.steps != Steps::fixed) add(row, "", false);
     }
     for (const MethodInfo& row : peers::peer_methods()) add(row, "", false);
     return found;
@@ -106,7 +106,7 @@ class EveryIntegrator : public ::testing::TestWithParam<std::string> {
 
   /// Hermitian operators with steps of their choice.
   [[nodiscard]] static bool hermitian() {
-    return !by_steps() && row().second_order_only && row().steps == Steps::either;
+    return !by_steps() && row().second_order_only && row().steps == Steps::both;
   }
 
   static constexpr double usual_step = 0.01, usual_tolerance = 1e-9;

@@ -97,8 +97,8 @@ TEST(NoAllocation, InStepsOfEveryMethod) {
     const double step = row.has(points_setting) ? 0.125 : 0.5;
     Settings equal{.step = step};
     if (row.has(shape_setting)) equal.shape = 0.4;
-    if (row.steps != Steps::chosen) expect_no_allocation(row.with(equal), row.name, chain);
-    if (row.steps != Steps::given) expect_no_allocation(row.with({}), row.name, chain);
+    if (row.steps != Steps::adaptive) expect_no_allocation(row.with(equal), row.name, chain);
+    if (row.steps != Steps::fixed) expect_no_allocation(row.with({}), row.name, chain);
   }
   const Mtl mtl{.step = 0.125, .points = 4, .linear = MtlLinear::jacobian, .error_tolerance = 10};
   expect_no_allocation(named::with_options(mtl), "mtl, by the Jacobian");

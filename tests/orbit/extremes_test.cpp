@@ -63,7 +63,7 @@ TEST(Extremes, FallIntoTheCentre) {
   EXPECT_NEAR(si.t / (fall * std::sqrt(std::pow(7e6, 3) / earth_mu)), 1, 1e-12);
 }
 
-// Upwards from rest: velocity 0 at the begin does not make the step 0, and the way up is symmetric to the way
+// Upwards from rest: velocity 0 at the start does not make the step 0, and the way up is symmetric to the way
 // down.
 TEST(Extremes, BodyAtRestMoves) {
   const State rest{{1, 0, 0}, {0, 0, 0}};

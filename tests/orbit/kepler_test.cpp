@@ -268,8 +268,8 @@ Stumpff<Real> exact(double psi) {
   return {c, s / x, (1 - c) / p, (1 - s / x) / p};
 }
 
-double error(double mine, const Real& truth, double scale) {
-  return std::abs(static_cast<double>(Real(mine - truth))) / (scale * eps);
+double error(double mine, const Real& reference, double scale) {
+  return std::abs(static_cast<double>(Real(mine - reference))) / (scale * eps);
 }
 
 RC_GTEST_PROP(Stumpff, HasNoCancellation, ()) {

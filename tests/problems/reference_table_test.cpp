@@ -246,7 +246,7 @@ TEST(ProblemSet, EndsAsTheTestSetSays) {
   }
 }
 
-// A period after its begin the satellite is where it was, as far as the doubles of its begin, of the period
+// A period after its start the satellite is where it was, as far as the doubles of its start, of the period
 // and of the moon's mass say. There, beside the moon, errors are some ten times those of the median over the
 // judged times.
 TEST(ProblemSet, ArenstorfsOrbitCloses) {

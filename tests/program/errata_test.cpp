@@ -92,15 +92,15 @@ TEST(PaperErrata, Eqs24To26DependOnTheNearestZeroNotOnN) {
   const S f = quadratic(count);
   const std::vector<Real> p = fractional_power(f, 5, count, 1);
   const S power = pow(f, Real(1) / 5);
-  const Real truth = pow(Real(3) / 2, Real(1) / 5);
+  const Real reference = pow(Real(3) / 2, Real(1) / 5);
   Real sum = 0;
   std::size_t needed = 0;  // for ten digits
   for (std::size_t i = 0; i <= count; ++i) {
     EXPECT_LT(abs(p[i] - power[i]), tiny) << i;
     sum += p[i];
-    if (abs(sum - truth) > 1e-10) needed = i + 1;
+    if (abs(sum - reference) > 1e-10) needed = i + 1;
   }
-  EXPECT_LT(abs(sum - truth), 1e-22);
+  EXPECT_LT(abs(sum - reference), 1e-22);
   // Darboux: two zeros at the distance sqrt(5) make terms of 2 i^(-6/5) sqrt(5)^-i/|Gamma(-1/5)|, but for the
   // phase, which is worth a few of them. Where that is 1e-10:
   double theory = 20;

@@ -242,7 +242,7 @@ TEST(Mistake, LongSumsAreNone) {
   EXPECT_EQ(refusal(sum), "");
 }
 
-/// Random sentences of the language's words: each is read or refused. tests/adversary has many more of them.
+/// Random sentences of the language's words: each is read or refused. tests/randomised has many more of them.
 TEST(Mistake, NoTextBreaksTheReader) {
   const char* const words[] = {"x",  "x'", "x''", "y",     "y'",   "t",    "a",      "1",     "2.5",
                                "+",  "-",  "*",   "/",     "^",    "(",    ")",      "=",     ";",

@@ -126,12 +126,12 @@ std::vector<std::vector<Real>> exact(const Problem& problem, double t,
 /// Errors grow like the coefficients themselves: they are measured by the smallest geometric series above
 /// all of them. 64 k roundings for a coefficient that is made of some forty operations of up to k terms.
 template <class Coefficients>
-void expect_coefficients(const std::vector<std::vector<Real>>& truth, const Coefficients& computed,
+void expect_coefficients(const std::vector<std::vector<Real>>& reference, const Coefficients& computed,
                          double scale) {
-  const auto order = static_cast<int>(truth[0].size()) - 1;
+  const auto order = static_cast<int>(reference[0].size()) - 1;
   double largest = 0;
-  std::vector<double> log2(truth[0].size(), -1e9);
-  for (const auto& c : truth) {
+  std::vector<double> log2(reference[0].size(), -1e9);
+  for (const auto& c : reference) {
     for (int k = 0; k <= order; ++k) {
       const auto i = static_cast<std::size_t>(k);
       int exponent = 0;
@@ -141,11 +141,11 @@ void expect_coefficients(const std::vector<std::vector<Real>>& truth, const Coef
   }
   const double ratio = log2.back() / order;
   for (int k = 0; k <= order; ++k) largest = std::max(largest, log2[static_cast<std::size_t>(k)] - k * ratio);
-  for (std::size_t i = 0; i < truth.size(); ++i) {
+  for (std::size_t i = 0; i < reference.size(); ++i) {
     for (int k = 0; k <= order; ++k) {
       const double unit = std::log2(64.0 * (k + 1) * epsilon) + largest + k * ratio;
       const Real error = abs(Real(computed(static_cast<int>(i))[k]) / pow(Real(scale), k) -
-                             truth[i][static_cast<std::size_t>(k)]);
+                             reference[i][static_cast<std::size_t>(k)]);
       EXPECT_LE(error, pow(Real(2), unit)) << "component " << i << ", coefficient " << k;
     }
   }
@@ -154,7 +154,7 @@ void expect_coefficients(const std::vector<std::vector<Real>>& truth, const Coef
 template <class Problem>
 void expect_taped(const Problem& problem, const std::vector<int>& orders) {
   for (const int order : orders) {
-    const auto truth = exact(problem, 0.3, point, static_cast<std::size_t>(order));
+    const auto reference = exact(problem, 0.3, point, static_cast<std::size_t>(order));
     for (const InstructionSet set : single_sets()) {
       SCOPED_TRACE(std::string(to_string(set)) + ", order " + std::to_string(order));
       TapeExpansion expansion(set);
@@ -162,7 +162,7 @@ void expect_taped(const Problem& problem, const std::vector<int>& orders) {
       for (const double scale : {1.0, 0.125}) {
         expansion.expand(0.3, point.data(), scale);
         expect_coefficients(
-            truth, [&](int i) { return expansion.coefficients(i); }, scale);
+            reference, [&](int i) { return expansion.coefficients(i); }, scale);
       }
     }
   }
@@ -176,13 +176,13 @@ TEST(Tape, HasTheCoefficientsOfTheSolution) {
 template <int most, class Problem>
 void expect_unrolled(const Problem& problem, const std::vector<int>& orders) {
   for (const int order : orders) {
-    const auto truth = exact(problem, 0.3, point, static_cast<std::size_t>(order));
+    const auto reference = exact(problem, 0.3, point, static_cast<std::size_t>(order));
     ivp::UnrolledTaylor<Problem, most> taylor(problem, order, false);
     taylor.begin_segment(0.3, point);
     for (const double scale : {1.0, 0.25}) {
       taylor.expand(0.3, point, scale);
       expect_coefficients(
-          truth, [&](int i) { return taylor.coefficients(i); }, scale);
+          reference, [&](int i) { return taylor.coefficients(i); }, scale);
     }
   }
 }

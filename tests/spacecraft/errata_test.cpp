@@ -72,7 +72,7 @@ TEST(Errata, PolesDoNotDependOnThePlaceLookedAt) {
   for (const auto& [p, low, high] : {std::tuple(none, 11.52, 14.), std::tuple(tip, 5., 8.)}) {
     const double exact = oracle::pole(p, low, high);
     for (const double x : {2., 4.}) EXPECT_NEAR(pole(p, x, false), exact, 1e-10 * exact);
-    EXPECT_NEAR(pole(p, 4, true), exact, 1e-10 * exact);  // x = L is the truth
+    EXPECT_NEAR(pole(p, 4, true), exact, 1e-10 * exact);  // x = L is the reference
     expect_erratum(
         "gss_control-3.22-place",
         {.printed = pole(p, 2, true), .corrected = pole(p, 2, false), .oracle = exact, .tolerance = 1e-10});

@@ -1,4 +1,4 @@
-#include "nlmech/support/echo.hpp"
+#include "nlmech/support/quoted_input.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 namespace nlmech::echo_test {
 namespace {
 
-using nlmech::echoed;
 using nlmech::printable_message;
+using nlmech::quoted_input;
 
 bool printable(const std::string& text) {
   return std::all_of(text.begin(), text.end(),
@@ -19,23 +19,23 @@ bool printable(const std::string& text) {
 TEST(Echo, LeavesPlainTextAlone) {
   for (const std::string text :
        {"", "1.5e-3", "a b", "M\xc3\xbcller \xe2\x82\xac \xf0\x9f\x98\x80", "back\\slash"})
-    EXPECT_EQ(echoed(text), text);
+    EXPECT_EQ(quoted_input(text), text);
 }
 
 TEST(Echo, EscapesWhatATerminalWouldObey) {
-  EXPECT_EQ(echoed("\x1b[2J\x07"), "\\x1b[2J\\x07");
-  EXPECT_EQ(echoed("a\nb\tc\r"), "a\\nb\\tc\\x0d");
-  EXPECT_EQ(echoed(std::string("a\0b\x7f", 4)), "a\\x00b\\x7f");
-  EXPECT_EQ(echoed("\xc2\x9b"
-                   "31m"),
+  EXPECT_EQ(quoted_input("\x1b[2J\x07"), "\\x1b[2J\\x07");
+  EXPECT_EQ(quoted_input("a\nb\tc\r"), "a\\nb\\tc\\x0d");
+  EXPECT_EQ(quoted_input(std::string("a\0b\x7f", 4)), "a\\x00b\\x7f");
+  EXPECT_EQ(quoted_input("\xc2\x9b"
+                         "31m"),
             "\\xc2\\x9b"
             "31m");  // a control of 8 bits
-  EXPECT_EQ(echoed("\xe2\x80\xae"
-                   "txt"),
+  EXPECT_EQ(quoted_input("\xe2\x80\xae"
+                         "txt"),
             "\\xe2\\x80\\xae"
             "txt");  // from right to left
-  EXPECT_EQ(echoed("\xef\xbb\xbf"
-                   "1"),
+  EXPECT_EQ(quoted_input("\xef\xbb\xbf"
+                         "1"),
             "\\xef\\xbb\\xbf"
             "1");  // byte order mark
 }
@@ -43,7 +43,7 @@ TEST(Echo, EscapesWhatATerminalWouldObey) {
 TEST(Echo, EscapesBytesThatAreNoUtf8) {
   for (const std::string bytes :
        {"\xff", "\xc3", "\xc0\xaf", "\xed\xa0\x80", "\xf5\x80\x80\x80", "\xe2\x82"}) {
-    const std::string text = echoed(bytes);
+    const std::string text = quoted_input(bytes);
     EXPECT_EQ(text.size(), 4 * bytes.size()) << text;
     EXPECT_TRUE(printable(text));
     EXPECT_TRUE(
@@ -52,9 +52,9 @@ TEST(Echo, EscapesBytesThatAreNoUtf8) {
 }
 
 TEST(Echo, CutsLongTextsBetweenCharactersAndSaysHowLongTheyAre) {
-  EXPECT_EQ(echoed(std::string(60, 'x')), std::string(60, 'x'));
-  EXPECT_EQ(echoed(std::string(8'000'000, '1')), std::string(60, '1').append("... (8000000 bytes)"));
-  EXPECT_EQ(echoed("\xc3\xbc\xc3\xbc", 3), "\xc3\xbc... (4 bytes)");
+  EXPECT_EQ(quoted_input(std::string(60, 'x')), std::string(60, 'x'));
+  EXPECT_EQ(quoted_input(std::string(8'000'000, '1')), std::string(60, '1').append("... (8000000 bytes)"));
+  EXPECT_EQ(quoted_input("\xc3\xbc\xc3\xbc", 3), "\xc3\xbc... (4 bytes)");
 }
 
 TEST(Echo, IsPrintableAndShortForAnyBytes) {
@@ -62,8 +62,8 @@ TEST(Echo, IsPrintableAndShortForAnyBytes) {
   for (int k = 0; k < 2000; ++k) {
     std::string bytes(random() % 200, '\0');
     for (char& c : bytes) c = static_cast<char>(random() % 7 == 0 ? random() % 128 : random() % 256);
-    EXPECT_TRUE(printable(echoed(bytes)));
-    EXPECT_LE(echoed(bytes).size(), 4 * 60 + 20U);
+    EXPECT_TRUE(printable(quoted_input(bytes)));
+    EXPECT_LE(quoted_input(bytes).size(), 4 * 60 + 20U);
     const std::string message = printable_message(bytes);
     EXPECT_TRUE(std::all_of(message.begin(), message.end(), [](char c) {
       return static_cast<unsigned char>(c) >= 0x20 || c == '\n' || c == '\t';

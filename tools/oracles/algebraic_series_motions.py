@@ -72,7 +72,7 @@ FIELD |= {"Lorenz as doubles": lorenz(D(8 / 3)), "Duffing as doubles": duffing(D
 
 
 def walk(name, times, tolerance="1e-28"):
-    """States at times after the begin (of the oscillator: pi)."""
+    """States at times after the start (of the oscillator: pi)."""
     method, t, y = Extrapolation(FIELD[name], tolerance), D(0), [D(v) for v in START[name]]
     for next_time in times:
         y = method.run(t, y, next_time)

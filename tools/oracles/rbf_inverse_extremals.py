@@ -1,7 +1,7 @@
 """Extremals of the controlled Duffing oscillator (Elgohary 2015, section 5.3) with S = I, by shooting.
 
 Pontryagin: x1' = x2, x2' = -x1 - beta x1^3 - l2, l1' = l2 (1 + 3 beta x1^2), l2' = -l1, f = -l2; where a component of x is free at the end,
-its l is that of x(T) - x_F; where it is free at the begin, its l vanishes there. J = int f^2/2 + |x(T) - x_F|^2/2."""
+its l is that of x(T) - x_F; where it is free at the start, its l vanishes there. J = int f^2/2 + |x(T) - x_F|^2/2."""
 from decimal import Decimal as D
 
 from shared.chain import linear
@@ -64,11 +64,11 @@ def harmonic(time):
     return (D("1.5") * c1 + 2 * c3 + 3 * c, -(D("4.5") * s1 + 18 * s3 + 3 * s))
 
 
-# Which of x1, x2 are prescribed at the begin and the end, and beta (section 5.3).
+# Which of x1, x2 are prescribed at the start and the end, and beta (section 5.3).
 KINDS = {"free": ((1, 1), (0, 0), "0.9"), "fixed": ((1, 1), (1, 1), "0.9"), "x1x1": ((1, 0), (1, 0), "0.94"),
          "x1x2": ((1, 0), (0, 1), "0.94"), "x2x1": ((0, 1), (1, 0), "0.97"), "x2x2": ((0, 1), (0, 1), "0.9"),
          "harmonic": ((1, 1), (1, 1), "0.9"), "strong": ((1, 1), (1, 1), "100")}
-# Case, T, and the two unknowns at the begin to a few digits: which of many extremals is meant.
+# Case, T, and the two unknowns at the start to a few digits: which of many extremals is meant.
 GUESSES = [
     ("free", 1, "-0.969711", "-2.98782"),
     ("fixed", 1, "68.6029", "7.69059"),

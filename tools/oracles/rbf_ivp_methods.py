@@ -1,5 +1,5 @@
 """Errors of classical methods in Tables 4.2, 4.4 and 4.6 of Elgohary 2015, in doubles: the step of each method written out for the three
-problems. RMS of a position over the ends of steps (MCPI: over all nodes; ode45: over four values a step), with the begin, not normalised.
+problems. RMS of a position over the ends of steps (MCPI: over all nodes; ode45: over four values a step), with the start, not normalised.
 The exact motion is an elliptic function by its Fourier series where it is free, else Runge and Kutta's rule with short steps."""
 import math
 
@@ -140,7 +140,7 @@ class Mcpi:
         return out
 
     def step(self, f, t, y, h):
-        """Times and states at the nodes after the begin."""
+        """Times and states at the nodes after the start."""
         times, states = [t + h * (s + 1) / 2 for s in self.points], [y] * (self.n + 1)
         for _ in range(80):
             g = [f(time, state) for time, state in zip(times, states)]
@@ -245,7 +245,7 @@ def table_4_4():
     a = lambda t, x: force(t) - x - x**3
 
     def run(method, during, after, first={}, second={}, twice=True, **more):
-        """Two runs; the end of the first is the begin of the second and counts twice, or once."""
+        """Two runs; the end of the first is the start of the second and counts twice, or once."""
         errors = Errors(exact)
         x, v = method(errors, a, 0.0, 0.0, 0.0, during, round(1 / during), **first, **more)
         if twice:

@@ -12,7 +12,7 @@
 
 namespace nlmech::references {
 
-/// A step of a solution: its begin, and the derivatives of its end by its begin.
+/// A step of a solution: its start, and the derivatives of its end by its start.
 struct Link {
   double end;                  ///< time
   Eigen::VectorXd begin;       ///< state

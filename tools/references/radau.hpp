@@ -95,7 +95,7 @@ struct RadauRule {
   }
 };
 
-/// Derivatives of the end of a step by its begin: the same collocation of the variational equations, in
+/// Derivatives of the end of a step by its start: the same collocation of the variational equations, in
 /// double.
 /// @param jacobians at the nodes
 inline Eigen::MatrixXd step_derivative(const Eigen::MatrixXd& a, double h,
@@ -115,7 +115,7 @@ template <class Real>
 struct RadauStep {
   Real end;                    ///< time
   Eigen::VectorXd begin;       ///< state, in double
-  Eigen::MatrixXd derivative;  ///< of the end by the begin
+  Eigen::MatrixXd derivative;  ///< of the end by the start
 };
 
 /// Walks along the solution of a stiff problem, to each of @p times in turn.

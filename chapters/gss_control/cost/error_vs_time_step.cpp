@@ -38,9 +38,9 @@ constexpr std::array sides = {scene::Side::subject, scene::Side::ours, scene::Si
 
 std::vector<double> end_times() { return equidistant(3, 6, 16); }
 
-double error(const History& ours, const History& truth, std::size_t i) {
-  return std::max(std::abs(ours.theta[i] - truth.theta[i]),
-                  std::abs(ours.deflection[i] - truth.deflection[i]) / deflection_scale);
+double error(const History& ours, const History& exact, std::size_t i) {
+  return std::max(std::abs(ours.theta[i] - exact.theta[i]),
+                  std::abs(ours.deflection[i] - exact.deflection[i]) / deflection_scale);
 }
 
 /// f(t) by the fixed Talbot method with so many nodes (Abate and Valko 2004), from its transform.

@@ -67,8 +67,8 @@ void declare(scene::Options& options, Words& words) {
 }
 
 /// How a path is followed, branches apart.
-frames::FrameWalk walk_of(const Words& words) {
-  frames::FrameWalk walk;
+frames::PathOptions walk_of(const Words& words) {
+  frames::PathOptions walk;
   walk.steps = words.steps.value_or(walk.steps);
   walk.turn = words.turn.value_or(walk.turn);
   walk.seconds = words.left();
@@ -143,7 +143,7 @@ struct Estimated {
 
 /// Follows the paths, and then those of a second mesh as far as time allows.
 Estimated estimated(const FrameFile& file, const Words& words, const frames::NamedFrame& frame,
-                    frames::FrameWalk walk) {
+                    frames::PathOptions walk) {
   Estimated e;
   e.paths = equilibrium_paths(frame, walk);
   e.errors.resize(e.paths.points.size());
@@ -168,17 +168,17 @@ void tell_of_mesh(const Estimated& e, const Words& words) {
     worst = std::max(worst, e.errors[i].value_or(0));
     if (e.errors[i] == 1 && e.paths.points[i].kind != frames::FramePoint::Kind::step) ++alone;
   }
-  scene::tell(
+  scene::print_message(
       fmt::format("frame: mesh errors up to {:.2g}, relative, estimated from {} and {} elements a member; "
                   "column mesh_error{}",
                   worst, words.elements, e.second, worst > 0.01 ? "; more --elements reduce them" : ""));
   if (alone > 0)
-    scene::tell(
+    scene::print_message(
         fmt::format("frame: limit and branch points that {} elements a member do not have: {}; take more "
                     "--elements",
                     e.second, alone));
   if (!e.status.ok())
-    scene::tell(
+    scene::print_message(
         fmt::format("frame: mesh errors are not known where the path with {} elements a member was not "
                     "followed: {}",
                     e.second, e.status.sentence()));
@@ -193,14 +193,14 @@ void tell_of_unfollowed(const frames::FramePaths& paths) {
     if (multiple++ == 0) first = &p;
   }
   if (first != nullptr)
-    scene::tell(fmt::format(
+    scene::print_message(fmt::format(
         "frame: {} eigenvalues vanish at the bifurcation at load factor {:.10g}{}; branches from such a "
         "point "
         "are not followed, whatever --branches: a small difference between what buckles there parts it",
         first->vanishing, first->load,
         multiple > 1 ? fmt::format(", and several at {} others", multiple - 1) : ""));
   if (paths.unfollowed > 0)
-    scene::tell(
+    scene::print_message(
         fmt::format("frame: {} halves of branches leave the paths and are not followed; --branches {} "
                     "follows more",
                     paths.unfollowed, paths.branches + paths.unfollowed));
@@ -212,7 +212,7 @@ void move(const Words& words, const FrameFile& file, const frames::NamedFrame& f
   scene::print_result(csv_of(frame, run));
   if (picture.wanted()) picture.draw([&] { return motion_picture(frame, run); });
   if (!run.status.ok()) throw Failure(run.status);
-  scene::tell(fmt::format("frame: energies balance within {:.1e} of the greatest", run.imbalance));
+  scene::print_message(fmt::format("frame: energies balance within {:.1e} of the greatest", run.imbalance));
 }
 
 void work(const Words& words) {
@@ -224,12 +224,12 @@ void work(const Words& words) {
   const frames::Imperfect made = frame_of(file, words, words.elements);
   if (!made.status.ok()) throw Failure(made.status);
   if (file.model.imperfection)
-    scene::tell(fmt::format("frame: imperfect by {:.6g} along the shape of the {} at load factor {:.10g}",
-                            file.model.imperfection->amplitude, to_string(made.buckled.kind),
-                            made.buckled.load));
+    scene::print_message(
+        fmt::format("frame: imperfect by {:.6g} along the shape of the {} at load factor {:.10g}",
+                    file.model.imperfection->amplitude, to_string(made.buckled.kind), made.buckled.load));
   const frames::NamedFrame& frame = made.frame;
   if (words.dynamic.is_wanted) return move(words, file, frame, picture);
-  frames::FrameWalk walk = walk_of(words);
+  frames::PathOptions walk = walk_of(words);
   walk.until = words.until;
   walk.branches = words.branches.value_or(0);
   const Estimated e = estimated(file, words, frame, walk);

@@ -49,7 +49,7 @@ ivp::Settings settings_of(const DynamicWords& words, const frames::FrameMotion& 
   if (words.step && words.tolerance) throw InputError("--step and --tolerance: one of both");
   const ivp::MethodInfo& method = ivp::method_info(method_of(words));
   if (!method.fixed_step()) {
-    if (words.step && method.steps == ivp::Steps::chosen)
+    if (words.step && method.steps == ivp::Steps::adaptive)
       throw InputError("--step: " + words.method + " chooses its steps by --tolerance");
     return {.step = words.step, .tolerance = words.tolerance};
   }

@@ -12,8 +12,8 @@
 
 #include "chapters/toml_file.hpp"
 #include "nlmech/scene/program/files.hpp"
-#include "nlmech/support/echo.hpp"
 #include "nlmech/support/errors.hpp"
+#include "nlmech/support/quoted_input.hpp"
 
 namespace nlmech::chapters::homotopy {
 namespace {
@@ -110,19 +110,19 @@ class Reader {
       }
     }
     std::string names;
-    for (const std::string& name : cases_) names.append(names.empty() ? "" : ", ").append(echoed(name));
+    for (const std::string& name : cases_) names.append(names.empty() ? "" : ", ").append(quoted_input(name));
     if (single != nullptr && !cases_.empty())
       throw InputError(
           fmt::format("{}, line {}: this stands beside cases ({}); put all loads and "
                       "displacements under a case, or none",
-                      file_.name, single->source().begin.line, echoed(names, 400)));
+                      file_.name, single->source().begin.line, quoted_input(names, 400)));
     if (case_ && !cases_.contains(*case_))
-      throw InputError(
-          fmt::format("{}, [loads]: there is no case {}; {}", file_.name, echoed(*case_),
-                      cases_.empty() ? "loads stand there without one" : "there is " + echoed(names, 400)));
+      throw InputError(fmt::format(
+          "{}, [loads]: there is no case {}; {}", file_.name, quoted_input(*case_),
+          cases_.empty() ? "loads stand there without one" : "there is " + quoted_input(names, 400)));
     if (!case_ && cases_.size() > 1)
       throw InputError(fmt::format("{}, [loads]: there are several cases; say --case and one of {}",
-                                   file_.name, echoed(names, 400)));
+                                   file_.name, quoted_input(names, 400)));
     if (!case_ && cases_.size() == 1) case_ = *cases_.begin();
   }
 
@@ -220,7 +220,7 @@ class Reader {
     for (const std::string& hinge : hinges) {
       if (hinge != m.first && hinge != m.second)
         complain(*hinges_at, "hinges",
-                 fmt::format("the member joins {} and {}", echoed(m.first), echoed(m.second)));
+                 fmt::format("the member joins {} and {}", quoted_input(m.first), quoted_input(m.second)));
       (hinge == m.first ? m.is_first_pinned : m.is_second_pinned) = true;
     }
     file_.model.members.push_back(std::move(m));
@@ -245,7 +245,7 @@ class Reader {
     const std::string key = "supports." + name;
     for (const std::string& word : texts(node, key)) {
       const auto motion = motion_of(word);
-      if (!motion) complain(node, key, echoed(word) + " is no motion; there are x, y, rotation");
+      if (!motion) complain(node, key, quoted_input(word) + " is no motion; there are x, y, rotation");
       file_.model.supports.push_back({name, *motion});
       note_line(ModelPart::supports, node);
     }

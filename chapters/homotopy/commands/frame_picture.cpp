@@ -38,14 +38,14 @@ void add_beam(const frames::Frame& frame, const Eigen::VectorXd& x, std::size_t 
 }
 
 /// What a shape is drawn of.
-struct Seen {
+struct ShownShape {
   const FramePoint* point;
   std::string name;
 };
 
 /// Limit and branch points, the first of them, and the ends of the first branches.
-std::vector<Seen> shown_shapes(const frames::FramePaths& paths) {
-  std::vector<Seen> all;
+std::vector<ShownShape> shown_shapes(const frames::FramePaths& paths) {
+  std::vector<ShownShape> all;
   const auto& points = paths.points;
   for (std::size_t i = 0; i < points.size() && all.size() < 6; ++i) {
     const FramePoint& p = points[i];
@@ -158,9 +158,9 @@ scene::Figure frame_picture(const frames::NamedFrame& frame, const frames::Frame
   plot.size(width, height).columns({"panel", "curve", "x", "y"});
   put_paths(motion, paths, plot.panel(scene::without_markup(motion.name), "load factor").key("top left"));
   scene::Panel& panel = plot.panel("x, in the file's units", "y, in the file's units").key("top left");
-  const std::vector<Seen> seen = shown_shapes(paths);
+  const std::vector<ShownShape> seen = shown_shapes(paths);
   std::vector<Shape> shapes = {shape_of(frame.frame, Eigen::VectorXd::Zero(frame.frame.size()))};
-  for (const Seen& s : seen) shapes.push_back(shape_of(frame.frame, s.point->x));
+  for (const ShownShape& s : seen) shapes.push_back(shape_of(frame.frame, s.point->x));
   give_ranges(shapes, panel);
   panel.curve("at rest", shapes[0].x, shapes[0].y, scene::thin_lines(8));
   for (std::size_t i = 0; i < seen.size(); ++i)

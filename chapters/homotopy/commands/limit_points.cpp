@@ -36,7 +36,7 @@ void tell_of_mesh(const TypedToggle& typed, const frames::TogglePath& path) {
     return a.kind == b.kind && a.is_symmetric == b.is_symmetric;
   };
   if (!other.status.ok() || !std::ranges::equal(path.events, other.events, is_same)) {
-    scene::tell(fmt::format(
+    scene::print_message(fmt::format(
         "limit-points: the mesh error is not known: with {} elements a member in place of {} {}", second,
         elements, other.status.ok() ? "there are other points" : other.status.sentence()));
     return;
@@ -45,7 +45,7 @@ void tell_of_mesh(const TypedToggle& typed, const frames::TogglePath& path) {
   for (std::size_t i = 0; i < path.events.size(); ++i)
     worst = std::max(worst, std::abs(1 - other.events[i].load / path.events[i].load));
   if (!path.events.empty())
-    scene::tell(
+    scene::print_message(
         fmt::format("limit-points: mesh error of the loads up to {:.2g}, relative, estimated from {} and {} "
                     "elements a member",
                     std::min(1., worst * frames::mesh_factor(elements, second)), elements, second));

@@ -50,7 +50,7 @@ struct Walked {
 };
 
 /// Follows the paths of a file of chapters/homotopy/frames.
-Walked walk(const std::string& name, int elements, const frames::FrameWalk& how) {
+Walked walk(const std::string& name, int elements, const frames::PathOptions& how) {
   const auto file = scene::data_folder() / "chapters" / "homotopy" / "frames" / (name + ".toml");
   frames::NamedFrame frame = build(parse_frame(scene::read_whole(file), name + ".toml").model, elements);
   frames::FramePaths paths = equilibrium_paths(frame, how);

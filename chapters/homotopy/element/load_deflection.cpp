@@ -27,7 +27,7 @@ BothStepped step_both(double height) {
 void check_least_slopes(const LoadCurve& williams, const LoadCurve& element, scene::Show& show) {
   // oracle: homotopy_williams Williams 0.32 least slope
   // oracle: homotopy_frames toggle 0.32 of 1 least slope, toggle 0.32 of 1 load at the least slope
-  const CurvePoint w = softest(williams), e = softest(element);
+  const CurvePoint w = least_stiff_point(williams), e = least_stiff_point(element);
   show.near("least slope, Williams", {williams.stiffness(w.deflection), "lb/in"}, 12.55869263, 1e-9,
             "tools/oracles/homotopy_williams.py, ten digits");
   show.near("least slope, element", {element.stiffness(e.deflection), "lb/in"}, 14.70048679, 1e-9,

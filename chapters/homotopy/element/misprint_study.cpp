@@ -55,10 +55,10 @@ double slope(Model model, const Case& c, double deflection) {
 Cycle cycle(const Case& c) {
   LoadedToggle toggle(Model::element_printed, 0.44, c.load, c.length),
       exact(Model::element, 0.44, c.load, c.length);
-  std::vector<Trace> trace, to_root;
+  std::vector<IterationRecord> trace, to_root;
   static_cast<void>(iterate(toggle, {.tolerance = relative_tolerance(c.load, 1e-6)}, &trace));
   static_cast<void>(iterate(exact, {.tolerance = 1e-9}, &to_root));
-  const Trace &last = trace.at(trace.size() - 1), &before = trace.at(trace.size() - 2);
+  const IterationRecord &last = trace.at(trace.size() - 1), &before = trace.at(trace.size() - 2);
   const double root = to_root.back().deflection;
   return {c,
           {before.residual / toggle.scale(), last.residual / toggle.scale()},

@@ -73,7 +73,7 @@ double difference_from_damped_newton() {
   double greatest = 0;
   for (const double step : {0.3, example_step, 1.0, 2.0}) {
     LoadedToggle toggle(Model::williams, 0.44, near_load);
-    std::vector<Trace> trace;
+    std::vector<IterationRecord> trace;
     static_cast<void>(
         iterate(toggle, {.scheme = Scheme::newton_homotopy, .step = step, .limit = limit}, &trace));
     const frames::Williams w{.height = 0.44};

@@ -49,7 +49,7 @@ class Ending {
   std::int64_t last_ = -1;
 };
 
-Count by_newton(LoadedToggle& toggle, const Iteration& i, std::vector<Trace>* trace) {
+Count by_newton(LoadedToggle& toggle, const Iteration& i, std::vector<IterationRecord>* trace) {
   // The iteration ends by the residual, as in the text: never by its own rule.
   const algebraic::Newton method{.tolerance = 0, .iterations = i.limit + 1};
   Eigen::VectorXd x = toggle.unknowns(i.start);
@@ -65,7 +65,7 @@ Count by_newton(LoadedToggle& toggle, const Iteration& i, std::vector<Trace>* tr
   return count;
 }
 
-Count by_homotopy(LoadedToggle& toggle, const Iteration& i, std::vector<Trace>* trace) {
+Count by_homotopy(LoadedToggle& toggle, const Iteration& i, std::vector<IterationRecord>* trace) {
   using Function = algebraic::ScalarHomotopy::Function;
   const algebraic::ScalarHomotopy method{
       .function = i.scheme == Scheme::fixed_point ? Function::fixed_point : Function::newton,
@@ -91,7 +91,7 @@ Count by_homotopy(LoadedToggle& toggle, const Iteration& i, std::vector<Trace>* 
 
 }  // namespace
 
-Count iterate(LoadedToggle& toggle, const Iteration& iteration, std::vector<Trace>* trace) {
+Count iterate(LoadedToggle& toggle, const Iteration& iteration, std::vector<IterationRecord>* trace) {
   return iteration.scheme == Scheme::newton ? by_newton(toggle, iteration, trace)
                                             : by_homotopy(toggle, iteration, trace);
 }

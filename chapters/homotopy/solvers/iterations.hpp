@@ -27,7 +27,7 @@ struct Iteration {
 };
 
 /// An iterate.
-struct Trace {
+struct IterationRecord {
   double deflection;  ///< delta, inch
   double residual;    ///< |F|, pound
 };
@@ -41,7 +41,7 @@ struct Count {
 
 /// Runs it. @param trace gets all iterates, the start included
 [[nodiscard]] Count iterate(LoadedToggle& toggle, const Iteration& iteration,
-                            std::vector<Trace>* trace = nullptr);
+                            std::vector<IterationRecord>* trace = nullptr);
 
 /// The tolerance on |F| that is meant: of Tables 2.2 and 2.3 on |F| itself, of 2.4 and 2.5 on |F| over that
 /// at rest.

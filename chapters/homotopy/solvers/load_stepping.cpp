@@ -46,7 +46,7 @@ LoadPoint solve(const Stepping& how, const Branches& branches, double load, doub
   LoadedToggle toggle(how.model, how.height, load);
   Iteration iteration = how.iteration;
   iteration.start = start;
-  std::vector<Trace> trace;
+  std::vector<IterationRecord> trace;
   const Count count = iterate(toggle, iteration, &trace);
   const double end = trace.back().deflection;
   return {load, count.converged, end, branches.distance(end, load), branches.of(end)};

@@ -127,7 +127,7 @@ void put_table(const Results& all, scene::Show& show) {
 void draw(scene::Panel& panel, const History& h, const Row& row, const Ran& ran, const std::string& name,
           int style, const char* look) {
   std::vector<double> k, value;
-  for (const Trace& t : ran.trace) {
+  for (const IterationRecord& t : ran.trace) {
     if (k.size() > static_cast<std::size_t>(h.shown)) break;
     k.push_back(static_cast<double>(k.size()));
     value.push_back(row.printed.model == Model::element ? t.residual / ran.scale : t.deflection);

@@ -13,10 +13,10 @@ namespace nlmech::chapters::homotopy {
 
 /// An iteration with all its iterates.
 struct Ran {
-  Count count;                      ///< how it ended
-  double scale = 0;                 ///< W/2, to which residuals are relative
-  std::vector<Trace> trace;         ///< from the start
-  std::vector<int> scattered = {};  ///< iterations under 16 loads that differ from the row's by roundings
+  Count count;                         ///< how it ended
+  double scale = 0;                    ///< W/2, to which residuals are relative
+  std::vector<IterationRecord> trace;  ///< from the start
+  std::vector<int> scattered = {};     ///< iterations under 16 loads that differ from the row's by roundings
 
   /// Median of those; rounding decides which count a single run has.
   [[nodiscard]] double median_count() const;

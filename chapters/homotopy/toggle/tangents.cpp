@@ -106,7 +106,7 @@ void turning_points(scene::Show& show) {
 void limit_point(scene::Show& show) {
   const auto curve = williams_curve(0.44);
   const LimitPoints limits = limit_points(*curve).value();
-  std::vector<Trace> trace;
+  std::vector<IterationRecord> trace;
   LoadedToggle toggle(Model::williams, 0.44, near_load);
   const Count count = iterate(toggle, {}, &trace);
   const auto load = [&](double d) { return curve->load(d); };

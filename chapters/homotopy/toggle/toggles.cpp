@@ -93,7 +93,7 @@ std::optional<LimitPoints> limit_points(const LoadCurve& curve, double end) {
   return LimitPoints{{found[0], curve.load(found[0])}, {found[1], curve.load(found[1])}};
 }
 
-CurvePoint softest(const LoadCurve& curve, double end) {
+CurvePoint least_stiff_point(const LoadCurve& curve, double end) {
   // One minimum lies inside.
   const double d =
       boost::math::tools::brent_find_minima([&](double x) { return curve.stiffness(x); }, 0., end, 53).first;

@@ -82,7 +82,7 @@ class LoadCurve {
 /// the stiffness does not vanish.
 [[nodiscard]] std::optional<LimitPoints> limit_points(const LoadCurve& curve, double end = 0.9);
 /// Where the stiffness is least, to half the digits of a double.
-[[nodiscard]] CurvePoint softest(const LoadCurve& curve, double end = 0.6);
+[[nodiscard]] CurvePoint least_stiff_point(const LoadCurve& curve, double end = 0.6);
 /// The deflections in [0, @p end] at which the curve carries @p load, by bisection.
 [[nodiscard]] std::vector<double> deflections_under(const LoadCurve& curve, double load, double end = 0.9);
 /// The deflection between two at which the curve carries @p load, by bisection to the last bit; NaN if the

@@ -17,7 +17,7 @@
 #include "nlmech/scene/picture.hpp"
 #include "nlmech/scene/program/this_process.hpp"
 #include "nlmech/scene/table.hpp"
-#include "nlmech/support/echo.hpp"
+#include "nlmech/support/quoted_input.hpp"
 #include "nlmech/support/sentences.hpp"
 
 namespace nlmech::chapters::rbf_inverse {
@@ -126,7 +126,7 @@ bvp::Solution solve_from_guesses(const TypedBoundary& problem, const BvpOptions&
                                       : "try another --guess")));
 }
 
-/// Integrated from its begin alone, as far as that can be told: nothing if it comes to the end, else how far.
+/// Integrated from its start alone, as far as that can be told: nothing if it comes to the end, else how far.
 std::string whole_way(const TypedBoundary& problem, const BvpOptions& typed, const bvp::Solution& solution) {
   bvp::Options options = options_of(typed);
   options.verification = bvp::Verification::whole;
@@ -135,7 +135,7 @@ std::string whole_way(const TypedBoundary& problem, const BvpOptions& typed, con
   if (copy.status.ok()) return {};
   const double off = copy.integration_error;
   return fmt::format(
-      "verified by integration of each of {} intervals; integrated from its begin alone it is lost{}, since "
+      "verified by integration of each of {} intervals; integrated from its start alone it is lost{}, since "
       "rounding grows on the way: both ends hold this solution",
       solution.mesh().size() - 1, std::isfinite(off) ? fmt::format(" ({:.1g} off)", off) : "");
 }
@@ -182,15 +182,16 @@ void boundary_values(const BvpOptions& typed) {
     text += "\n";
   }
   for (const std::string& said : {remark, way}) {
-    if (!said.empty()) scene::tell("rbf_inverse: " + said);
+    if (!said.empty()) scene::print_message("rbf_inverse: " + said);
   }
   scene::print_result(text);
   if (picture.wanted())
     picture.draw([&] {
       return run_figure(
           samples_of(problem, typed, solution),
-          echoed(typed.file.empty() ? typed.equation : std::filesystem::path(typed.file).filename().string(),
-                 60));
+          quoted_input(
+              typed.file.empty() ? typed.equation : std::filesystem::path(typed.file).filename().string(),
+              60));
     });
 }
 

@@ -18,8 +18,8 @@
 #include "nlmech/scene/program/files.hpp"
 #include "nlmech/scene/program/this_process.hpp"
 #include "nlmech/scene/program/typed.hpp"
-#include "nlmech/support/echo.hpp"
 #include "nlmech/support/errors.hpp"
+#include "nlmech/support/quoted_input.hpp"
 
 namespace nlmech::chapters::rbf_inverse {
 namespace {
@@ -180,8 +180,8 @@ std::pair<int, int> counts_of(const std::string& grid) {
     }
   } catch (const InputError&) {  // of one half; the sentence below names all
   }
-  throw InputError(
-      fmt::format("--grid {}: needs two whole numbers from 1 to 1000000 with 'x' between", echoed(grid)));
+  throw InputError(fmt::format("--grid {}: needs two whole numbers from 1 to 1000000 with 'x' between",
+                               quoted_input(grid)));
 }
 
 /// The power of a thousand in which numbers up to @p largest are short, and how a label says so.
@@ -234,7 +234,7 @@ void porkchop(const Grid& g) {
   }
   if (!grid.status.ok()) throw Failure(grid.status);
   if (std::ranges::none_of(grid.cells, &orbit::PorkchopCell::exists))
-    scene::tell(
+    scene::print_message(
         "rbf_inverse: no cell has a transfer: no arrival is after its departure, or the positions lie in one "
         "direction from the centre");
   scene::print_result(porkchop_csv(grid));

@@ -12,8 +12,8 @@
 #include "chapters/toml_file.hpp"
 #include "nlmech/orbit/elements.hpp"
 #include "nlmech/support/degrees.hpp"
-#include "nlmech/support/echo.hpp"
 #include "nlmech/support/errors.hpp"
+#include "nlmech/support/quoted_input.hpp"
 
 namespace nlmech::chapters::rbf_inverse {
 namespace {
@@ -60,7 +60,7 @@ class Reader {
   void only(std::initializer_list<std::string_view> known) const {
     for (const auto& [key, node] : table_) {
       if (std::find(known.begin(), known.end(), key.str()) == known.end())
-        refuse(&node, fmt::format("{} means nothing here; there are {}", full(echoed(key.str())),
+        refuse(&node, fmt::format("{} means nothing here; there are {}", full(quoted_input(key.str())),
                                   fmt::join(known, ", ")));
     }
   }

@@ -14,7 +14,7 @@
 #include "nlmech/program/switches.hpp"
 #include "nlmech/program/time_features.hpp"
 #include "nlmech/scene/program/typed.hpp"
-#include "nlmech/support/echo.hpp"
+#include "nlmech/support/quoted_input.hpp"
 #include "nlmech/support/sentences.hpp"
 
 namespace nlmech::chapters::rbf_inverse {
@@ -36,7 +36,8 @@ std::vector<std::string> pieces_of(const char* option, const std::string& text) 
   }
   for (std::string& piece : pieces) {
     piece = trimmed(piece);
-    if (piece.empty()) throw input_error("{} {}: nothing stands between two commas", option, echoed(text));
+    if (piece.empty())
+      throw input_error("{} {}: nothing stands between two commas", option, quoted_input(text));
   }
   return pieces;
 }
@@ -100,7 +101,7 @@ TypedBoundary::TypedBoundary(program::Equations equations, double from, double u
   const std::size_t given = begin_.outputs() + end_.outputs(), needed = names().size();
   if (given != needed)
     throw input_error("--begin, --end: {} conditions; as many are needed as the state has components, {}: {}",
-                      given, needed, echoed(fmt::format("{}", fmt::join(names(), ", ")), 200));
+                      given, needed, quoted_input(fmt::format("{}", fmt::join(names(), ", ")), 200));
 }
 
 Program TypedBoundary::conditions_of(const char* option, const std::string& text) {
@@ -108,7 +109,8 @@ Program TypedBoundary::conditions_of(const char* option, const std::string& text
   if (!trimmed(text).empty()) {
     for (const std::string& piece : pieces_of(option, text)) {
       if (piece.find('=') == std::string::npos)
-        throw input_error("{} {}: is no condition; an equation is needed, as x = 0", option, echoed(piece));
+        throw input_error("{} {}: is no condition; an equation is needed, as x = 0", option,
+                          quoted_input(piece));
       all.push_back(equations_.expression(option, piece));
     }
   }
@@ -135,14 +137,14 @@ bvp::Start TypedBoundary::guess(const std::string& text) const {
       const std::size_t equals = piece.find('=');
       const auto at = std::ranges::find(names(), trimmed(piece.substr(0, equals)));
       if (equals == std::string::npos || at == names().end())
-        throw input_error("--guess {}: begins with no component and =; there are {}", echoed(piece),
-                          echoed(fmt::format("{}", fmt::join(names(), ", ")), 200));
+        throw input_error("--guess {}: begins with no component and =; there are {}", quoted_input(piece),
+                          quoted_input(fmt::format("{}", fmt::join(names(), ", ")), 200));
       std::optional<Program>& one = (*known)[static_cast<std::size_t>(at - names().begin())];
-      if (one) throw input_error("--guess {}: {} is given a second time", echoed(piece), *at);
+      if (one) throw input_error("--guess {}: {} is given a second time", quoted_input(piece), *at);
       const program::NodeId node = equations.expression("--guess", piece.substr(equals + 1));
       one = Program(equations.graph(), {node});
       if (depends_on_state(*one, points_.front(), n))
-        throw input_error("--guess {}: is to be a function of the time t alone", echoed(piece));
+        throw input_error("--guess {}: is to be a function of the time t alone", quoted_input(piece));
     }
   }
   // Of each component that is left out the one whose derivative it is.

@@ -51,7 +51,7 @@ struct Part {
   double may_least, may_most;   ///< that nodes as printed may have
   double claimed;               ///< millimetres
 };
-// A metre over 4320 s, where the orbit turns in some hundred seconds near its begin, is 0.01 m/s at most.
+// A metre over 4320 s, where the orbit turns in some hundred seconds near its start, is 0.01 m/s at most.
 const Part positions{&orbit::State::position,
                      "positions",
                      "m",

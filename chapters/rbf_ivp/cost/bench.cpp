@@ -1,6 +1,6 @@
 /// @file
 /// `rbf_ivp_bench`: collocation as the dissertation writes it, and adaptive-collocation, against the best of
-/// the other libraries, each as its manual runs it, at equal achieved error, and what our walk costs them; by
+/// the other libraries, each as its manual runs it, at equal achieved error, and what our loop costs them; by
 /// Google Benchmark. Writes results/bench/rbf_ivp.json under the current folder; exit code 1 if a claim is
 /// not held.
 #include <algorithm>
@@ -29,8 +29,8 @@ using chapters::NativePeer;
 using chapters::NativeRun;
 using chapters::Speed;
 using chapters::Work;
-using comparison::Contender;
 using comparison::Kind;
+using comparison::MethodSweep;
 using comparison::Setting;
 
 constexpr ivp::Limits enough{.steps = 2'000'000};
@@ -112,18 +112,16 @@ Subject impact() {
   return s;
 }
 
-std::optional<double> error_of(const Case& c, const Contender& contender, const Setting& setting) {
-  return comparison::accuracy_of(c, comparison::integrator(contender, setting), enough).error;
+std::optional<double> error_of(const Case& c, const MethodSweep& sweep, const Setting& setting) {
+  return comparison::accuracy_of(c, comparison::integrator(sweep, setting), enough).error;
 }
 
-/// The fastest setting of a method or peer in our walk. @param c outlives the measurement
-std::optional<Work> fastest(const Case& c, const Contender& contender, double wanted,
-                            const std::string& name) {
+/// The fastest setting of a method or peer in our loop. @param c outlives the measurement
+std::optional<Work> fastest(const Case& c, const MethodSweep& sweep, double wanted, const std::string& name) {
   return chapters::fastest(
-      name, contender.settings, wanted,
-      [&](const Setting& setting) { return error_of(c, contender, setting); },
-      [&c, contender](const Setting& setting) {
-        return comparison::integrator(contender, setting)(c.system, c.x0, c.t0, c.t1, {}, {});
+      name, sweep.settings, wanted, [&](const Setting& setting) { return error_of(c, sweep, setting); },
+      [&c, sweep](const Setting& setting) {
+        return comparison::integrator(sweep, setting)(c.system, c.x0, c.t0, c.t1, {}, {});
       });
 }
 
@@ -139,10 +137,10 @@ std::optional<double> native_error(const Case& c, const NativeRun& run, double t
   });
 }
 
-/// The fastest tolerance of a library alone. It is tried at those tolerances that come to an end in our walk,
+/// The fastest tolerance of a library alone. It is tried at those tolerances that come to an end in our loop,
 /// with at most a hundred times the wanted error, since nothing stops it elsewhere.
-std::optional<Work> fastest_alone(const Case& c, const NativeRun& run, const Contender& walked, double wanted,
-                                  const std::string& name) {
+std::optional<Work> fastest_alone(const Case& c, const NativeRun& run, const MethodSweep& walked,
+                                  double wanted, const std::string& name) {
   const auto error = [&](const Setting& setting) -> std::optional<double> {
     const auto there = error_of(c, walked, setting);
     if (!there || *there > 100 * wanted) return std::nullopt;
@@ -156,15 +154,15 @@ std::optional<Work> fastest_alone(const Case& c, const NativeRun& run, const Con
   });
 }
 
-/// Adds the library that is fastest by its own loop (ARKODE, and Rosenbrock's method of Odeint: in our walk),
-/// and the same formula in our walk. @param explicit_ones no others
+/// Adds the library that is fastest by its own loop (ARKODE, and Rosenbrock's method of Odeint: in our loop),
+/// and the same formula in our loop. @param explicit_ones no others
 void add_best_library(Speed& all, const Subject& s, double wanted, const std::string& at,
                       bool explicit_ones) {
   std::optional<Work> best, in_our_walk;
-  for (const Contender& peer : comparison::all_peers(false)) {
+  for (const MethodSweep& peer : comparison::all_peers(false)) {
     if (explicit_ones && comparison::any_method(peer.name).family == ivp::Family::implicit) continue;
     const auto native = std::ranges::find(s.native, peer.name, &NativePeer::name);
-    auto walked = fastest(s.c, peer, wanted, fmt::format("{}, {} in our walk", at, peer.name));
+    auto walked = fastest(s.c, peer, wanted, fmt::format("{}, {} in our loop", at, peer.name));
     auto alone = native == s.native.end()
                      ? walked
                      : fastest_alone(s.c, native->run, peer, wanted, fmt::format("{}, {}", at, peer.name));
@@ -174,7 +172,7 @@ void add_best_library(Speed& all, const Subject& s, double wanted, const std::st
   }
   fmt::print("{}: best library {}\n", at, best ? best->name : "none: no other library gets there");
   if (best) best->name = at + ", best library";
-  if (in_our_walk) in_our_walk->name = at + ", best library in our walk";
+  if (in_our_walk) in_our_walk->name = at + ", best library in our loop";
   all.add(best);
   if (!explicit_ones) all.add(in_our_walk);
 }
@@ -186,8 +184,8 @@ void against_peers(Speed& all, const Subject& s, double wanted, double least) {
   all.add(fastest(s.c, comparison::by_tolerances("adaptive-collocation", Kind::own, false), wanted, ours));
   add_best_library(all, s, wanted, at, false);
   all.claim(ours, best, least);
-  all.claim(best + " in our walk", best,
-            1 / 3.0);  // a library pays for our walk: at most twice as much again
+  all.claim(best + " in our loop", best,
+            1 / 3.0);  // a library pays for our loop: at most twice as much again
 }
 
 /// The dissertation's algorithm at the error that it reaches, or with polynomials in place of its radial
@@ -195,10 +193,10 @@ void against_peers(Speed& all, const Subject& s, double wanted, double least) {
 void against_collocation(Speed& all, const Case& c, const StepScales& scales, const std::string& method,
                          double wanted, double least) {
   const std::string at = fmt::format("{} to {:.0e}, ", c.name, wanted);
-  for (const Contender& contender : contenders(scales, false)) {
-    const std::string name = at + contender.label();
-    if ((contender.label() == method || contender.name == "adaptive-collocation") && !all.has(name))
-      all.add(fastest(c, contender, wanted, name));
+  for (const MethodSweep& sweep : sweeps(scales, false)) {
+    const std::string name = at + sweep.label();
+    if ((sweep.label() == method || sweep.name == "adaptive-collocation") && !all.has(name))
+      all.add(fastest(c, sweep, wanted, name));
   }
   all.claim(at + "adaptive-collocation", at + method, least);
 }
@@ -245,11 +243,11 @@ void against_cvode(Speed& all, const Stiff& p, const Problem& problem, const Pla
 /// dissertation writes it does not win, and what nodes alone would change.
 void add_six_digits(Speed& all, const Subject& s, const StepScales& scales) {
   constexpr double wanted = 1e-6;
-  for (const Contender& contender : contenders(scales, false)) {
-    const std::string label = contender.label();
+  for (const MethodSweep& sweep : sweeps(scales, false)) {
+    const std::string label = sweep.label();
     for (const char* ours :
          {"rbf-coll, N = 35", "lgl-coll, N = 35", "radau-coll, N = 17", "mcpi, N = 17", "rk6"}) {
-      if (label == ours) all.add(fastest(s.c, contender, wanted, s.c.name + ", " + label));
+      if (label == ours) all.add(fastest(s.c, sweep, wanted, s.c.name + ", " + label));
     }
   }
   add_best_library(all, s, wanted, s.c.name, true);

@@ -30,7 +30,7 @@ void check_least(const Costs& costs, const std::string& method, double each_step
 scene::Scene against_all(const Subject& subject, const Case& (*problem)(), const StepScales& scales) {
   const auto measure = [problem, scales](bool quick) -> Costs {
     const auto accurate = ivp::named_integrator("radau-coll", {.step = scales.many_nodes / 8, .nodes = 17});
-    return {{"", comparison::cost_curves(problem(), contenders(scales, quick), quick)},
+    return {{"", comparison::cost_curves(problem(), sweeps(scales, quick), quick)},
             comparison::condition_of(problem(), accurate)};
   };
   const auto check = [subject](const Costs& costs, scene::Show& show) {

@@ -6,8 +6,8 @@ namespace nlmech::chapters::rbf_ivp {
 namespace {
 
 using comparison::by_steps;
-using comparison::Contender;
 using comparison::Kind;
+using comparison::MethodSweep;
 
 constexpr double few_node_factors[] = {2, 1, 0.5, 0.25};
 constexpr double many_node_factors[] = {1, 0.5, 0.25, 0.125};
@@ -34,9 +34,9 @@ StepScales three_mass_steps() {
   return {.few_nodes = 0.625, .many_nodes = 20, .few_shape = 0.35 * 0.625, .many_shape = 0.39 * 20};
 }
 
-std::vector<Contender> contenders(const StepScales& s, bool quick) {
+std::vector<MethodSweep> sweeps(const StepScales& s, bool quick) {
   const double few = s.few_nodes, many = s.many_nodes;
-  std::vector<Contender> all = {
+  std::vector<MethodSweep> all = {
       by_steps("rbf-coll", 7, Kind::source, few, few_node_factors, quick, s.few_shape),
       by_steps("rbf-coll", 35, Kind::source, many, many_node_factors, quick, s.many_shape),
       by_steps("lgl-coll", 7, Kind::polynomial, few, few_node_factors, quick),
@@ -53,7 +53,7 @@ std::vector<Contender> contenders(const StepScales& s, bool quick) {
     all.push_back(by_steps(name, {}, Kind::classical, few, runge_kutta_factors, quick));
   all.push_back(comparison::by_tolerances("adaptive-collocation", Kind::own, quick));
   all.push_back(comparison::by_tolerances("ode45", Kind::explicit_, quick));
-  for (const Contender& peer : comparison::all_peers(quick)) all.push_back(peer);
+  for (const MethodSweep& peer : comparison::all_peers(quick)) all.push_back(peer);
   return all;
 }
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "nlmech/comparison/cost/contenders.hpp"
+#include "nlmech/comparison/cost/method_sweep.hpp"
 
 namespace nlmech::chapters::rbf_ivp {
 
@@ -28,6 +28,6 @@ struct StepScales {
 /// All methods and peers: those of fixed step with steps that begin at the scales, those with step control
 /// with one sweep of tolerances for all.
 /// @param quick fewer settings of each
-[[nodiscard]] std::vector<comparison::Contender> contenders(const StepScales& scales, bool quick);
+[[nodiscard]] std::vector<comparison::MethodSweep> sweeps(const StepScales& scales, bool quick);
 
 }  // namespace nlmech::chapters::rbf_ivp

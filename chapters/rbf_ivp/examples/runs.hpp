@@ -46,7 +46,7 @@ struct Record {
   Statistics statistics;      ///< of one integration
 };
 
-/// An integration of an example: from its begin to a time, with a method and its settings.
+/// An integration of an example: from its start to a time, with a method and its settings.
 using Procedure = std::function<ivp::Solution(const Case&, double end, const ivp::Observer&)>;
 
 /// One method from begin to end.

@@ -136,8 +136,8 @@ Score score(const std::vector<Answer>& answers, const Printed& printed, Number n
 
 double at_step_ends(const Answer& a) { return a.rms(a.inferred_end()); }
 
-Question end_and_period(const Printed& printed) {
-  Question q{"end time and period", "4.2", "P = 4.77, to 500 s", "P exact, to 100 P", {}};
+ReadingChoice end_and_period(const Printed& printed) {
+  ReadingChoice q{"end time and period", "4.2", "P = 4.77, to 500 s", "P exact, to 100 P", {}};
   for (const auto& [name, P] : {std::pair("exact", duffing_period()), {"= 4.768", 4.768}, {"= 4.77", 4.77}}) {
     std::vector<Answer> answers = step_methods(P, true);
     answers.push_back(answer({"table-4.2", "(P/500)", P / 500}, "Explicit-2", CentralDifference{}));
@@ -155,8 +155,8 @@ Question end_and_period(const Printed& printed) {
   return q;
 }
 
-Question hht_alpha(const Printed& printed, bool quick) {
-  Question q{"alpha of HHT and its form", "4.2 4.4 4.6", "", "alpha = -0.1, form of 1977", {}};
+ReadingChoice hht_alpha(const Printed& printed, bool quick) {
+  ReadingChoice q{"alpha of HHT and its form", "4.2 4.4 4.6", "", "alpha = -0.1, form of 1977", {}};
   const std::vector<double> few = {0.0, -0.1, -1. / 3},
                             all = {0.0, -0.01, -0.02, -0.05, -0.08, -0.1, -0.15, -0.2, -0.3, -1. / 3};
   for (const double alpha : quick ? few : all) {
@@ -172,8 +172,8 @@ Question hht_alpha(const Printed& printed, bool quick) {
   return q;
 }
 
-Question newton_tolerance(const Printed& printed, bool quick) {
-  Question q{"tolerance of Newton's iteration", "4.2 4.4 4.6", "", "1e-12", {}};
+ReadingChoice newton_tolerance(const Printed& printed, bool quick) {
+  ReadingChoice q{"tolerance of Newton's iteration", "4.2 4.4 4.6", "", "1e-12", {}};
   const std::vector<double> few = {1e-12, 1e-2}, all = {1e-12, 1e-8, 1e-6, 1e-4, 1e-3, 1e-2};
   for (const double tolerance : quick ? few : all) {
     std::vector<Answer> answers;
@@ -186,8 +186,8 @@ Question newton_tolerance(const Printed& printed, bool quick) {
   return q;
 }
 
-Question end_of_impact_runs(const Printed& printed, const std::vector<Answer>& steps) {
-  Question q{"end time", "4.4", "500 s", "499 s", {}};
+ReadingChoice end_of_impact_runs(const Printed& printed, const std::vector<Answer>& steps) {
+  ReadingChoice q{"end time", "4.4", "500 s", "499 s", {}};
   std::vector<Answer> answers;
   std::copy_if(steps.begin(), steps.end(), std::back_inserter(answers),
                [](const Answer& a) { return a.table == "table-4.4"; });
@@ -198,12 +198,12 @@ Question end_of_impact_runs(const Printed& printed, const std::vector<Answer>& s
   return q;
 }
 
-Question explicit_restart(const Printed& printed) {
-  Question q{"restart of the explicit rows",
-             "4.4",
-             "v(t_1), read as v(t_1), to 500 s",
-             "v(t_1 - h/2), read as v(t_1 - h/2), to 499 s",
-             {}};
+ReadingChoice explicit_restart(const Printed& printed) {
+  ReadingChoice q{"restart of the explicit rows",
+                  "4.4",
+                  "v(t_1), read as v(t_1), to 500 s",
+                  "v(t_1 - h/2), read as v(t_1 - h/2), to 499 s",
+                  {}};
   const auto name = [](VelocityTime v) { return v == VelocityTime::of_state ? "v(t_1)" : "v(t_1 - h/2)"; };
   for (const VelocityTime given : {VelocityTime::of_state, VelocityTime::half_step_before}) {
     for (const VelocityTime read : {VelocityTime::of_state, VelocityTime::half_step_before}) {
@@ -223,12 +223,12 @@ Question explicit_restart(const Printed& printed) {
   return q;
 }
 
-Question explicit_column(const Printed& printed) {
-  Question q{"component in the explicit rows",
-             "4.6",
-             "x1, v0 - h/2 a0, v0 first",
-             "x3, v0 - h/2 a0, v(-h/2) first",
-             {}};
+ReadingChoice explicit_column(const Printed& printed) {
+  ReadingChoice q{"component in the explicit rows",
+                  "4.6",
+                  "x1, v0 - h/2 a0, v0 first",
+                  "x3, v0 - h/2 a0, v(-h/2) first",
+                  {}};
   for (const ExplicitStart start : explicit_starts) {
     for (const ExplicitDamping damping : explicit_dampings) {
       const Answer coarse{"table-4.6", "Explicit-1 (0.625)", explicit_chain(0.625, start, damping)};
@@ -243,11 +243,11 @@ Question explicit_column(const Printed& printed) {
   return q;
 }
 
-Question normalisation(const Printed& printed, const std::vector<Answer>& steps) {
+ReadingChoice normalisation(const Printed& printed, const std::vector<Answer>& steps) {
   std::vector<Answer> answers;
   std::copy_if(steps.begin(), steps.end(), std::back_inserter(answers),
                [](const Answer& a) { return a.table != "table-4.2"; });
-  Question q{"what is averaged", "4.4 4.6", "error of x", "error of x", {}};
+  ReadingChoice q{"what is averaged", "4.4 4.6", "error of x", "error of x", {}};
   q.options.push_back({"error of x", score(answers, printed, at_step_ends)});
   q.options.push_back({"error of x over its amplitude", score(answers, printed, [](const Answer& a) {
                          return at_step_ends(a) / case_of(a.table).amplitude[0];
@@ -261,8 +261,8 @@ Question normalisation(const Printed& printed, const std::vector<Answer>& steps)
   return q;
 }
 
-Question begin_counted(const Printed& printed, const std::vector<Answer>& steps) {
-  Question q{"begin counted in the mean", "4.2 4.4 4.6", "", "yes", {}};
+ReadingChoice begin_counted(const Printed& printed, const std::vector<Answer>& steps) {
+  ReadingChoice q{"begin counted in the mean", "4.2 4.4 4.6", "", "yes", {}};
   q.options.push_back({"yes", score(steps, printed, at_step_ends)});
   q.options.push_back({"no", score(steps, printed, [](const Answer& a) {
                          return a.rms(a.inferred_end(), Points::ends, 0, false);
@@ -271,9 +271,10 @@ Question begin_counted(const Printed& printed, const std::vector<Answer>& steps)
 }
 
 /// The errors of MCPI belong to 500 s in Table 4.2, whose other rows belong to 100 P.
-Question picard_points(const Printed& printed) {
+ReadingChoice picard_points(const Printed& printed) {
   const std::vector<Answer> answers = picard(duffing_period(), 0, 0, 1e-13);
-  Question q{"points and end time of MCPI", "4.2 4.4 4.6", "step ends, to 500 s", "all nodes, to 500 s", {}};
+  ReadingChoice q{
+      "points and end time of MCPI", "4.2 4.4 4.6", "step ends, to 500 s", "all nodes, to 500 s", {}};
   for (const Points points : {Points::ends, Points::all}) {
     for (const bool whole : {true, false}) {
       q.options.push_back({fmt::format("{}, to {}", points == Points::ends ? "step ends" : "all nodes",
@@ -287,8 +288,8 @@ Question picard_points(const Printed& printed) {
   return q;
 }
 
-Question picard_scheme(const Printed& printed, bool quick) {
-  Question q{"degree and nodes of MCPI", "4.2 4.4 4.6", "", "degree n, n + 1 nodes, 1e-13", {}};
+ReadingChoice picard_scheme(const Printed& printed, bool quick) {
+  ReadingChoice q{"degree and nodes of MCPI", "4.2 4.4 4.6", "", "degree n, n + 1 nodes, 1e-13", {}};
   for (const auto& [degree, intervals] : {std::pair(0, 0), {-1, -1}, {-1, 0}, {0, 1}}) {
     for (const double tolerance : {1e-13, 1e-10, 1e-8, 1e-6}) {
       if (quick && tolerance != 1e-13) continue;
@@ -306,8 +307,8 @@ Question picard_scheme(const Printed& printed, bool quick) {
   return q;
 }
 
-Question ode45_points(const Printed& printed) {
-  Question q{"points of ODE45", "4.2", "", "four values a step", {}};
+ReadingChoice ode45_points(const Printed& printed) {
+  ReadingChoice q{"points of ODE45", "4.2", "", "four values a step", {}};
   for (const Points points : {Points::all, Points::ends}) {
     Score s;
     for (const auto& [row, tolerance] : {std::pair("ODE45-1", 1e-6), {"ODE45-2", 1e-9}}) {
@@ -365,8 +366,8 @@ Score score_noise(const std::vector<RadialRun>& runs, std::optional<Points> poin
   return s;
 }
 
-Question radial_points(const std::vector<RadialRun>& runs) {
-  Question q{
+ReadingChoice radial_points(const std::vector<RadialRun>& runs) {
+  ReadingChoice q{
       "points of RBF-Coll", "4.2 4.4 4.6", "", "all nodes for RBF-Coll-2 of Table 4.2, else step ends", {}};
   q.options = {{q.chosen, score_noise(runs)},
                {"step ends", score_noise(runs, Points::ends)},
@@ -374,8 +375,8 @@ Question radial_points(const std::vector<RadialRun>& runs) {
   return q;
 }
 
-Question derivative_matrix(const Printed& printed, const std::vector<RadialRun>& solved) {
-  Question q{"derivative matrix of RBF-Coll", "4.2 4.4 4.6", "", "linear systems", {}};
+ReadingChoice derivative_matrix(const Printed& printed, const std::vector<RadialRun>& solved) {
+  ReadingChoice q{"derivative matrix of RBF-Coll", "4.2 4.4 4.6", "", "linear systems", {}};
   q.options = {
       {q.chosen, score_noise(solved)},
       {"product with the inverse", score_noise(radial_runs(printed, collocation::Inversion::inverse))}};
@@ -406,14 +407,14 @@ void Score::count_noise(double printed, double ours) {
   close += explained ? 1 : 0;
 }
 
-const Option& Question::option(const std::string& wanted) const {
+const Option& ReadingChoice::option(const std::string& wanted) const {
   for (const Option& o : options) {
     if (o.text == wanted) return o;
   }
   throw std::logic_error(fmt::format("{}: no option '{}'", text, wanted));
 }
 
-std::vector<Question> try_readings(bool quick) {
+std::vector<ReadingChoice> try_readings(bool quick) {
   const Printed printed = read_printed();
   const std::vector<Answer> steps = step_methods(duffing_period());
   const std::vector<RadialRun> solved = radial_runs(printed, collocation::Inversion::solve);

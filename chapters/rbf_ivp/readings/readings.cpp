@@ -13,10 +13,10 @@
 namespace nlmech::chapters::rbf_ivp::readings {
 namespace {
 
-using Questions = std::vector<Question>;
+using Questions = std::vector<ReadingChoice>;
 
 /// The option that explains most rows, the chosen one left aside.
-const Option& best_other(const Question& q) {
+const Option& best_other(const ReadingChoice& q) {
   return *std::ranges::max_element(q.options, {}, [&](const Option& o) {
     return std::tuple(o.text != q.chosen, o.score.exact, o.score.close);
   });
@@ -29,36 +29,36 @@ std::string of_rows(int explained, const Score& score) {
 scene::Table tabulate(const Questions& questions) {
   return scene::table_of(
       questions,
-      {{"question", &Question::text},
-       {"tables", &Question::tables},
-       {"options tried", [](const Question& q) { return q.options.size(); }},
+      {{"question", &ReadingChoice::text},
+       {"tables", &ReadingChoice::tables},
+       {"options tried", [](const ReadingChoice& q) { return q.options.size(); }},
        {"the text, literally",
-        [](const Question& q) { return q.literal.empty() ? "not stated" : q.literal; }},
+        [](const ReadingChoice& q) { return q.literal.empty() ? "not stated" : q.literal; }},
        {"explains",
-        [](const Question& q) {
+        [](const ReadingChoice& q) {
           return q.literal.empty() ? "" : of_rows(q.option(q.literal).score.exact, q.option(q.chosen).score);
         }},
-       {"chosen", &Question::chosen},
+       {"chosen", &ReadingChoice::chosen},
        {"explains",
-        [](const Question& q) {
+        [](const ReadingChoice& q) {
           const Score& chosen = q.option(q.chosen).score;
           return of_rows(chosen.exact, chosen);
         }},
        {"rounded or cut off",
-        [](const Question& q) {
+        [](const ReadingChoice& q) {
           const Score& chosen = q.option(q.chosen).score;
           return of_rows(chosen.close, chosen);
         }},
-       {"best of the others", [](const Question& q) { return best_other(q).text; }},
+       {"best of the others", [](const ReadingChoice& q) { return best_other(q).text; }},
        {"explains",
-        [](const Question& q) { return of_rows(best_other(q).score.exact, best_other(q).score); }}});
+        [](const ReadingChoice& q) { return of_rows(best_other(q).score.exact, best_other(q).score); }}});
 }
 
 void check(const Questions& questions, scene::Show& show) {
   const auto explained = [&](const std::string& text, const std::string& option, int low, int high,
                              const char* reason) {
-    const auto q =
-        std::ranges::find(questions, text, [](const Question& one) { return one.text + " " + one.tables; });
+    const auto q = std::ranges::find(questions, text,
+                                     [](const ReadingChoice& one) { return one.text + " " + one.tables; });
     show.between(fmt::format("rows explained by '{}'", option), q->option(option).score.exact, low, high,
                  reason);
   };
@@ -79,7 +79,7 @@ void check(const Questions& questions, scene::Show& show) {
 /// of its rows that have digits are reproduced.
 void check_counts(const Questions& questions, const std::string& table, scene::Show& show) {
   std::size_t options = 0, rows = 0, explained = 0;
-  for (const Question& q : questions)
+  for (const ReadingChoice& q : questions)
     if (q.tables.find(table) != std::string::npos) options += q.options.size();
   const auto printed = printed_values("table-" + table);
   for (const auto& [name, value] : printed) {

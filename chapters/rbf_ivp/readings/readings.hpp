@@ -26,7 +26,7 @@ struct Option {
 };
 
 /// A question that the text leaves open, or that its printed answer does not settle.
-struct Question {
+struct ReadingChoice {
   std::string text;             ///< "end time and period"
   std::string tables;           ///< whose rows are looked at: "4.2"
   std::string literal;          ///< the option that the text names; empty if it names none
@@ -38,7 +38,7 @@ struct Question {
 };
 
 /// Tries every option of every question. @param quick of long lists of numbers only a few
-[[nodiscard]] std::vector<Question> try_readings(bool quick);
+[[nodiscard]] std::vector<ReadingChoice> try_readings(bool quick);
 
 /// The unit of the last digit of a number as printed: 1e-6 for "1.18e-4", 1e-4 for "0.0025".
 [[nodiscard]] double last_digit(const std::string& printed);

@@ -1,6 +1,6 @@
 /// @file
 /// `two_body_series_bench`: analytic continuation against RKN12(10) and Odeint's fehlberg78, the latter as
-/// its manual runs it, at equal achieved error, and what our walk costs Odeint; by Google Benchmark. Writes
+/// its manual runs it, at equal achieved error, and what our loop costs Odeint; by Google Benchmark. Writes
 /// results/bench/two_body_series.json under the current folder; exit code 1 if a claim is not held.
 #include <algorithm>
 #include <array>
@@ -44,7 +44,7 @@ struct Ellipse {
 /// Integrates from the start to a time with a tolerance; nothing after a failure.
 using Integrator = std::function<Place(const orbit::State&, double time, double tolerance)>;
 
-struct Contender {
+struct TimedMethod {
   std::string name;
   Integrator run;
 };
@@ -90,11 +90,11 @@ void add_rows(chapters::Speed& all, const Ellipse& ellipse, double wanted) {
     return peers::OdeintDirect{{fehlberg78, tolerance, tolerance}};
   });
   const std::string ours = "analytic-continuation", alone = "odeint-fehlberg78 alone",
-                    in_our_walk = "odeint-fehlberg78 in our walk";
-  for (const Contender& method :
-       {Contender{ours, by_series}, {"rkn1210", rkn1210}, {in_our_walk, walked}, {alone, by_odeint}}) {
+                    in_our_walk = "odeint-fehlberg78 in our loop";
+  for (const TimedMethod& method :
+       {TimedMethod{ours, by_series}, {"rkn1210", rkn1210}, {in_our_walk, walked}, {alone, by_odeint}}) {
     const auto error = [&](double tolerance) -> std::optional<double> {
-      // With a tolerance below rounding Odeint alone may never come back: in our walk it does, and says so.
+      // With a tolerance below rounding Odeint alone may never come back: in our loop it does, and says so.
       if (method.name == alone && !walked(ellipse.start, orbits * revolution, tolerance)) return std::nullopt;
       return chapters::median_error(phases, [&](std::size_t i) -> std::optional<double> {
         const Place end = method.run(ellipse.start, ellipse.times[i], tolerance);
@@ -112,7 +112,7 @@ void add_rows(chapters::Speed& all, const Ellipse& ellipse, double wanted) {
   claim(ours, "rkn1210", wanted < 1e-9 ? 1.8 : 1.5);
   if (wanted < 1e-9) return;
   claim(ours, alone, 3);
-  claim(in_our_walk, alone, 0.5);  // a library pays for our walk: at most so much again
+  claim(in_our_walk, alone, 0.5);  // a library pays for our loop: at most so much again
 }
 
 void rows(chapters::Speed& all) {

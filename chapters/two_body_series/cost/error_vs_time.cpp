@@ -42,8 +42,8 @@ Example example_of(const Subject& subject) {
   const double greatest_speed = start.velocity.norm();
   ivp::State amplitude(6);
   amplitude << 1 + subject.eccentricity, 1, 1, greatest_speed, greatest_speed, greatest_speed;
-  const auto error = [](const ivp::State& found, const Vector<long double, 6>& truth) {
-    const Vector<long double, 3> d = found.head<3>().cast<long double>() - truth.head<3>();
+  const auto error = [](const ivp::State& found, const Vector<long double, 6>& expected) {
+    const Vector<long double, 3> d = found.head<3>().cast<long double>() - expected.head<3>();
     return static_cast<double>(d.norm());
   };
   return {.name = subject.name,
@@ -109,9 +109,9 @@ double condition_near_end(const Subject& subject) {
 /// Its condition is that of rounding_of_data(), median near the end.
 comparison::Costs measure(const Subject& subject, bool quick) {
   const Example c = example_of(subject);
-  std::vector<comparison::Contender> others = {comparison::by_tolerances("series", Kind::series, quick),
-                                               comparison::by_tolerances("rkn1210", Kind::explicit_, quick),
-                                               comparison::by_tolerances("ode45", Kind::explicit_, quick)};
+  std::vector<comparison::MethodSweep> others = {comparison::by_tolerances("series", Kind::series, quick),
+                                                 comparison::by_tolerances("rkn1210", Kind::explicit_, quick),
+                                                 comparison::by_tolerances("ode45", Kind::explicit_, quick)};
   for (const auto& peer : comparison::all_peers(quick)) others.push_back(peer);
   comparison::Costs m{{"", {closed(c, quick), adaptive(c, quick), fixed(c, subject, quick)}},
                       condition_near_end(subject)};

@@ -48,13 +48,13 @@ class OrbitCatalogue {
                               return request_.method == "kepler" ? by_kepler(rows) : by_series(rows);
                             }});
     if (low_ > 0)
-      scene::tell(
+      scene::print_message(
           fmt::format("two_body_series: {} of the orbits have rows with the status {}; the first is row "
                       "{}: {}",
                       low_, low_accuracy, first_low_, first_low_sentence_));
     if (failed_ == 0) return 0;
-    scene::tell(fmt::format("two_body_series: {} of the orbits failed; the first is row {}: {}", failed_,
-                            first_failed_, first_sentence_));
+    scene::print_message(fmt::format("two_body_series: {} of the orbits failed; the first is row {}: {}",
+                                     failed_, first_failed_, first_sentence_));
     return 1;
   }
 
@@ -104,14 +104,14 @@ class OrbitCatalogue {
   }
 
   /// What became of an orbit: the failure, if there is one, and the worst accuracy of its rows.
-  struct Ended {
+  struct EnsembleResult {
     Status status;
     Accuracy worst;
   };
 
   /// The line of a state that was computed, with what is known of its accuracy.
   void add_computed(std::string& lines, std::int64_t row, double t, const orbit::State& s,
-                    const std::string& rest, const orbit::Flight& f, Ended& ended) const {
+                    const std::string& rest, const orbit::Flight& f, EnsembleResult& ended) const {
     const bool by_steps = request_.method != "kepler";
     Accuracy a = accuracy_of(s, f.start, t, f.gravity,
                              {request_.method, by_steps ? std::optional(request_.tolerance) : std::nullopt});
@@ -123,7 +123,7 @@ class OrbitCatalogue {
     if (a.off > ended.worst.off) ended.worst = std::move(a);
   }
 
-  void note(std::int64_t row, const Ended& ended) {
+  void note(std::int64_t row, const EnsembleResult& ended) {
     if (!ended.status.ok() && failed_++ == 0) {
       first_failed_ = row;
       first_sentence_ = ended.status.text();
@@ -139,7 +139,7 @@ class OrbitCatalogue {
     for (const auto& row : rows.numbers) flights.push_back(flight(row));
     const auto row_of = [&rows](std::size_t i) { return rows.first + static_cast<std::int64_t>(i); };
     std::vector<std::string> between(request_.every ? flights.size() : 0);
-    std::vector<Ended> ended(flights.size());
+    std::vector<EnsembleResult> ended(flights.size());
     orbit::InnerRows inner;
     if (request_.every) {
       inner.every = *request_.every;
@@ -177,7 +177,7 @@ class OrbitCatalogue {
   }
 
   [[nodiscard]] std::string by_kepler(const scene::CatalogueRows& rows) {
-    std::vector<Ended> ended(rows.numbers.size());
+    std::vector<EnsembleResult> ended(rows.numbers.size());
     std::string text = scene::lines_in_threads(
         rows.numbers.size(), request_.threads, [&](std::size_t i, std::string& lines) {
           const orbit::Flight f = flight(rows.numbers[i]);

@@ -103,9 +103,9 @@ Answer answer(const Case& c, const Method& m, std::int64_t most_steps) {
     a.steps = end.statistics.steps;
     if (end.status.ok()) {
       const orbit::State s = parted(end.x);
-      const double truth = orbit::propagate_kepler(c.start, c.time, 1).state.position.norm();
-      a.error = position_error(c.start, c.time, 1, s.position) / truth;
-      a.rounding = rounding_of_data(c.start, c.time, 1) / truth;
+      const double exact = orbit::propagate_kepler(c.start, c.time, 1).state.position.norm();
+      a.error = position_error(c.start, c.time, 1, s.position) / exact;
+      a.rounding = rounding_of_data(c.start, c.time, 1) / exact;
     }
   } catch (const std::invalid_argument&) {
     a.status = "refused";

@@ -22,7 +22,7 @@ class JoinedOutput : public ivp::DenseOutput {
   const BasicDenseOutput<orbit::State>& dense_;
 };
 
-/// Kepler's solution from the begin.
+/// Kepler's solution from the start.
 class KeplerOutput : public ivp::DenseOutput {
  public:
   KeplerOutput(const orbit::State& start, double t0, double mu) : start_(start), t0_(t0), mu_(mu) {}

@@ -15,7 +15,7 @@ namespace nlmech::chapters::two_body_series {
 [[nodiscard]] ivp::NamedIntegrator continuation_integrator(const orbit::FixedContinuation& method, double mu);
 
 /// Kepler's equation, solved once; its evaluations count as right-hand sides. An observer sees 16 equidistant
-/// times in the last tenth of the way, each solved from the begin.
+/// times in the last tenth of the way, each solved from the start.
 [[nodiscard]] ivp::NamedIntegrator kepler_integrator(double mu);
 
 /// (r, v) as one vector.

@@ -62,7 +62,7 @@ class Recorder {
   double step_, end_;
 };
 
-/// Solves at every point from the begin.
+/// Solves at every point from the start.
 using Solve = std::function<orbit::State(double t)>;
 
 /// A closed solution.
@@ -246,14 +246,14 @@ EnergyRecord follow(const Orbit& orbit, int orbits, Propagator propagator, int r
 const char* reading_of(Propagator propagator) {
   switch (propagator) {
     case Propagator::f_and_g:
-      return "textbook F and G, at every point from the begin, time not reduced by revolutions";
+      return "textbook F and G, at every point from the start, time not reduced by revolutions";
     case Propagator::ode45:
       return "RelTol = AbsTol = 1e-6 in SI units; output at the points of Analytic-Cont by dense output";
     case Propagator::rkn1210: return "rtol = atol = 1e-12 in SI units (not stated); output at its own steps";
     case Propagator::series:
       return "printed order K: r to degree K, v to degree K - 1; equal steps, an orbit in 25 (LEO) or 100 "
              "(HEO)";
-    case Propagator::universal: return "the library's Kepler propagator, from the begin to every point";
+    case Propagator::universal: return "the library's Kepler propagator, from the start to every point";
   }
   return "";
 }

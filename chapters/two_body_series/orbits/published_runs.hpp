@@ -18,7 +18,7 @@ namespace nlmech::chapters::two_body_series {
 
 /// How a propagator kept the energy.
 struct EnergyRecord {
-  std::vector<double> t;           ///< output points without the begin, s
+  std::vector<double> t;           ///< output points without the start, s
   std::vector<double> error;       ///< |E_k/E_0 - 1| there (Eq. 3.69), E_k in double precision
   std::vector<double> at_ends;     ///< ode45 alone: at the ends of its own steps
   std::vector<double> at_refined;  ///< ode45 alone: at the four values a step that MATLAB gives by default
@@ -32,11 +32,11 @@ struct EnergyRecord {
 
 /// The printed methods, and Lagrange's F and G as the library does it.
 enum class Propagator {
-  f_and_g,   ///< textbook form, from the begin to every point
+  f_and_g,   ///< textbook form, from the start to every point
   ode45,     ///< RelTol = AbsTol = 1e-6 in SI units, output at the points of Analytic-Cont
   rkn1210,   ///< rtol = atol = 1e-12 in SI units, output at its steps
   series,    ///< Analytic-Cont: r to degree K, v to degree K - 1
-  universal  ///< the library's Kepler propagator, from the begin to every point
+  universal  ///< the library's Kepler propagator, from the start to every point
 };
 inline constexpr std::array all_propagators = {Propagator::f_and_g, Propagator::ode45, Propagator::rkn1210,
                                                Propagator::series, Propagator::universal};
@@ -61,7 +61,7 @@ inline constexpr std::array<int, 3> revolutions = {5, 10, 20};  ///< of the tabl
 [[nodiscard]] EnergyRecord follow(const Orbit& orbit, int orbits, Propagator propagator, int repeats);
 
 /// The state after @p time by the textbook form of Lagrange's F and G: Kepler's equation in the change of the
-/// eccentric anomaly by Newton's iteration, G = t - sqrt(a^3/mu) (dE - sin dE) with t counted from the begin.
+/// eccentric anomaly by Newton's iteration, G = t - sqrt(a^3/mu) (dE - sin dE) with t counted from the start.
 /// Ellipses alone. @param enough Newton's iteration ends with a change of dE below it; 0: at rounding
 [[nodiscard]] orbit::State textbook_f_and_g(const orbit::State& start, double time, double mu,
                                             double enough = 0);

@@ -77,7 +77,7 @@ class Rows {
   [[nodiscard]] std::string finish(const orbit::State& s) {
     if (request_.time != 0) add(request_.time, s);
     if (!status_.ok()) throw Failure(status_);
-    if (!worst_.sentence.empty()) scene::tell(fmt::format("two_body_series: {}", worst_.sentence));
+    if (!worst_.sentence.empty()) scene::print_message(fmt::format("two_body_series: {}", worst_.sentence));
     return std::move(text_);
   }
   /// Did a row have no digit?
@@ -119,7 +119,7 @@ const std::string without_steps =
 
 void say_steps_are_needless(const OrbitRequest& request, std::int64_t steps) {
   if (request.gravity.degree() == 0 && steps > 1'000'000)
-    scene::tell(fmt::format("two_body_series: {} steps; {}", steps, without_steps));
+    scene::print_message(fmt::format("two_body_series: {} steps; {}", steps, without_steps));
 }
 
 /// Units of length and time that are powers of two, in which the start has distance and circular speed near

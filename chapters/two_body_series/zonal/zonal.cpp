@@ -69,11 +69,11 @@ struct ZonalErrors {
 };
 
 ZonalErrors errors(const orbit::BasicState<Quad>& end, const ZonalDay& d) {
-  const orbit::BasicState<Quad> truth = parsed(d.end_j2);
+  const orbit::BasicState<Quad> exact = parsed(d.end_j2);
   const auto length = [](const orbit::Vector3<Quad>& v) { return static_cast<double>(Quad(sqrt(v.dot(v)))); };
   const auto field = orbit::earth(2).as<Quad>();
   const Quad before = orbit::energy(parsed(d.start), field), after = orbit::energy(end, field);
-  return {length(end.position - truth.position), length(end.velocity - truth.velocity),
+  return {length(end.position - exact.position), length(end.velocity - exact.velocity),
           std::abs(static_cast<double>(Quad(after / before - 1)))};
 }
 

@@ -15,7 +15,7 @@ namespace nlmech::algebraic {
 /// out = x with every component changed by one or two units in its last place, up or down as a sequence of
 /// random bits says.
 /// @param sequence another number gives another sequence
-inline void shake(const Eigen::VectorXd& x, std::uint64_t sequence, Eigen::VectorXd& out) {
+inline void perturb_last_bits(const Eigen::VectorXd& x, std::uint64_t sequence, Eigen::VectorXd& out) {
   out.resize(x.size());
   std::uint64_t bits = 0x9E3779B97F4A7C15ULL * (sequence + 1);
   for (Eigen::Index i = 0; i < x.size(); ++i) {
@@ -31,7 +31,7 @@ inline void shake(const Eigen::VectorXd& x, std::uint64_t sequence, Eigen::Vecto
                                                Eigen::VectorXd& work) {
   double most = std::numeric_limits<double>::epsilon() * std::abs(energy);
   for (std::uint64_t sequence = 0; sequence < 2; ++sequence) {
-    shake(x, sequence, work);
+    perturb_last_bits(x, sequence, work);
     const double change = std::abs(equations.energy(work) - energy);
     if (std::isfinite(change)) most = std::max(most, change);
   }
@@ -53,7 +53,7 @@ template <class Size>
   Eigen::VectorXd at, change(f.size());
   double most = 0;
   for (std::uint64_t sequence = 0; sequence < 2; ++sequence) {
-    shake(x, sequence, at);
+    perturb_last_bits(x, sequence, at);
     equations.residual(at, change);
     change -= f;
     const double here = size(change);

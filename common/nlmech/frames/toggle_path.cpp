@@ -44,8 +44,8 @@ bool is_symmetric(const Frame& frame, const VectorXd& v) {
 }
 
 /// The whole toggle and its path from rest.
-struct Walk {
-  explicit Walk(Toggle whole, bool upwards)
+struct PathTracer {
+  explicit PathTracer(Toggle whole, bool upwards)
       : toggle(make_frame((whole.full = true, whole))),
         equations(toggle.frame, toggle.load),
         path({.first = first_load(whole)}, equations, VectorXd::Zero(toggle.frame.size()), 0),
@@ -72,7 +72,7 @@ struct Walk {
 }  // namespace
 
 TogglePath critical_points(const Toggle& toggle) {
-  Walk walk(toggle, true);
+  PathTracer walk(toggle, true);
   TogglePath result;
   std::vector<CriticalPoint> found;
   const auto is_through = [&](const Path& path) {
@@ -89,7 +89,7 @@ TogglePath critical_points(const Toggle& toggle) {
 TogglePath first_critical_point(const Toggle& toggle, double load) {
   if (!std::isfinite(load)) throw invalid_argument("first_critical_point: load {}; it must be finite", load);
   TogglePath result;
-  Walk walk(toggle, load >= 0);
+  PathTracer walk(toggle, load >= 0);
   std::vector<CriticalPoint> found;
   const auto is_there = [&](const Path& path) {
     return !found.empty() || std::abs(path.now().load) >= std::abs(load);

@@ -15,11 +15,11 @@ class CubicHermite {
  public:
   /// For states of @p size components.
   explicit CubicHermite(int size) : x0(size), x1(size), f0(size), f1(size) {}
-  State x0;       ///< state at the begin
+  State x0;       ///< state at the start
   State x1;       ///< state at the end
-  State f0;       ///< dx/dt at the begin
+  State f0;       ///< dx/dt at the start
   State f1;       ///< dx/dt at the end
-  double t0 = 0;  ///< time of the begin
+  double t0 = 0;  ///< time of the start
   double h = 1;   ///< length of the step, signed
 
   /// Goes on to a step of length @p length from time @p t: the end of the step before is its start.

@@ -305,7 +305,7 @@ class Walk {
   [[nodiscard]] bool earlier(double a, double b) const { return direction_ * (a - b) < 0; }
 
   // The first double at which the mode does not hold, by the dense output. A function that has not been
-  // positive since the segment began is looked for nearer and nearer to the begin.
+  // positive since the segment began is looked for nearer and nearer to the start.
   double first_zero(const Step& step, std::size_t i, double from, double to) {
     while (!armed_[i]) {
       const double after = from + (to - from) / 2;
@@ -327,7 +327,7 @@ class Walk {
     if (t != step.t0) refine(smooth, step, i, t, x);
     found_ = Switch{i, t, x};
   }
-  // By steps of the method from the begin of the step: Newton's iteration for the time, and the state there.
+  // By steps of the method from the start of the step: Newton's iteration for the time, and the state there.
   void refine(const System& smooth, const Step& step, std::size_t i, double& t, State& x) {
     constexpr int most = 4;
     for (int k = 1;; ++k) {

@@ -9,7 +9,7 @@
 #include <numeric>
 
 #include "nlmech/program/highest_derivatives.hpp"
-#include "nlmech/support/echo.hpp"
+#include "nlmech/support/quoted_input.hpp"
 
 namespace nlmech::program {
 
@@ -73,13 +73,14 @@ class EquationReader {
       }
       hold_name(left.name, left.place);
       if (!definitions.emplace(left.name, left.place).second)
-        throw source_.mistake(left.place, fmt::format("{} is defined a second time", echoed(left.name)));
+        throw source_.mistake(left.place,
+                              fmt::format("{} is defined a second time", quoted_input(left.name)));
       meaning_.define(left.name, statement.right);
     }
     for (const auto& [name, value] : settings) {
       if (!definitions.contains(name) && !used(name)) throw InputError(unknown_setting(name, definitions));
       if (!std::isfinite(value))
-        throw InputError(fmt::format("--set {}: a finite number, and this is {}", echoed(name), value));
+        throw InputError(fmt::format("--set {}: a finite number, and this is {}", quoted_input(name), value));
       names_.defined[name] = {made_.graph_.number(value), {}};
     }
     hold_definitions(settings);
@@ -99,13 +100,13 @@ class EquationReader {
       meaning_.subtract(form, meaning_.form_of(statement.left));
       if (form.highest.empty())
         throw source_.mistake(statement.place, "no highest derivative of an unknown stands here; there are " +
-                                                   echoed(names_.highest(), 200));
+                                                   quoted_input(names_.highest(), 200));
       system.add({form.rest, std::move(form.highest)});
     }
     if (equations_.size() > names_.unknowns.size())
       throw source_.mistake(
           equations_[names_.unknowns.size()].place,
-          fmt::format("there are more equations than unknowns ({})", echoed(names_.highest(), 200)));
+          fmt::format("there are more equations than unknowns ({})", quoted_input(names_.highest(), 200)));
     const std::vector<NodeId> solved = system.solve([this](int unknown, std::string_view sentence) {
       const Unknown& u = names_.unknowns[static_cast<std::size_t>(unknown)];
       return source_.mistake(u.place, fmt::format("{}: {}", with_primes(u.name, u.order), sentence));
@@ -167,7 +168,7 @@ class EquationReader {
 
   static std::string no_component(const Equations& equations) {
     return fmt::format("no component of the state; these are {}",
-                       echoed(fmt::format("{}", fmt::join(equations.state_names(), ", ")), 200));
+                       quoted_input(fmt::format("{}", fmt::join(equations.state_names(), ", ")), 200));
   }
 
  private:
@@ -200,9 +201,9 @@ class EquationReader {
                                      const std::map<std::string, Place>& definitions) {
     std::vector<std::string> known;
     for (const auto& [defined, place] : definitions) known.push_back(defined);
-    return fmt::format("--set {}: the equation has no such definition{}{}", echoed(name),
+    return fmt::format("--set {}: the equation has no such definition{}{}", quoted_input(name),
                        known.empty() ? "" : "; there is ",
-                       echoed(fmt::format("{}", fmt::join(known, ", ")), 200));
+                       quoted_input(fmt::format("{}", fmt::join(known, ", ")), 200));
   }
   [[nodiscard]] bool is_number(const LinearForm& form) const {
     return form.highest.empty() && made_.graph_.is_number(form.rest);
@@ -251,10 +252,10 @@ class EquationReader {
                                                           : value < bound;
     if (holds) return;
     if (settings.contains(name))
-      throw InputError(fmt::format("--set {}={:.6g}: the equations have a meaning for {} alone", echoed(name),
-                                   value, echoed(source_.at(c.place))));
-    throw source_.mistake(c.place, fmt::format("this does not hold: {} is {:.6g}{}", echoed(name), value,
-                                               settings.empty() ? "" : " with what --set gives"));
+      throw InputError(fmt::format("--set {}={:.6g}: the equations have a meaning for {} alone",
+                                   quoted_input(name), value, quoted_input(source_.at(c.place))));
+    throw source_.mistake(c.place, fmt::format("this does not hold: {} is {:.6g}{}", quoted_input(name),
+                                               value, settings.empty() ? "" : " with what --set gives"));
   }
 
   Equations& made_;
@@ -322,7 +323,7 @@ void Equations::read_columns(const std::string& name, const std::string& text, s
     if (left.primes > 0 || left.name == "t" || left.name == "pi" || names_.numbers.contains(left.name) ||
         meaning.is_defined(left.name))
       throw source.mistake(left.place, fmt::format("{} has a meaning already; take another name",
-                                                   with_primes(echoed(left.name), left.primes)));
+                                                   with_primes(quoted_input(left.name), left.primes)));
     meaning.define(left.name, statement.right);
   }
   if (tree.statements.empty()) throw source.mistake({0, text.size()}, "there is no column");
@@ -331,7 +332,8 @@ void Equations::read_columns(const std::string& name, const std::string& text, s
     const std::string column = with_primes(left.name, left.primes);
     const bool is_there = column == "t" || names_.component(left) >= 0 ||
                           std::ranges::any_of(columns, [&](const Column& c) { return c.name == column; });
-    if (is_there) throw source.mistake(left.place, fmt::format("{} is a column already", echoed(column)));
+    if (is_there)
+      throw source.mistake(left.place, fmt::format("{} is a column already", quoted_input(column)));
     columns.push_back({column, with_highest_derivatives(meaning.form_of(statement.left))});
   }
 }
@@ -394,7 +396,7 @@ std::vector<double> Equations::initial_state(const std::string& name, const std:
   });
   throw source_.mistake(needs->place,
                         fmt::format("an initial value is missing: {} {}=...", name,
-                                    echoed(fmt::format("{}", fmt::join(missing, "=..., ")), 200)));
+                                    quoted_input(fmt::format("{}", fmt::join(missing, "=..., ")), 200)));
 }
 
 }  // namespace nlmech::program

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <utility>
 
-#include "nlmech/support/echo.hpp"
+#include "nlmech/support/quoted_input.hpp"
 
 namespace nlmech::program {
 
@@ -30,7 +30,8 @@ const LinearForm& Meaning::definition(const std::string& name, const Place& plac
   const auto known = names_.defined.find(name);
   if (known != names_.defined.end()) return known->second;
   if (!open_.emplace(name, true).second)
-    throw source_.mistake(place, fmt::format("the definition of {} leads back to itself", echoed(name)));
+    throw source_.mistake(place,
+                          fmt::format("the definition of {} leads back to itself", quoted_input(name)));
   LinearForm form = form_of(definitions_.at(name));
   open_.erase(name);
   return names_.defined.emplace(name, std::move(form)).first->second;
@@ -100,14 +101,15 @@ LinearForm Meaning::name(const Syntax& node) {
                           fmt::format("{} is of order {} in the equations", node.name, unknown.order));
   }
   if (node.primes > 0)
-    throw source_.mistake(node.place, fmt::format("{} is no unknown of the equations", echoed(node.name)));
+    throw source_.mistake(node.place,
+                          fmt::format("{} is no unknown of the equations", quoted_input(node.name)));
   if (node.name == "t") return {Graph::time(), {}};
   if (node.name == "pi") return {graph_.number(std::numbers::pi), {}};
   if (is_defined(node.name)) return definition(node.name, node.place);
   throw source_.mistake(node.place, unknown_name(node.name));
 }
 std::string Meaning::unknown_name(const std::string& name) const {
-  const std::string shown = echoed(name);
+  const std::string shown = quoted_input(name);
   if (name == "e") return "e is not defined; write exp(1), or exp(x) for e^x";
   for (std::size_t cut = 1; cut < std::min<std::size_t>(name.size(), 60); ++cut) {
     const std::string a = name.substr(0, cut), b = name.substr(cut);

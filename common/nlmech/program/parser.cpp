@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "nlmech/program/syntax.hpp"
-#include "nlmech/support/echo.hpp"
+#include "nlmech/support/quoted_input.hpp"
 
 namespace nlmech::program {
 namespace {
@@ -193,7 +193,7 @@ class Parser {
     const std::string_view a = source_.at(tree_.nodes[factors[factors.size() - 2].node].place),
                            b = source_.at(tree_.nodes[factors.back().node].place),
                            c = source_.at(peek().place);
-    const auto part = [](std::string_view text) { return echoed(text, 20); };
+    const auto part = [](std::string_view text) { return quoted_input(text, 20); };
     return source_.mistake(
         peek().place, fmt::format("is this ({0}/{1}) {2} or {0}/({1} {2})? Set brackets, or write *", part(a),
                                   part(b), sees(TokenKind::open) ? "(...)" : part(c)));
@@ -324,7 +324,7 @@ class Parser {
   }
   // Of a name with a bracket directly behind it.
   [[nodiscard]] InputError no_function(const Token& token) const {
-    const std::string name = echoed(source_.at(token.place));
+    const std::string name = quoted_input(source_.at(token.place));
     const std::string product =
         fmt::format("for a product write {}*(...), or a blank before the bracket", name);
     if (is_unknown(token) && bracket_has_time())

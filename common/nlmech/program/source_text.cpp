@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "nlmech/support/echo.hpp"
+#include "nlmech/support/quoted_input.hpp"
 
 namespace nlmech::program {
 namespace {
@@ -15,7 +15,7 @@ bool goes_on(char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) == 0
 std::size_t characters(std::string_view text) {
   return text.size() - static_cast<std::size_t>(std::count_if(text.begin(), text.end(), goes_on));
 }
-std::string shown(std::string_view text) { return echoed(text, std::string::npos); }
+std::string shown(std::string_view text) { return quoted_input(text, std::string::npos); }
 
 }  // namespace
 

@@ -10,7 +10,7 @@
 #include <system_error>
 #include <utility>
 
-#include "nlmech/support/echo.hpp"
+#include "nlmech/support/quoted_input.hpp"
 
 namespace nlmech::program {
 namespace {
@@ -41,7 +41,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 19> printed 
     {"\u2009", "this is no common blank"},
 }};
 
-/// Reads a text from its begin to its end.
+/// Reads a text from its start to its end.
 class Reader {
  public:
   Reader(const SourceText& source, Separator separator)
@@ -138,7 +138,7 @@ class Reader {
     for (const auto& [sign, advice] : printed) {
       if (source_.at(place) == sign) return source_.mistake(place, advice);
     }
-    return source_.mistake(place, fmt::format("{} has no meaning here", echoed(source_.at(place))));
+    return source_.mistake(place, fmt::format("{} has no meaning here", quoted_input(source_.at(place))));
   }
 
   void read_number(bool blank) {

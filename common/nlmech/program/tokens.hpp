@@ -40,7 +40,7 @@ struct Token {
   double number = 0;  ///< of a number
   int primes = 0;     ///< behind a name
   Place name;         ///< of a name, without its primes
-  bool after_blank;   ///< does a blank or the begin of the text stand before it?
+  bool after_blank;   ///< does a blank or the start of the text stand before it?
 };
 
 /// All tokens of a text; the last is end_of_text. `#` begins a comment, to the end of its line. The end of a

@@ -14,7 +14,7 @@
 #include "nlmech/scene/gnuplot.hpp"
 #include "nlmech/scene/program/files.hpp"
 #include "nlmech/scene/program/this_process.hpp"
-#include "nlmech/support/echo.hpp"
+#include "nlmech/support/quoted_input.hpp"
 #include "nlmech/support/sentences.hpp"
 
 namespace nlmech::scene {
@@ -32,7 +32,7 @@ class Scratch {
   Scratch() {
     std::error_code error;
     std::string name = (fs::temp_directory_path(error) / "nlmech-plot-XXXXXX").string();
-    const WholeAct act;
+    const CriticalSection act;
     if (error || ::mkdtemp(name.data()) == nullptr)
       throw Failure(fmt::format("no temporary folder {}: {}", name, std::generic_category().message(errno)));
     path_ = name;
@@ -41,7 +41,7 @@ class Scratch {
   Scratch(const Scratch&) = delete;
   Scratch& operator=(const Scratch&) = delete;
   ~Scratch() {
-    const WholeAct act;
+    const CriticalSection act;
     clear(path_);
     trace_->gone(act);
   }
@@ -53,7 +53,7 @@ class Scratch {
     fs::remove_all(path, ignored);
   }
   fs::path path_;
-  std::optional<Trace> trace_;
+  std::optional<CleanupOnExit> trace_;
 };
 
 }  // namespace
@@ -89,7 +89,7 @@ Picture::Picture(fs::path file) : file_(std::move(file)) {
 
 void Picture::draw(const std::function<Figure()>& make) const {
   try {
-    const Doing doing("drawing");
+    const ProgressScope doing("drawing");
     const Figure figure = make();
     const Scratch folder;
     write_whole(folder.path() / "data.csv", figure.data.csv());

@@ -7,8 +7,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "nlmech/support/echo.hpp"
 #include "nlmech/support/errors.hpp"
+#include "nlmech/support/quoted_input.hpp"
 #include "nlmech/support/sentences.hpp"
 
 namespace nlmech::scene {
@@ -61,7 +61,7 @@ const Scene& Chapter::scene(const std::string& name) const {
     if (scene.name == name) return scene;
     names.push_back(scene.name);
   }
-  throw input_error("{} has no scene '{}'; it has {}", name_, echoed(name), fmt::join(names, ", "));
+  throw input_error("{} has no scene '{}'; it has {}", name_, quoted_input(name), fmt::join(names, ", "));
 }
 
 Performance perform(const Scene& scene, Results& results) {

@@ -13,7 +13,7 @@
 
 namespace nlmech::scene {
 
-/// A text, a real number, a whole number, or nothing. A truth value is 1 or 0.
+/// A text, a real number, a whole number, or nothing. A exact value is 1 or 0.
 struct Cell : std::variant<std::monostate, std::string, double, std::int64_t> {
   Cell() = default;  ///< nothing
   /// A real number.

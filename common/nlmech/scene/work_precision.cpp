@@ -34,21 +34,21 @@ void add_rows(Diagram& d) {
   for (std::size_t p = 0; p < d.problems.size(); ++p) {
     const auto& lines = d.problems[p].lines;
     ++block;
-    for (const Lead& lead : leads_of(d.problems[p])) {
-      if (!lead.first) continue;
-      const MethodLine& line = lines[*lead.first];
+    for (const Ranking& ranking : rankings_of(d.problems[p])) {
+      if (!ranking.first) continue;
+      const MethodLine& line = lines[*ranking.first];
       std::vector<Cell> row = {block,
                                p + 1,
                                d.what.groups.at(line.group).name,
-                               colour(*lead.first),
-                               lead.digits,
-                               lead.time,
+                               colour(*ranking.first),
+                               ranking.digits,
+                               ranking.time,
                                Cell(),
                                Cell(),
                                "fastest",
                                line.method,
                                Cell()};
-      if (lead.next) row.insert(row.end(), {lines[*lead.next].method, lead.factor});
+      if (ranking.next) row.insert(row.end(), {lines[*ranking.next].method, ranking.factor});
       row.resize(d.data.columns().size());
       d.data.add(std::move(row));
     }

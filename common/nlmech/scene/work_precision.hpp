@@ -17,7 +17,7 @@ namespace nlmech::scene {
 
 /// The diagram. One problem has a panel over time and, if there is further work, one over its first column;
 /// several problems have a panel each, over time. What is in colour, and who is fastest, follows from the
-/// data: foreground(), leads_of().
+/// data: foreground(), rankings_of().
 struct WorkPrecision {
   std::string heading = {};                                        ///< what to see
   std::string digits = "digits: -log_{10} of the relative error";  ///< label of the ordinate

@@ -4,8 +4,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "nlmech/support/echo.hpp"
 #include "nlmech/support/errors.hpp"
+#include "nlmech/support/quoted_input.hpp"
 
 namespace nlmech {
 namespace {
@@ -40,7 +40,7 @@ InstructionSet chosen_set() {
     names += (names.empty() ? "" : ", ") + std::string(to_string(set));
   }
   if (name.empty()) return largest;
-  throw InputError(std::string(variable) + "=" + echoed(name) +
+  throw InputError(std::string(variable) + "=" + quoted_input(name) +
                    ": no instruction set of this processor; it has " + names);
 }
 

@@ -31,11 +31,11 @@ struct Errors {
 /// Errors of the series with a table at one place, in 50 digits: truncation and misprint alone.
 Errors errors_at(double latitude_deg, double height_m, int order, const SeriesTable& table) {
   const auto e = BasicEllipsoid<Real>::wgs84();
-  const BasicGeodetic<Real> truth{Real(latitude_deg) * oracle::pi() / 180, 0, height_m};
+  const BasicGeodetic<Real> exact{Real(latitude_deg) * oracle::pi() / 180, 0, height_m};
   const auto found =
-      reverse(forward(truth, e), e, PerturbationSeries{order, HeightFrom::series}, table).position;
-  return {static_cast<double>(abs(found.latitude - truth.latitude) * 180 / oracle::pi()),
-          static_cast<double>(abs(found.height - truth.height))};
+      reverse(forward(exact, e), e, PerturbationSeries{order, HeightFrom::series}, table).position;
+  return {static_cast<double>(abs(found.latitude - exact.latitude) * 180 / oracle::pi()),
+          static_cast<double>(abs(found.height - exact.height))};
 }
 
 const PrintedCoefficient& coefficient(const std::string& name) {
@@ -107,13 +107,13 @@ TEST(Errata, Equation2_45_SmallParameter) {
   const BasicEllipsoid<Real> assumed(e.b() * (1 + p), p / (1 + p));  // the same b
   double latitude = 0, height = 0;
   for (int i = -90; i <= 90; ++i) {
-    const BasicGeodetic<Real> truth{Real(i) * oracle::pi() / 180, 0, 200e3};
-    const auto point = forward(truth, e);
+    const BasicGeodetic<Real> exact{Real(i) * oracle::pi() / 180, 0, 200e3};
+    const auto point = forward(exact, e);
     const Real R = sqrt(point.x * point.x + point.z * point.z);
     const auto found = detail::sum_series(point.x, point.z, R, assumed, 4, corrected_series());
     const Real geodetic = atan2(e.a() * sin(found.latitude), e.b() * cos(found.latitude));
-    latitude = std::max(latitude, static_cast<double>(abs(geodetic - truth.latitude) * 180 / oracle::pi()));
-    height = std::max(height, static_cast<double>(abs(found.height - truth.height)));
+    latitude = std::max(latitude, static_cast<double>(abs(geodetic - exact.latitude) * 180 / oracle::pi()));
+    height = std::max(height, static_cast<double>(abs(found.height - exact.height)));
   }
   EXPECT_NEAR(latitude, 6.0e-3, 0.05e-3);    // deg
   EXPECT_NEAR(height, 1424, 1);              // m
@@ -134,11 +134,11 @@ TEST(Errata, Equation2_48_StartingLatitude) {
   double worst = 0, at = 0;
   for (int i = 0; i < 460; ++i) {
     const double z = 0.01 * std::pow(1.01, i);  // to 1 m
-    const auto truth = static_cast<double>(atan2(Real(z), Real(6.6e6)));
-    const double error = std::abs(printed(6.6e6, z) - truth);
+    const auto exact = static_cast<double>(atan2(Real(z), Real(6.6e6)));
+    const double error = std::abs(printed(6.6e6, z) - exact);
     if (error > worst) at = z;
     worst = std::max(worst, error);
-    EXPECT_NEAR(std::atan2(z, 6.6e6), truth, 1e-16 * truth + 1e-24);
+    EXPECT_NEAR(std::atan2(z, 6.6e6), exact, 1e-16 * exact + 1e-24);
   }
   EXPECT_GT(worst, 1e-8);  // 0.07 m on the ground
   expect_erratum("geodesy-2.48", {.printed = printed(6.6e6, at),
@@ -152,10 +152,10 @@ TEST(Errata, Equation2_48_StartingLatitude) {
 // result by p^2.
 TEST(Errata, Equation2_49_ArgumentOfTheSine) {
   const auto e = BasicEllipsoid<Real>::wgs84();
-  const BasicGeodetic<Real> truth{Real(30) * degree, 0, 200e3};
-  const auto point = forward(truth, e);
+  const BasicGeodetic<Real> exact{Real(30) * degree, 0, 200e3};
+  const auto point = forward(exact, e);
   const Real R = sqrt(point.x * point.x + point.z * point.z), h0 = R - e.b(), phi0 = atan2(point.z, point.x);
-  const Real phi_c = atan(e.b() / e.a() * tan(truth.latitude));
+  const Real phi_c = atan(e.b() / e.a() * tan(exact.latitude));
   const Real factor = (e.b() - h0) / (2 * R);
   const Real printed = phi0 + e.p() * factor * sin(2 * phi_c),
              corrected = phi0 + e.p() * factor * sin(2 * phi0);
@@ -245,11 +245,11 @@ Errors largest_errors(int order) {
   const Ellipsoid e = Ellipsoid::wgs84();
   for (int i = 0; i <= 90; ++i) {
     const Cartesian point = forward(Geodetic{i * degree, 0, 200e3}, e);
-    const BasicGeodetic<Real> truth = oracle::reverse(point, e);
+    const BasicGeodetic<Real> exact = oracle::reverse(point, e);
     const Geodetic found = reverse(point, e, PerturbationSeries{order, HeightFrom::series}).position;
     largest.latitude_deg = std::max(largest.latitude_deg,
-                                    std::abs(static_cast<double>(found.latitude - truth.latitude)) / degree);
-    largest.height_m = std::max(largest.height_m, std::abs(static_cast<double>(found.height - truth.height)));
+                                    std::abs(static_cast<double>(found.latitude - exact.latitude)) / degree);
+    largest.height_m = std::max(largest.height_m, std::abs(static_cast<double>(found.height - exact.height)));
   }
   return largest;
 }

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "chapters/geodesy/contenders.hpp"
+#include "chapters/geodesy/timed_methods.hpp"
 #include "nlmech/peers/geodesy/geographiclib.hpp"
 #include "nlmech/peers/geodesy/scalar_methods.hpp"
 #include "nlmech/peers/geodesy/simd_peers.hpp"

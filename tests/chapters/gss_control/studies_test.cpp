@@ -40,7 +40,7 @@ TEST(Extended, IsRigidAtLowFrequencies) {
   EXPECT_NEAR(e.condition[0], 2, 1e-10);
 }
 
-/// The classical Runge-Kutta rule on the equations of CVODE's contender.
+/// The classical Runge-Kutta rule on the equations of CVODE's sweep.
 Eigen::VectorXd integrate(const ModalLoop& loop, double end, int steps) {
   using Vector = Eigen::VectorXd;
   Vector x = Vector::Zero(loop.size()), a(x.size()), b(x.size()), c(x.size()), d(x.size());

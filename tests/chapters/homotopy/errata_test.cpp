@@ -37,7 +37,7 @@ double flow(const std::function<double(double, double)>& v, double x, double end
 double last_deflection(Model model, double height, double load, Iteration iteration) {
   LoadedToggle toggle(model, height, load);
   iteration.tolerance = 1e-9;
-  std::vector<Trace> trace;
+  std::vector<IterationRecord> trace;
   const Count count = iterate(toggle, iteration, &trace);
   EXPECT_EQ(trace.size(), static_cast<std::size_t>(count.iterations) + 1);
   return trace.back().deflection;

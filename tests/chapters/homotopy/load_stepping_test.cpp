@@ -73,7 +73,7 @@ TEST(LoadStepping, StiffnessFallsAndThenGrows) {
   for (const double height : heights) {
     for (const bool williams : {true, false}) {
       const auto curve = williams ? williams_curve(height) : element_curve(height);
-      const double least = softest(*curve).deflection;
+      const double least = least_stiff_point(*curve).deflection;
       for (int i = 0; i < 70; ++i) {
         const double a = 0.01 * i, b = a + 0.01;
         if (a < least && b > least) continue;
@@ -95,11 +95,11 @@ RC_GTEST_PROP(LoadStepping, NoIteratePassesTheRoot, ()) {
   const double start = up ? std::min(one, other) : std::max(one, other);
   const double root = up ? std::max(one, other) : std::min(one, other);
   LoadedToggle toggle(williams ? Model::williams : Model::element, height, curve->load(root));
-  std::vector<Trace> trace;
+  std::vector<IterationRecord> trace;
   const Count count = iterate(
       toggle, {.scheme = Scheme::fixed_point, .step = euler, .tolerance = 1e-6, .start = start}, &trace);
   RC_ASSERT(count.converged);
-  for (const Trace& t : trace) RC_ASSERT((up ? 1 : -1) * (t.deflection - root) <= 1e-12);
+  for (const IterationRecord& t : trace) RC_ASSERT((up ? 1 : -1) * (t.deflection - root) <= 1e-12);
 }
 
 TEST(LoadStepping, GivenUpLoadsAreLeftOut) {

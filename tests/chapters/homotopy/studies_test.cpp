@@ -82,7 +82,7 @@ TEST(LoadedToggles, FrozenJacobianHoldsD5) {
 // A step of 2 makes Eq. 2.16 Newton's iteration for one unknown.
 TEST(Iterations, StepOfTwoIsNewton) {
   LoadedToggle toggle(Model::williams, 0.32, low_load);
-  std::vector<Trace> newton, homotopy;
+  std::vector<IterationRecord> newton, homotopy;
   EXPECT_TRUE(iterate(toggle, {}, &newton).converged);
   EXPECT_TRUE(iterate(toggle, {.scheme = Scheme::newton_homotopy, .step = 2}, &homotopy).converged);
   ASSERT_EQ(newton.size(), homotopy.size());
@@ -94,7 +94,7 @@ TEST(Iterations, StepOfTwoIsNewton) {
 TEST(Iterations, ContractionIsThatOfDampedNewton) {
   for (const double step : {0.3, 0.895, 1.5}) {
     LoadedToggle toggle(Model::williams, 0.32, low_load);
-    std::vector<Trace> trace;
+    std::vector<IterationRecord> trace;
     EXPECT_TRUE(
         iterate(toggle, {.scheme = Scheme::fixed_point, .step = step, .tolerance = 1e-9}, &trace).converged);
     const double ratio = trace.back().residual / trace.at(trace.size() - 2).residual;
@@ -105,7 +105,7 @@ TEST(Iterations, ContractionIsThatOfDampedNewton) {
 TEST(Iterations, CountAndTraceAgree) {
   LoadedToggle toggle(Model::element_printed, 0.44, last_load);
   for (const Scheme scheme : {Scheme::newton, Scheme::fixed_point, Scheme::newton_homotopy}) {
-    std::vector<Trace> trace;
+    std::vector<IterationRecord> trace;
     const Count count =
         iterate(toggle, {.scheme = scheme, .step = 0.895, .tolerance = 0.022, .limit = 37}, &trace);
     EXPECT_EQ(trace.size(), static_cast<std::size_t>(count.iterations) + 1);

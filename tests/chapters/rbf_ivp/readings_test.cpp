@@ -39,8 +39,8 @@ TEST(Score, NoiseWithinAFactorOfFive) {
   EXPECT_EQ(s.exact, 2);
 }
 
-TEST(Question, RefusesUnknownOptions) {
-  const Question q{"end", "4.4", "", "499 s", {{"499 s", {}}}};
+TEST(ReadingChoice, RefusesUnknownOptions) {
+  const ReadingChoice q{"end", "4.4", "", "499 s", {{"499 s", {}}}};
   EXPECT_EQ(q.option("499 s").score.rows, 0);
   EXPECT_THROW(static_cast<void>(q.option("500 s")), std::logic_error);
 }

@@ -96,14 +96,14 @@ TEST(AdaptiveCollocation, QuadratureOfRadau) {
 // smooth branch of van der Pol.
 TEST(AdaptiveCollocation, DenseOutputOfStiffSteps) {
   const problems::TextProblem problem("van-der-pol", {{"mu", 100}});
-  const problems::ReferenceTrajectory<long double, problems::TextProblem> truth(problem, {2, 0}, 0, 60);
+  const problems::ReferenceTrajectory<long double, problems::TextProblem> reference(problem, {2, 0}, 0, 60);
   double largest = 0;
   const auto look = [&](const Step& step) {
     State x(2);
     for (const double part : {0.25, 0.5, 0.75}) {
       const double t = step.t0 + part * (step.t1 - step.t0);
       step.dense.at(t, x);
-      largest = std::max(largest, oracle::distance(x, State(truth(t).cast<double>())));
+      largest = std::max(largest, oracle::distance(x, State(reference(t).cast<double>())));
     }
     return true;
   };

@@ -64,7 +64,7 @@ TEST(HermitianEstimate, SeesALoadThatTurnsWithinTheFirstStep) {
       "linear", {{"natural_frequency", 1e-3}, {"force", 0.1}, {"frequency", 2 * std::numbers::pi * 528}});
   for (const char* name : {"laier", "argyris", "hoff"}) {
     const auto s = named_integrator(name, {.tolerance = 1e-5})(System(p), State::Zero(2), 0, 1, {}, {});
-    // In truth F (1 - cos)/W^2 = 0, but for steps times tolerance; F/2 is the other answer.
+    // In exact F (1 - cos)/W^2 = 0, but for steps times tolerance; F/2 is the other answer.
     EXPECT_TRUE(!s.status.ok() || std::abs(s.x[0]) <= 1e-5 * static_cast<double>(s.statistics.steps))
         << s.x[0];
     EXPECT_LT(std::abs(s.x[0]), 1e-2) << name;

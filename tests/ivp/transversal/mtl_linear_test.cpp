@@ -48,10 +48,10 @@ TEST(Mtl, LinearProblemsAreExact) {
           const double end = 7 * h * p;
           const auto s = integrate(System(problem), x0, 0, end, Mtl{.step = h, .points = p});
           ASSERT_TRUE(s.status.ok()) << s.status.text();
-          const State truth = exact(problem, x0, end);
+          const State reference = exact(problem, x0, end);
           const double bound = 7 * p * 20 * eps * (1 + w * h) * (4 + 4 / w);
-          EXPECT_NEAR(s.x[0], truth[0], bound) << w << " " << zeta << " " << h << " " << p;
-          EXPECT_NEAR(s.x[1], truth[1], bound * (1 + w)) << w << " " << zeta << " " << h << " " << p;
+          EXPECT_NEAR(s.x[0], reference[0], bound) << w << " " << zeta << " " << h << " " << p;
+          EXPECT_NEAR(s.x[1], reference[1], bound * (1 + w)) << w << " " << zeta << " " << h << " " << p;
         }
       }
     }

@@ -15,22 +15,22 @@ namespace {
 using problems::TextProblem;
 using testing::eps;
 
-double error_of(const TextProblem& problem, const State& truth, double end, const Mtl& method) {
+double error_of(const TextProblem& problem, const State& exact, double end, const Mtl& method) {
   const auto s = integrate(System(problem), State{1, 0}, 0, end, method);
   EXPECT_TRUE(s.status.ok()) << s.status.text();
-  return oracle::distance(s.x, truth);
+  return oracle::distance(s.x, exact);
 }
 
 // x'' + 0.1 x' + x + x^3 = cos t to t = 12: the order from the last of some halvings, all errors above 1e-12.
 TEST(Mtl, ObservedOrders) {
   const TextProblem problem("driven-duffing", {{"damping", 0.1}});
-  const State truth = testing::reference(problem, {1, 0}, 0, 12);
+  const State exact = testing::reference(problem, {1, 0}, 0, 12);
   for (const MtlLinear linear : {MtlLinear::given, MtlLinear::zero, MtlLinear::jacobian}) {
     for (int p = 1; p <= 6; ++p) {
       const int steps = p < 3 ? 960 : p < 6 ? 480 : 240;
       const double coarse =
-          error_of(problem, truth, 12, {.step = 12. / steps, .points = p, .linear = linear});
-      const double fine = error_of(problem, truth, 12, {.step = 6. / steps, .points = p, .linear = linear});
+          error_of(problem, exact, 12, {.step = 12. / steps, .points = p, .linear = linear});
+      const double fine = error_of(problem, exact, 12, {.step = 6. / steps, .points = p, .linear = linear});
       EXPECT_NEAR(std::log2(coarse / fine), mtl_order(MtlBasis::lagrange, p), 0.12)
           << p << " " << to_string(linear) << " " << coarse << " " << fine;
     }
@@ -44,12 +44,12 @@ TEST(Mtl, ObservedOrders) {
 
 TEST(Mtl, InterpoletsAreOfSecondOrder) {
   const TextProblem problem("driven-duffing", {{"damping", 0.1}});
-  const State truth = testing::reference(problem, {1, 0}, 0, 12);
+  const State exact = testing::reference(problem, {1, 0}, 0, 12);
   for (const int p : {1, 3, 4}) {
     const Mtl coarse{.step = 0.01, .points = p, .basis = MtlBasis::interpolet};
     Mtl fine = coarse;
     fine.step = 0.005;
-    EXPECT_NEAR(std::log2(error_of(problem, truth, 12, coarse) / error_of(problem, truth, 12, fine)), 2,
+    EXPECT_NEAR(std::log2(error_of(problem, exact, 12, coarse) / error_of(problem, exact, 12, fine)), 2,
                 0.02);
   }
 }
@@ -68,12 +68,12 @@ TEST(Mtl, InterpoletsOfThreePointsAreThreeStepsOfOne) {
 // First order in form.
 TEST(Mtl, FirstOrderProblems) {
   const problems::TextProblem problem("lorenz");
-  const State truth = testing::reference(problem, problems::TextProblem("lorenz").initial_state(), 0, 1);
+  const State exact = testing::reference(problem, problems::TextProblem("lorenz").initial_state(), 0, 1);
   const auto error = [&](double h) {
     const auto s =
         integrate(System(problem), problems::TextProblem("lorenz").initial_state(), 0, 1, Mtl{.step = h});
     EXPECT_TRUE(s.status.ok()) << s.status.text();
-    return oracle::distance(s.x, truth);
+    return oracle::distance(s.x, exact);
   };
   EXPECT_NEAR(std::log2(error(1. / 300) / error(1. / 600)), 4, 0.1);
 }

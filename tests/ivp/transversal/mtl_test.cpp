@@ -28,21 +28,21 @@ TEST(Mtl, TwoDegreesOfFreedom) {
   const TextProblem problem("two-dof", {{"damping", 0}, {"coupling", 0.5}, {"force", 0}});
   for (const int sign : {1, -1}) {
     const problems::Duffing mode{.natural_frequency = sign > 0 ? 1 : std::sqrt(2.), .hardening = 1};
-    const State truth = oracle::duffing(5, mode);
+    const State exact = oracle::duffing(5, mode);
     const auto s =
         integrate(System(problem), State{1, 1. * sign, 0, 0}, 0, 5, Mtl{.step = 0.01, .points = 5});
     ASSERT_TRUE(s.status.ok()) << s.status.text();
     // Order 6, of the size of (w h)^6 = 1e-12 a period, and 100 blocks of roundings.
-    EXPECT_NEAR(s.x[0], truth[0], 1e-10);
-    EXPECT_NEAR(s.x[2], truth[1], 1e-10);
-    EXPECT_NEAR(s.x[1], sign * truth[0], 1e-10);
-    EXPECT_NEAR(s.x[3], sign * truth[1], 1e-10);
+    EXPECT_NEAR(s.x[0], exact[0], 1e-10);
+    EXPECT_NEAR(s.x[2], exact[1], 1e-10);
+    EXPECT_NEAR(s.x[1], sign * exact[0], 1e-10);
+    EXPECT_NEAR(s.x[3], sign * exact[1], 1e-10);
   }
 }
 
 // ------------------------------------------------------------ what is conserved
 
-// There and back: time-symmetric with a fixed linear part, and not with one taken at the begin of a block.
+// There and back: time-symmetric with a fixed linear part, and not with one taken at the start of a block.
 TEST(Mtl, SymmetricInTime) {
   const TextProblem problem("driven-duffing");
   const auto gap = [&](MtlLinear linear, int p) {
@@ -149,9 +149,9 @@ TEST(MtlStiff, EstimateBoundsTheErrorOfABlock) {
   for (const int p : {1, 2, 3, 4}) {
     for (const double h : {0.1, 0.05}) {
       Mtl method{.step = h, .points = p};
-      const State truth = reference(p * h).cast<double>();
+      const State exact = reference(p * h).cast<double>();
       const auto end = integrate(System(problem), State{1, 0}, 0, p * h, method);
-      const double error = oracle::distance(end.x, truth);
+      const double error = oracle::distance(end.x, exact);
       // With the error itself as what is allowed, the estimate must object; a thousand times more must do.
       method.error_tolerance = error / 4;
       EXPECT_EQ(integrate(System(problem), State{1, 0}, 0, p * h, method).status.outcome(),

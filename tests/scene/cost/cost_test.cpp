@@ -34,38 +34,38 @@ ProblemLines crossing() {
 
 TEST(Leads, AreThoseOfOtherMethods) {
   const ProblemLines problem = crossing();
-  const auto leads = leads_of(problem);
+  const auto rankings = rankings_of(problem);
   ASSERT_EQ(leads.size(), asked_digits.size());
-  EXPECT_EQ(problem.lines[*leads[0].first].method, "low");
-  EXPECT_EQ(problem.lines[*leads[0].next].method, "high");
-  EXPECT_NEAR(leads[0].time, 2e-3, 1e-12);
-  EXPECT_NEAR(leads[0].factor, 2e-2 * 1.1 / 2e-3, 1e-9);
-  EXPECT_EQ(problem.lines[*leads[2].first].method, "high");
-  EXPECT_EQ(problem.lines[*leads[2].next].method, "low") << "another form of the first is no other method";
-  EXPECT_EQ(problem.lines[*leads[3].first].method, "high");
-  EXPECT_FALSE(leads[3].next) << "only forms of one method have twelve digits";
-  EXPECT_EQ(leads[3].factor, 0);
+  EXPECT_EQ(problem.lines[*rankings[0].first].method, "low");
+  EXPECT_EQ(problem.lines[*rankings[0].next].method, "high");
+  EXPECT_NEAR(rankings[0].time, 2e-3, 1e-12);
+  EXPECT_NEAR(rankings[0].factor, 2e-2 * 1.1 / 2e-3, 1e-9);
+  EXPECT_EQ(problem.lines[*rankings[2].first].method, "high");
+  EXPECT_EQ(problem.lines[*rankings[2].next].method, "low") << "another form of the first is no other method";
+  EXPECT_EQ(problem.lines[*rankings[3].first].method, "high");
+  EXPECT_FALSE(rankings[3].next) << "only forms of one method have twelve digits";
+  EXPECT_EQ(rankings[3].factor, 0);
 }
 
 TEST(Leads, AreSaidInWords) {
   const ProblemLines problem = crossing();
-  const auto leads = leads_of(problem);
-  EXPECT_EQ(leads[0].margin(problem), "11 times before high");
-  EXPECT_EQ(leads[3].margin(problem), "alone");
+  const auto rankings = rankings_of(problem);
+  EXPECT_EQ(rankings[0].margin(problem), "11 times before high");
+  EXPECT_EQ(rankings[3].margin(problem), "alone");
   EXPECT_EQ(who_leads(problem), "low is fastest at 3 and 6, high at 9 and 12 digits");
   const ProblemLines two = {"", {line("a", 1, 2, 7), line("b", 3, 2, 7)}};
-  EXPECT_EQ(leads_of(two)[1].margin(two), "3.0 times before b");
-  EXPECT_EQ(leads_of(two)[2].margin(two), "nobody");
+  EXPECT_EQ(rankings_of(two)[1].margin(two), "3.0 times before b");
+  EXPECT_EQ(rankings_of(two)[2].margin(two), "nobody");
   EXPECT_EQ(who_leads(two), "a is fastest at 3 and 6 digits");
 }
 
 TEST(Leads, OfEqualsGoToTheFirst) {
   const ProblemLines problem = {"", {line("a", 1, 2, 12), line("b", 1, 2, 12)}};
-  for (const Lead& lead : leads_of(problem)) {
-    EXPECT_EQ(lead.first, 0U);
-    EXPECT_EQ(lead.next, 1U);
-    EXPECT_DOUBLE_EQ(lead.factor, 1);
-    EXPECT_EQ(lead.margin(problem), "level with b");
+  for (const Ranking& ranking : rankings_of(problem)) {
+    EXPECT_EQ(ranking.first, 0U);
+    EXPECT_EQ(ranking.next, 1U);
+    EXPECT_DOUBLE_EQ(ranking.factor, 1);
+    EXPECT_EQ(ranking.margin(problem), "level with b");
   }
 }
 
@@ -73,16 +73,16 @@ TEST(Leads, AreNoneOfAFloor) {
   ProblemLines problem = crossing();
   problem.lines.push_back(line("closed form", 1e-9, 1, 15, 0, Side::floor));
   EXPECT_EQ(who_leads(problem), "low is fastest at 3 and 6, high at 9 and 12 digits");
-  EXPECT_FALSE(leads_of(problem)[3].next);
+  EXPECT_FALSE(rankings_of(problem)[3].next);
 }
 
 TEST(Leads, NeedSomebodyWhoArrives) {
   const ProblemLines alone = {"", {line("a", 1, 2, 12)}};
   EXPECT_EQ(who_leads(alone), "a is fastest at 3, 6, 9 and 12 digits");
-  EXPECT_EQ(leads_of(alone)[0].margin(alone), "alone");
+  EXPECT_EQ(rankings_of(alone)[0].margin(alone), "alone");
   for (const ProblemLines& none :
        {ProblemLines{"", {}}, ProblemLines{"", {{"absent", 0, {}}, line("a", 1, 2, 2)}}}) {
-    for (const Lead& lead : leads_of(none)) EXPECT_FALSE(lead.first);
+    for (const Ranking& ranking : rankings_of(none)) EXPECT_FALSE(ranking.first);
     EXPECT_EQ(who_leads(none), "no method has three digits");
   }
 }

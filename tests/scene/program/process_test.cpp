@@ -119,9 +119,9 @@ TEST(ThisProcess, ClearsItsTracesAwayAtItsEnd) {
   put(gone, "whole");
   const auto end = [&] {
     {
-      const WholeAct act;
-      static Trace half(act, [&] { fs::remove(left); });
-      static Trace whole(act, [&] { fs::remove(gone); });
+      const CriticalSection act;
+      static CleanupOnExit half(act, [&] { fs::remove(left); });
+      static CleanupOnExit whole(act, [&] { fs::remove(gone); });
       whole.gone(act);
     }
     end_process(3, "no more\x1b[31m time");
@@ -134,7 +134,7 @@ TEST(ThisProcess, ClearsItsTracesAwayAtItsEnd) {
 // The act ends the test with 5 if it was cut short.
 TEST(ThisProcess, FinishesTheActUnderWay) {
   const auto end = [] {
-    auto act = std::make_unique<WholeAct>();
+    auto act = std::make_unique<CriticalSection>();
     const std::jthread ender([] { end_process(3, "over"); });
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
     std::fputs("whole ", stderr);
@@ -156,9 +156,9 @@ TEST(ThisProcess, IsNotEndedBehindItsLastResult) {
 TEST(ThisProcess, SaysWhatItIsDoing) {
   EXPECT_EQ(doing_now(), "computing");
   {
-    const Doing outer("drawing");
+    const ProgressScope outer("drawing");
     {
-      const Doing inner("reading");
+      const ProgressScope inner("reading");
       EXPECT_EQ(doing_now(), "reading");
     }
     EXPECT_EQ(doing_now(), "drawing");
@@ -199,7 +199,7 @@ TEST(TimeLimit, ShowsProgressOnATerminalAndWipesItAway) {
   ErrorsOnATerminal terminal;
   {
     const TimeLimit limit({"gss_control", "poles", 50., 0, 0.01});
-    const Doing doing("looking for poles");
+    const ProgressScope doing("looking for poles");
     std::this_thread::sleep_for(std::chrono::milliseconds(200));
   }
   EXPECT_EQ(terminal.shown(), "\r\x1b[Kgss_control poles: looking for poles, 0 s (--limit 50)\r\x1b[K");
@@ -208,7 +208,7 @@ TEST(TimeLimit, ShowsProgressOnATerminalAndWipesItAway) {
 TEST(TimeLimit, IsSilentBeforeAndInAPipeAndWhileTheUserTypes) {
   ErrorsOnATerminal terminal;
   {
-    const Doing typing("reading standard input", true);
+    const ProgressScope typing("reading standard input", true);
     const TimeLimit limit({"gss_control", "poles", 50., 0, 0.01});
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
   }

@@ -14,7 +14,7 @@ class Member:
         self.length, self.angle, self.ea, self.ei = length, angle, ea, ei
 
     def bent(self, m, n, start, moment):
-        """With the normal force n: slope and moment at the end and the chord, from the slope and moment at the begin."""
+        """With the normal force n: slope and moment at the end and the chord, from the slope and moment at the start."""
         l, of_force = self.length, n
         if m is doubles and abs(n) * l * l < 1e-3 * self.ei:  # doubles would cancel; good enough for the walk
             n = doubles.copysign(1e-3 * self.ei / (l * l), n)
@@ -58,7 +58,7 @@ class Chain:
         self.angles = [e.angle for e in members]
 
     def shoot(self, unknown, load):
-        """(x, y, rotation, moment) of every node; unknown: force (h, v) and moment or rotation at the begin. The load pulls down at the
+        """(x, y, rotation, moment) of every node; unknown: force (h, v) and moment or rotation at the start. The load pulls down at the
         node `loaded`."""
         h, v, other = unknown
         rotation, moment = (0, other) if self.clamped else (other, 0)
@@ -76,7 +76,7 @@ class Chain:
 
 class Problem:
     """A chain whose end conditions and drop of the loaded node determine forces and load. `ends(nodes)` vanishes; the unknowns are the
-    three at the begin and, where `free_load`, the load; else the load is `factor` times -v at the begin."""
+    three at the start and, where `free_load`, the load; else the load is `factor` times -v at the start."""
 
     def __init__(self, make, ends, drop):
         self.make, self.ends, self.drop = make, ends, drop

@@ -112,7 +112,7 @@ class Reduced {
     PathVector shaken{{}, at.m};
     double changes = 0;
     for (std::uint64_t sequence = 0; sequence < 4; ++sequence) {
-      shake(at.y, sequence, shaken.y);
+      perturb_last_bits(at.y, sequence, shaken.y);
       if (system_.residual(shaken)) changes = std::max(changes, std::abs(row_.y.dot(system_.f()) - here));
     }
     return most + changes;

@@ -133,7 +133,7 @@ double Path::noise_at(const PathVector& normal, const PathVector& at) {
   PathVector shaken{{}, at.m}, step;
   double noise = 0;
   for (std::uint64_t sequence = 0; sequence < 2; ++sequence) {
-    shake(at.y, sequence, shaken.y);
+    perturb_last_bits(at.y, sequence, shaken.y);
     if (!system_.residual(shaken) || !system_.solve_bordered(normal, system_.f() - f, 0, step)) return 0;
     noise = std::max(noise, step.norm());
   }

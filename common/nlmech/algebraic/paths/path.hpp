@@ -203,7 +203,7 @@ class Path {
   [[nodiscard]] Mark mark(double part, const PathPoint& point) const;
   [[nodiscard]] bool is_of_rounding(const Mark& low, const Mark& high, PathPoint& fold);
   /// The bifurcation between two places at which the load has an extremum.
-  [[nodiscard]] Outcome fork_in(const Mark& low, const Mark& high, std::vector<CriticalPoint>& out);
+  [[nodiscard]] Outcome bifurcation_in(const Mark& low, const Mark& high, std::vector<CriticalPoint>& out);
   [[nodiscard]] Outcome critical_in(const Mark& low, const Mark& high, std::vector<CriticalPoint>& out);
   [[nodiscard]] Outcome add_critical(CriticalPoint::Kind kind, Eigen::Index vanishing, const PathPoint& point,
                                      std::vector<CriticalPoint>& out);

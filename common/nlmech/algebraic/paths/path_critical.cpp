@@ -90,7 +90,7 @@ Outcome Path::critical_in(const Mark& low, const Mark& high, std::vector<Critica
     if (outcome == Outcome::wrong_branch) return outcome;
     if (outcome == Outcome::success) return add_critical(CriticalPoint::Kind::bifurcation, 1, point, out);
   }
-  if (changes.fold && changes.branches == 1 && fork_in(low, high, out) == Outcome::success)
+  if (changes.fold && changes.branches == 1 && bifurcation_in(low, high, out) == Outcome::success)
     return Outcome::success;
   const double middle = low.part + (high.part - low.part) / 2;
   Outcome outcome = between(middle, point);
@@ -139,7 +139,7 @@ Outcome Path::settle_branch(PathPoint& point) {
 }
 
 //! [a fork from the branch that leaves it]
-Outcome Path::fork_in(const Mark& low, const Mark& high, std::vector<CriticalPoint>& out) {
+Outcome Path::bifurcation_in(const Mark& low, const Mark& high, std::vector<CriticalPoint>& out) {
   if (!system_.equations().is_symmetric() || low.negative != high.negative) return Outcome::not_converged;
   const PathVector chord{now_.at.y - before_.at.y, now_.at.m - before_.at.m};
   const double length = chord.norm(), wide = high.part - low.part,

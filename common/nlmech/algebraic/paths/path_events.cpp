@@ -196,7 +196,7 @@ Outcome Path::polish(PathPoint& point) {
       const Eigen::VectorXd f = system_.f();
       double noise = eps * size;
       for (std::uint64_t sequence = 0; sequence < 2; ++sequence) {
-        shake(point.at.y, sequence, trial);
+        perturb_last_bits(point.at.y, sequence, trial);
         if (!system_.residual({trial, m})) return Outcome::non_finite;
         system_.solve(system_.f() - f, trial);
         noise = std::max(noise, trial.norm());

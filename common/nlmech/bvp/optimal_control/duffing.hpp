@@ -90,7 +90,7 @@ struct DuffingSettings {
 /// p m for f = p x2, at a cost of p^2 m/2; least for E'/sqrt(m) constant.) Integrated backward from the
 /// target, with lambda2 = -f and lambda1 = -dlambda2/dt. It costs (integral of dE/sqrt(m))^2/(2 T), about 3
 /// E/(2 T).
-/// @param strength g over the one that reaches the begin's energy by that mean; 1.02 is best, 0.9 to 1.2 lead
+/// @param strength g over the one that reaches the start's energy by that mean; 1.02 is best, 0.9 to 1.2 lead
 /// to neighbouring extremals
 [[nodiscard]] Start pump_start(const DuffingSettings& settings, double strength);
 
@@ -101,7 +101,7 @@ struct DuffingSettings {
 /// How many starts of each kind, see duffing_starts().
 struct DuffingStarts {
   bool constants = true;  ///< zeros and ones
-  int unforced = 12;      ///< trajectories without force, over the free values of the begin
+  int unforced = 12;      ///< trajectories without force, over the free values of the start
   int pumps = 6;          ///< pump_start of strengths 0.9 to 1.2
   int direct = 12;        ///< direct_start from zero, constant, pumping and unforced guesses
   int random = 12;        ///< random_start

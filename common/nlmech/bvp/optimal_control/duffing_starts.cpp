@@ -146,7 +146,7 @@ std::vector<std::function<double(double)>> forces_in_time(const DuffingSettings&
   return forces;
 }
 
-/// Values of the begin: the prescribed ones, and for free ones a spread up to the target's energy and beyond.
+/// Values of the start: the prescribed ones, and for free ones a spread up to the target's energy and beyond.
 std::vector<Vector2d> begins(const DuffingSettings& s, int count) {
   const ExtremalProblem problem = duffing_problem(s);
   const bool free1 = !problem.task().begin[0], free2 = !problem.task().begin[1];

@@ -42,7 +42,7 @@ ExtremalProblem::ExtremalProblem(std::shared_ptr<const ControlModel> model, Cont
                            task_.end.size(), n_);
   }
   if (!(task_.begin_time < task_.final_time) || !std::isfinite(task_.final_time - task_.begin_time)) {
-    throw invalid_argument("optimal control: the final time {} is not after the begin {}", task_.final_time,
+    throw invalid_argument("optimal control: the final time {} is not after the start {}", task_.final_time,
                            task_.begin_time);
   }
   check_constraints(task_.constraints, n_);

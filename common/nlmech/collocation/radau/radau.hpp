@@ -21,7 +21,7 @@ struct Radau {
   Column nodes;     ///< c_i, ascending, in (0, 1]
   Square integral;  ///< A
   Square twice;     ///< A A
-  Column left;      ///< l_j(0): from values at the nodes to the value at the begin
+  Column left;      ///< l_j(0): from values at the nodes to the value at the start
   Square legendre;  ///< row k: from values at the nodes to the coefficient of P_k(2 c - 1)
 };
 
@@ -38,8 +38,8 @@ extern template const Radau<12>& radau<12>();
 extern template const Radau<16>& radau<16>();
 /// @endcond
 
-/// Tables for a slope that is the derivative of a sum of s + 1 Gaussians exp(-c^2 (t - t_k)^2), at the begin
-/// and the s Radau nodes of the unit interval, that vanishes at the begin. Computed by StableGaussian, so
+/// Tables for a slope that is the derivative of a sum of s + 1 Gaussians exp(-c^2 (t - t_k)^2), at the start
+/// and the s Radau nodes of the unit interval, that vanishes at the start. Computed by StableGaussian, so
 /// that wide functions lose no digits; as c goes to 0 they are those of radau<s>(), by c^2 off.
 ///
 /// Gaussians do not contain the constants: a constant slope is integrated with an error that falls with c

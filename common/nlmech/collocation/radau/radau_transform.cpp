@@ -80,7 +80,7 @@ std::vector<Complex> upper_eigenvalues() {
   return upper;
 }
 
-/// Value and derivative at @p t of the polynomial that is 1 at node j, 0 at the others and at the begin.
+/// Value and derivative at @p t of the polynomial that is 1 at node j, 0 at the others and at the start.
 std::array<Real, 2> cardinal(const Vector<Real>& nodes, Eigen::Index j, Real t) {
   Real value = t / nodes[j], slope = 1 / nodes[j];
   for (Eigen::Index m = 0; m < nodes.size(); ++m) {

@@ -38,11 +38,11 @@ extern template const RadauTransform<7>& radau_transform<7>();
 /// @endcond
 
 /// The polynomial u of a step of s Radau nodes fails the equation by the defect r = f(t, u) - u', which is 0
-/// at the nodes. To first order the solution differs from u by e with e' = J e + r, e = 0 at the begin, so
+/// at the nodes. To first order the solution differs from u by e with e' = J e + r, e = 0 at the start, so
 ///
 ///     e(h) = h int_0^1 exp((1 - c) h J) r(c) dc.
 ///
-/// Here r is the node polynomial M(c) times a linear function, which its values at the begin and at one inner
+/// Here r is the node polynomial M(c) times a linear function, which its values at the start and at one inner
 /// time determine, and the function of z = h J that stands before each of the two values is replaced by
 /// N(z)/Q(z): Q(z) is the common denominator of the method, N has degree s - 1 and is chosen so that the
 /// powers of z up to s - 1 agree (the integral is O(z^(s-2)), since M is orthogonal to the degrees below s -
@@ -60,10 +60,10 @@ struct RadauDefect {
                                                                 ///< one of each pair, twice what it has there
 
   double inner_time;   ///< the second time, as a share of the step
-  Column begin_slope;  ///< from increments at the nodes to the slope of u at the begin, times h
+  Column begin_slope;  ///< from increments at the nodes to the slope of u at the start, times h
   Column inner_value;  ///< from increments at the nodes to that of u at the inner time
   Column inner_slope;  ///< the same to the slope there, times h
-  Weights begin;       ///< of r at the begin
+  Weights begin;       ///< of r at the start
   Weights inner;       ///< of r at the inner time
 };
 

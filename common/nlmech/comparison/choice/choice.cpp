@@ -151,7 +151,7 @@ Ranked short_run(const ChoiceRequest& q, const std::string& method, double toler
 
 /// The greatest factor from six times to the last of them, by amplification() along a run by @p method; not
 /// known with more than 64 components.
-Growth growth_along(const ChoiceRequest& q, const std::string& method) {
+ErrorGrowth growth_along(const ChoiceRequest& q, const std::string& method) {
   constexpr Eigen::Index most_components = 64;  // each is perturbed by itself
   constexpr int intervals = 6;
   constexpr double most_seconds = 10;  // of all runs, where right-hand sides are expensive
@@ -160,7 +160,7 @@ Growth growth_along(const ChoiceRequest& q, const std::string& method) {
   const ivp::Limits limits = q.limits(40'000);
   const auto run = any_method(method).with(
       {.tolerance = tolerance, .absolute_tolerance = tolerance * std::min(q.absolute, 1.0)});
-  Way way{q.x0.cast<long double>(), q.t0, {}};
+  ReferenceRequest way{q.x0.cast<long double>(), q.t0, {}};
   Reference along;
   along.size = q.x0.cwiseAbs();
   const auto add = [&](double t, const ivp::State& x) {
@@ -177,7 +177,7 @@ Growth growth_along(const ChoiceRequest& q, const std::string& method) {
   const ivp::Solution end = run(q.system, q.x0, q.t0, q.t1, observe, limits);
   if (way.times.empty() || end.t != way.times.back()) add(end.t, end.x);
   if (end.t == q.t0 || !end.x.allFinite()) return {};
-  along.first.compute = [&](const Way& part, double seconds, StatesAt& states) {
+  along.first.compute = [&](const ReferenceRequest& part, double seconds, StatesAt& states) {
     ivp::Limits these = limits;
     these.seconds = seconds;
     ivp::Solution s = run(q.system, part.x0.cast<double>(), part.t0, part.times.back(), {}, these);
@@ -210,7 +210,7 @@ double right_hand_side_seconds(const ChoiceRequest& q) {
 }
 
 /// "9 digits where errors grow 4.8 times"
-std::string accuracy(const Chosen& c) {
+std::string accuracy(const MethodChoice& c) {
   if (!(c.growth.covered > 0)) return fmt::format("{:.3g} digits", c.digits);
   return fmt::format("{:.3g} digits where errors grow {:.2g} times", c.digits, c.condition);
 }
@@ -225,7 +225,7 @@ std::string features_text(const Features& f) {
 }
 
 /// "280 right-hand sides; ran 12 % of the time"
-std::string short_run_text(const Ranked& r, const Chosen& c) {
+std::string short_run_text(const Ranked& r, const MethodChoice& c) {
   const double percent = 100 * r.covered;
   std::string text = fmt::format("about {:.2g} right-hand sides; ran ", r.right_hand_sides);
   text += percent > 99.9 ? "to the end" : fmt::format("{:.{}g} % of the time", percent, percent < 10 ? 1 : 2);
@@ -277,9 +277,9 @@ std::string method_for(const ChoiceRequest& q, double tolerance) {
   return "";
 }
 
-Chosen examine(const ChoiceRequest& q) {
+MethodChoice examine(const ChoiceRequest& q) {
   const Probe probe = probe_problem(q);
-  Chosen c{.status = probe.status, .features = probe.features, .growth = {}};
+  MethodChoice c{.status = probe.status, .features = probe.features, .growth = {}};
   if (!c.status.ok()) return c;
   c.right_hand_side = right_hand_side_seconds(q);
   for (const std::string& method : candidates(q, c.features, c.digits)) {
@@ -293,7 +293,7 @@ Chosen examine(const ChoiceRequest& q) {
   return c;
 }
 
-Chosen choose(const ChoiceRequest& q, double digits, Chosen c) {
+MethodChoice choose(const ChoiceRequest& q, double digits, MethodChoice c) {
   c.digits = digits;
   if (!c.status.ok()) return c;
   constexpr double safety = 1. / 3;  // an error of one tolerance at any time, and those of the other steps
@@ -309,7 +309,7 @@ Chosen choose(const ChoiceRequest& q, double digits, Chosen c) {
   return c;
 }
 
-std::string choice_rows(const Chosen& c) {
+std::string choice_rows(const MethodChoice& c) {
   if (!c.status.ok()) throw Failure(c.status);
   if (c.ranked.empty())
     throw Failure(failed_with(Outcome::outside_validity, "no method of this build is for the problem"));
@@ -328,7 +328,7 @@ std::string choice_rows(const Chosen& c) {
   return text;
 }
 
-std::string choice_remark(const Chosen& c) {
+std::string choice_remark(const MethodChoice& c) {
   if (c.digits <= c.possible) return "";
   return fmt::format(
       "the problem multiplies errors by {:.2g}, so that rounding alone leaves about {:.2g} of the {:.3g} "

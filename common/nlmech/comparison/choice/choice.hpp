@@ -88,17 +88,17 @@ struct Ranked {
 };
 
 /// What a problem makes of errors.
-struct Growth {
+struct ErrorGrowth {
   double factor = 1;   ///< from one tolerance, absolute + relative, to the error by the size of a component
   double covered = 0;  ///< the share of the interval that it was found on, from 0 to 1; 0: it is not known
 };
 
 /// An answer to the question which method gives so many digits.
-struct Chosen {
+struct MethodChoice {
   Status status;                    ///< a failure: the problem, or every method on it, ends before t1
   Features features;                ///< of the problem
   double digits = 9;                ///< asked for at t1
-  Growth growth;                    ///< of errors; Growth::covered is 0 if it is not known
+  ErrorGrowth growth;               ///< of errors; ErrorGrowth::covered is 0 if it is not known
   double condition = 1;             ///< of the whole interval: the factor of the growth, or more
   double possible = 15;             ///< digits that rounding leaves
   double missing = 0;               ///< digits by which the tightest tolerance, 1e-13, falls short
@@ -111,20 +111,21 @@ struct Chosen {
 [[nodiscard]] std::string method_for(const ChoiceRequest& request, double tolerance);
 
 /// Finds the features of the problem and the growth of errors.
-/// @returns all of Chosen but what depends on the digits; its status is a failure if the solution ends early
-[[nodiscard]] Chosen examine(const ChoiceRequest& request);
+/// @returns all of MethodChoice but what depends on the digits; its status is a failure if the solution ends
+/// early
+[[nodiscard]] MethodChoice examine(const ChoiceRequest& request);
 
 /// Ranks the methods of the rule for @p digits at t1, each by a short run. Times decide nothing: asked twice,
 /// it gives the same order.
 /// @param examined of examine(), for the same request
-[[nodiscard]] Chosen choose(const ChoiceRequest& request, double digits, Chosen examined);
+[[nodiscard]] MethodChoice choose(const ChoiceRequest& request, double digits, MethodChoice examined);
 
 /// Rows `rank,method,tolerance,seconds,reason` as CSV.
 /// @throws Failure if there is nothing to choose from, with the reason
-[[nodiscard]] std::string choice_rows(const Chosen& chosen);
+[[nodiscard]] std::string choice_rows(const MethodChoice& chosen);
 
 /// A remark beside the rows: digits that the problem does not give; empty if there are none.
-[[nodiscard]] std::string choice_remark(const Chosen& chosen);
+[[nodiscard]] std::string choice_remark(const MethodChoice& chosen);
 
 /// Words as they are typed to a shell.
 [[nodiscard]] std::string shell_line(const std::vector<std::string>& words);

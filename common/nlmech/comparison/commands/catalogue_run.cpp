@@ -13,7 +13,7 @@
 #include "nlmech/comparison/commands/compare.hpp"
 #include "nlmech/scene/catalogue/catalogue.hpp"
 #include "nlmech/scene/program/this_process.hpp"
-#include "nlmech/support/echo.hpp"
+#include "nlmech/support/quoted_input.hpp"
 #include "nlmech/support/sentences.hpp"
 #include "nlmech/support/threads.hpp"
 
@@ -71,7 +71,7 @@ class CatalogueRun {
     const bool is_end = joined(columns_, {end_column}).size() > columns_.size();
     const bool has_ends = is_end && catalogue_.has(end_column);
     if (!typed.until.empty() && has_ends)
-      throw input_error("--until {}: {} has a column until", echoed(typed.until), catalogue_.name());
+      throw input_error("--until {}: {} has a column until", quoted_input(typed.until), catalogue_.name());
     if (typed.until.empty() && !has_ends && !base_->t1)
       throw input_error("{}: has no column until; give it, or --until T for all rows", catalogue_.name());
   }
@@ -90,13 +90,13 @@ class CatalogueRun {
                             .portion = scene::portion_for(lines_at_a_time, threads_),
                             .work = [this](const scene::CatalogueRows& rows) { return lines_of(rows); }});
     if (open_ > 1)
-      scene::tell(
+      scene::print_message(
           fmt::format("{}: {} of the runs are not verified; the first is {}", program_, open_, remark_));
     else if (!remark_.empty())
-      scene::tell(fmt::format("{}: {}", program_, remark_));
+      scene::print_message(fmt::format("{}: {}", program_, remark_));
     if (failed_ == 0) return 0;
-    scene::tell(fmt::format("{}: {} of the runs failed; the first is row {}: {}", program_, failed_, first_,
-                            sentence_));
+    scene::print_message(fmt::format("{}: {} of the runs failed; the first is row {}: {}", program_, failed_,
+                                     first_, sentence_));
     return 1;
   }
 

@@ -14,7 +14,7 @@
 #include "nlmech/comparison/reference/verification.hpp"
 #include "nlmech/scene/program/this_process.hpp"
 #include "nlmech/scene/program/typed.hpp"
-#include "nlmech/support/echo.hpp"
+#include "nlmech/support/quoted_input.hpp"
 #include "nlmech/support/sentences.hpp"
 #include "nlmech/support/stopwatch.hpp"
 
@@ -91,7 +91,9 @@ std::vector<double> typed_tolerances(const std::string& list) {
       all.push_back(scene::typed_positive(option, piece));
     return all;
   }
-  const auto refuse = [&](const char* why) { return input_error("{} {}: {}", option, echoed(list), why); };
+  const auto refuse = [&](const char* why) {
+    return input_error("{} {}: {}", option, quoted_input(list), why);
+  };
   if (colon == 0 || colon + 1 == list.size() || list.find(':', colon + 1) != std::string::npos)
     throw refuse("a sweep is from a tolerance to a tighter one, as 1e-3:1e-12");
   const double from = scene::typed_positive(option, list.substr(0, colon));
@@ -162,8 +164,8 @@ class ComparisonTable {
       : program_(program), reference_(reference), size_(x0.cwiseAbs()) {
     const bool known = reference.status.ok();
     if (known) size_ = size_.cwiseMax(reference.size);
-    scene::tell(fmt::format("{}: {}reference: {}", program_, known ? "" : "no digits, because there is no ",
-                            reference.text()));
+    scene::print_message(fmt::format("{}: {}reference: {}", program_,
+                                     known ? "" : "no digits, because there is no ", reference.text()));
   }
   /// A run that has ended.
   void add(const Choice& choice, const ivp::Solution& end, const Timing& time);
@@ -184,7 +186,7 @@ class ComparisonTable {
     const std::string method = fmt::format("{}: ", choice.method->name);
     // Most sentences begin with the method.
     const bool named = sentence.find(method.substr(0, method.size() - 1)) != std::string::npos;
-    scene::tell(fmt::format("{}: {}{}", program_, named ? "" : method, sentence));
+    scene::print_message(fmt::format("{}: {}{}", program_, named ? "" : method, sentence));
   }
   /// What a tolerance did not hold; empty where it did, and where there was none.
   [[nodiscard]] std::string note(const Choice& choice, const ivp::State& x) const;
@@ -205,7 +207,7 @@ std::string ComparisonTable::note(const Choice& choice, const ivp::State& x) con
   for (Eigen::Index i = 0; i < x.size(); ++i) {
     const Eigen::Index last = reference_.states.cols() - 1;
     const double exact = static_cast<double>(reference_.states(i, last));
-    const double surely = std::abs(x[i] - exact) - reference_.doubt(i, last);
+    const double surely = std::abs(x[i] - exact) - reference_.difference(i, last);
     most = std::max(most, surely / (tolerance.absolute + tolerance.relative * std::abs(exact)));
   }
   if (most <= most_tolerances) return "";
@@ -276,7 +278,7 @@ namespace {
 /// Those of the problem, unless the solution comes to the zero of a root and goes on from there: a Taylor
 /// series follows the root to its other branch.
 std::vector<Candidate> extended_candidates(const UserProblem& problem, const RunOptions& r,
-                                           const Effort& effort) {
+                                           const WorkLimit& effort) {
   if (problem.domain && !problem.domain->arguments.empty()) {
     bool rests = false;
     constexpr double tolerance = 1e-6;
@@ -296,8 +298,9 @@ Comparison comparison(const UserProblem& problem, const RunOptions& r, const std
   const Stopwatch watch;
   const auto left = [&] { return r.limits.seconds - watch.seconds(); };
   constexpr double work = 6;  // seconds, or so
-  std::optional<scene::Doing> doing("computing a reference");
-  const Effort effort{work, left() / 3, watchful_step(r.t0, r.t1, r.limits.largest_step), {}, problem.domain};
+  std::optional<scene::ProgressScope> doing("computing a reference");
+  const WorkLimit effort{
+      work, left() / 3, watchful_step(r.t0, r.t1, r.limits.largest_step), {}, problem.domain};
   const Reference reference = reference_of(extended_candidates(problem, r, effort), problem.system, r.x0,
                                            r.t0, look_at(r.t0, r.t1, 64), {1e-13, 1e-30}, effort);
   ComparisonTable table(program, reference, r.x0);

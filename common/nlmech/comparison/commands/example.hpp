@@ -21,7 +21,7 @@ struct Example {
   /// The solution at a time from t0 to t1, to some 18 digits.
   std::function<ivp::LongState(double t)> reference;
   /// How wrong a state is; empty: relative_error() with `amplitude`.
-  std::function<double(const ivp::State& found, const ivp::LongState& truth)> error = {};
+  std::function<double(const ivp::State& found, const ivp::LongState& exact)> error = {};
 };
 
 }  // namespace nlmech::comparison

@@ -11,7 +11,7 @@
 #include "nlmech/comparison/commands/runs.hpp"
 #include "nlmech/scene/picture.hpp"
 #include "nlmech/scene/program/this_process.hpp"
-#include "nlmech/support/echo.hpp"
+#include "nlmech/support/quoted_input.hpp"
 #include "nlmech/support/sentences.hpp"
 
 namespace nlmech::comparison {
@@ -23,7 +23,7 @@ std::string heading_of(const TypedOptions& typed) {
   std::string text = typed.equation;
   if (!typed.problem.empty()) text = typed.problem;
   if (!typed.file.empty()) text = std::filesystem::path(typed.file).filename().string();
-  return echoed(text, most);
+  return quoted_input(text, most);
 }
 
 int integrate(const TypedOptions& typed, const std::string& program) {
@@ -38,7 +38,7 @@ int integrate(const TypedOptions& typed, const std::string& program) {
   std::vector<std::string> remarks = remarks_on(problem, options);
   remarks.insert(remarks.end(), {run.remark, run.small});
   for (const std::string& remark : remarks) {
-    if (!remark.empty()) scene::tell(fmt::format("{}: {}", program, remark));
+    if (!remark.empty()) scene::print_message(fmt::format("{}: {}", program, remark));
   }
   scene::print_result(run.rows);
   if (picture.wanted())
@@ -99,11 +99,11 @@ void choose(const TypedOptions& typed, const std::string& program) {
   ChoiceRequest q = choice_request(problem, r);
   if (r.settings.absolute_tolerance)  // which does not depend on the digits
     q.absolute = *r.settings.absolute_tolerance * std::pow(10, typed.digits);
-  const Chosen found = choose(q, typed.digits, examine(q));
+  const MethodChoice found = choose(q, typed.digits, examine(q));
   const std::string rows = choice_rows(found), remark = choice_remark(found);
-  if (!remark.empty()) scene::tell(fmt::format("{}: {}", program, remark));
+  if (!remark.empty()) scene::print_message(fmt::format("{}: {}", program, remark));
   scene::print_last_result(rows);
-  scene::tell(shell_line(run_of(typed, r.t1, found.ranked.front(), program)));
+  scene::print_message(shell_line(run_of(typed, r.t1, found.ranked.front(), program)));
 }
 
 /// @param many the option with which it may take as long as it takes, and ends may stand in a file; or empty

@@ -34,7 +34,7 @@ void give_range(const Values& values, scene::Panel& panel) {
   panel.y_range(values.front() - margin, values.front() + margin);
 }
 
-/// Where a logarithmic axis of time begins, if most of the steps lie near the begin of the run.
+/// Where a logarithmic axis of time begins, if most of the steps lie near the start of the run.
 std::optional<double> log_begin(const Values& times) {
   if (times.front() != 0 || !(times.back() > 0)) return {};
   if (times[times.size() / 2] > 1e-3 * times.back()) return {};

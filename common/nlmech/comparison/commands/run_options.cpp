@@ -11,7 +11,7 @@
 #include "nlmech/comparison/commands/typed_events.hpp"
 #include "nlmech/scene/program/options.hpp"
 #include "nlmech/scene/program/typed.hpp"
-#include "nlmech/support/echo.hpp"
+#include "nlmech/support/quoted_input.hpp"
 #include "nlmech/support/sentences.hpp"
 
 namespace nlmech::comparison {
@@ -36,7 +36,7 @@ std::optional<double> time_of(const std::string& option, const std::string& type
 std::optional<double> positive_of(const std::string& option, const std::string& typed,
                                   const UserProblem& problem) {
   const std::optional<double> value = time_of(option, typed, problem);
-  if (value && !(*value > 0)) throw input_error("{} {}: must be positive", option, echoed(typed));
+  if (value && !(*value > 0)) throw input_error("{} {}: must be positive", option, quoted_input(typed));
   return value;
 }
 /// Ascending, each once.

@@ -45,7 +45,7 @@ std::vector<PlotSamples::Component> components_of(const UserProblem& problem) {
 
 /// Some times the work of the run itself and one second.
 /// @param left wall time that is left of the command's limit, in seconds
-Effort effort_after(const Statistics& work, int components, double left) {
+WorkLimit effort_after(const Statistics& work, int components, double left) {
   // 1e7 numbers of right-hand sides take a second or so.
   const double done =
       static_cast<double>(work.right_hand_sides + work.jacobians * components) * components / 1e7;
@@ -191,8 +191,8 @@ class Run {
   [[nodiscard]] Status with_turns(const Status& status) const;
   [[nodiscard]] double left_after(const ivp::Solution& end) const;
   void verify_by_integration(const ivp::Solution& end);
-  [[nodiscard]] bool agrees_with(const ivp::NamedIntegrator& other, const Verified& run, const Effort& effort,
-                                 const ivp::Limits& limits) const;
+  [[nodiscard]] bool agrees_with(const ivp::NamedIntegrator& other, const Verified& run,
+                                 const WorkLimit& effort, const ivp::Limits& limits) const;
 
   const UserProblem& problem_;
   const RunOptions& options_;
@@ -340,7 +340,7 @@ double Run::left_after(const ivp::Solution& end) const {
   return std::min(own, all.count());
 }
 
-bool Run::agrees_with(const ivp::NamedIntegrator& other, const Verified& run, const Effort& effort,
+bool Run::agrees_with(const ivp::NamedIntegrator& other, const Verified& run, const WorkLimit& effort,
                       const ivp::Limits& limits) const {
   const auto within = ivp::within_domain(other, effort.domain, accuracy_);
   return agrees(problem_.system, options_.x0, options_.t0, run,
@@ -349,8 +349,8 @@ bool Run::agrees_with(const ivp::NamedIntegrator& other, const Verified& run, co
 
 void Run::verify_by_integration(const ivp::Solution& end) {
   const Verified run = verified();
-  const scene::Doing doing("verifying the run by integration");
-  Effort effort = effort_after(end.statistics, problem_.system.size(), left_after(end));
+  const scene::ProgressScope doing("verifying the run by integration");
+  WorkLimit effort = effort_after(end.statistics, problem_.system.size(), left_after(end));
   effort.largest_step = watchful_step(options_.t0, t1_, options_.limits.largest_step);
   for (const WantedEvent& e : options_.events) {
     if (e.event.change) effort.changes.push_back(e.event);

@@ -11,7 +11,7 @@
 
 #include "nlmech/scene/program/csv.hpp"
 #include "nlmech/scene/program/typed.hpp"
-#include "nlmech/support/echo.hpp"
+#include "nlmech/support/quoted_input.hpp"
 #include "nlmech/support/sentences.hpp"
 
 namespace nlmech::comparison {
@@ -43,7 +43,7 @@ int take_end(const std::string& option, std::string& text) {
   double count = 0;
   if (!scene::parse_number(typed, count) || count != std::floor(count) || count < 1 || count > 1e9)
     throw input_error("{} {}: end after {}: say a whole number of events, from 1 to 1e9", option,
-                      echoed(text), echoed(typed));
+                      quoted_input(text), quoted_input(typed));
   text = scene::trimmed(text.substr(0, after));
   return static_cast<int>(count);
 }
@@ -55,7 +55,7 @@ std::vector<double> times_of(const std::string& option, const std::string& text)
       scene::trimmed(text.substr(0, sign)) != "t")
     return {};
   const auto refuse = [&](std::string_view why) {
-    return input_error("{} {}: {}", option, echoed(text), why);
+    return input_error("{} {}: {}", option, quoted_input(text), why);
   };
   std::array<double, 3> range{};  // first, distance, last
   std::string rest = text.substr(sign + 1) + ":";
@@ -112,7 +112,7 @@ std::vector<WantedEvent> events_of(const std::string& option, const std::string&
   const std::vector<double> times = times_of(option, text);
   if (times.empty()) add(text);
   if (!times.empty() && event.ends > 1)
-    throw input_error("{} {}: a time comes once; give --until", option, echoed(typed));
+    throw input_error("{} {}: a time comes once; give --until", option, quoted_input(typed));
   for (const double t : times) {
     add(fmt::format("t = {:.17g}", t));
     events.back().at = t;
@@ -123,7 +123,7 @@ std::vector<WantedEvent> events_of(const std::string& option, const std::string&
 void add_change(const std::string& option, const std::string& typed, const UserProblem& problem,
                 std::vector<WantedEvent>& events) {
   const auto refuse = [&](std::string_view why) {
-    return input_error("{} {}: {}", option, echoed(typed), why);
+    return input_error("{} {}: {}", option, quoted_input(typed), why);
   };
   std::string text = scene::trimmed(typed);
   const std::string name = take_name(text);
@@ -138,7 +138,7 @@ void add_change(const std::string& option, const std::string& typed, const UserP
     const std::string component = scene::trimmed(one.substr(0, sign));
     const auto known = std::ranges::find(problem.state_names, component);
     if (sign == std::string::npos || known == problem.state_names.end())
-      throw refuse(fmt::format("{}: say one of {} = its new value", echoed(one),
+      throw refuse(fmt::format("{}: say one of {} = its new value", quoted_input(one),
                                fmt::join(problem.state_names, ", ")));
     const Eigen::Index i = known - problem.state_names.begin();
     if (std::ranges::find(values, i, &std::pair<Eigen::Index, StateFunction>::first) != values.end())
@@ -156,7 +156,7 @@ void add_change(const std::string& option, const std::string& typed, const UserP
       for (const auto& [i, value] : values) x[i] = value(t, old);
     };
   }
-  if (!found) throw refuse(fmt::format("no --event has the name {}", echoed(name)));
+  if (!found) throw refuse(fmt::format("no --event has the name {}", quoted_input(name)));
 }
 
 void add_line(const EventLine& line, const UserProblem& problem, std::vector<WantedEvent>& events) {

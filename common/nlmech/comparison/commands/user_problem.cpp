@@ -15,7 +15,7 @@
 #include "nlmech/scene/program/csv.hpp"
 #include "nlmech/scene/program/files.hpp"
 #include "nlmech/scene/program/typed.hpp"
-#include "nlmech/support/echo.hpp"
+#include "nlmech/support/quoted_input.hpp"
 #include "nlmech/support/sentences.hpp"
 
 namespace nlmech::comparison {
@@ -53,7 +53,7 @@ program::Table read_table(const std::filesystem::path& path) {
       continue;
     }
     for (const auto& [good, cell] : {std::pair(is_time, record.cells[0]), {is_value, record.cells[1]}}) {
-      if (!good) throw refuse(fmt::format("'{}' is {}", echoed(cell), scene::number_fault(cell)));
+      if (!good) throw refuse(fmt::format("'{}' is {}", quoted_input(cell), scene::number_fault(cell)));
     }
     if (!table.times.empty() && !(t > table.times.back()))
       throw refuse(fmt::format("the time {} does not come after {}", t, table.times.back()));
@@ -76,8 +76,8 @@ ivp::State UserProblem::initial_state(const std::string& typed) const {
     return state_of(program::Equations(text).initial_state("--initial", typed));
   const std::vector<double> x = scene::typed_numbers("--initial", typed);
   if (x.size() != state_names.size())
-    throw input_error("--initial {}: {} numbers for the {} components {} of {}: {}", echoed(typed), x.size(),
-                      state_names.size(), fmt::join(state_names, ","), name, equation);
+    throw input_error("--initial {}: {} numbers for the {} components {} of {}: {}", quoted_input(typed),
+                      x.size(), state_names.size(), fmt::join(state_names, ","), name, equation);
   return state_of(x);
 }
 
@@ -122,7 +122,7 @@ UserProblem typed_problem(const program::SourceText& source, const program::Sett
                           std::string_view name, const program::TableReader& read_table) {
   const program::Equations equations(source, settings, read_table);
   const program::Problem problem(equations);
-  const auto extended = [problem](const Effort& effort) {
+  const auto extended = [problem](const WorkLimit& effort) {
     // A Taylor series in extended precision does not see where an equation switches, and may round a known
     // time of it otherwise.
     return problem.switches() > 0 || problem.has_rounded_times()
@@ -170,14 +170,15 @@ program::Settings settings_of(const std::vector<std::string>& assignments) {
   std::map<std::string, std::string> seen;
   for (const std::string& assignment : assignments) {
     const auto refuse = [&](std::string_view why) {
-      return input_error("--set {}: {}", echoed(assignment), why);
+      return input_error("--set {}: {}", quoted_input(assignment), why);
     };
     const auto sign = assignment.find('=');
     if (sign == std::string::npos) throw refuse("say name=value");
     const std::string name = assignment.substr(0, sign);
     const auto [before, is_new] = seen.emplace(name, assignment);
     if (!is_new)
-      throw refuse(fmt::format("{} is set twice, by {} too", echoed(name), echoed(before->second)));
+      throw refuse(
+          fmt::format("{} is set twice, by {} too", quoted_input(name), quoted_input(before->second)));
     if (!scene::parse_number(assignment.substr(sign + 1), values[name]))
       throw refuse("the value is not a number");
   }
@@ -202,7 +203,7 @@ std::string describe_problems() {
     for (const auto& [name, value] : problem.parameters)
       settings.push_back(fmt::format("{}={:.6g}", name, value));
     constexpr std::size_t most = 300;
-    text += fmt::format("  {}: {}\n    {}; state {}\n", problem.name, echoed(problem.equation, most),
+    text += fmt::format("  {}: {}\n    {}; state {}\n", problem.name, quoted_input(problem.equation, most),
                         fmt::join(settings, " "), fmt::join(problem.state_names, ","));
   }
   return text;

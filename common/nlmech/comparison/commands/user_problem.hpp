@@ -45,7 +45,7 @@ struct UserProblem {
   std::optional<double> t1;              ///< where the text ends, if it says so
   ivp::System system;                    ///< what methods run on
   /// Computations in extended precision, for references; may be none.
-  std::function<std::vector<Candidate>(const Effort&)> extended;
+  std::function<std::vector<Candidate>(const WorkLimit&)> extended;
   std::shared_ptr<const ivp::Domain> domain = {};  ///< where the equations hold
   program::Equations text;                         ///< as they were read
   std::vector<EventLine> event_lines = {};         ///< of the text

@@ -17,14 +17,14 @@ namespace nlmech::comparison {
 
 /// The largest error of a component: relative to the component, or, where that is close to zero - below a
 /// thousandth of its size - relative to its size. Components that are zero throughout count absolutely.
-[[nodiscard]] inline double relative_error(const ivp::State& found, const ivp::LongState& truth,
+[[nodiscard]] inline double relative_error(const ivp::State& found, const ivp::LongState& exact,
                                            const ivp::State& size) {
   double worst = 0;
   for (Eigen::Index i = 0; i < found.size(); ++i) {
-    const auto value = static_cast<double>(std::abs(truth[i]));
+    const auto value = static_cast<double>(std::abs(exact[i]));
     double scale = value >= 1e-3 * size[i] ? value : size[i];
     if (!(scale > 0)) scale = 1;
-    const auto error = static_cast<double>(std::abs(found[i] - truth[i])) / scale;
+    const auto error = static_cast<double>(std::abs(found[i] - exact[i])) / scale;
     if (std::isnan(error)) return error;
     worst = std::max(worst, error);
   }
@@ -89,8 +89,8 @@ struct Accuracy {
   if (!end.status.ok()) return accuracy;
   std::vector<double> errors;
   for (const auto& e : seen.get()) {
-    const ivp::LongState truth = c.reference(e.t);
-    errors.push_back(c.error ? c.error(e.x, truth) : relative_error(e.x, truth, c.amplitude));
+    const ivp::LongState exact = c.reference(e.t);
+    errors.push_back(c.error ? c.error(e.x, exact) : relative_error(e.x, exact, c.amplitude));
   }
   accuracy.error = median(errors);
   return accuracy;

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "nlmech/comparison/cost/accuracy.hpp"
-#include "nlmech/comparison/cost/contenders.hpp"
+#include "nlmech/comparison/cost/method_sweep.hpp"
 #include "nlmech/scene/scene.hpp"
 #include "nlmech/scene/work_precision.hpp"
 #include "nlmech/support/errors.hpp"
@@ -61,13 +61,13 @@ inline constexpr std::size_t least_runs = 3;
 /// Every setting of every method, in the order given (coarse first), to enough_right_hand_sides.
 /// @param quick to enough_for_a_look, even without least_runs
 [[nodiscard]] inline std::vector<scene::MethodLine> cost_curves(const Example& c,
-                                                                const std::vector<Contender>& contenders,
+                                                                const std::vector<MethodSweep>& sweeps,
                                                                 bool quick) {
   std::vector<scene::MethodLine> curves;
-  for (const Contender& contender : contenders) {
-    scene::MethodLine curve = line_of(contender.label(), contender.kind);
-    for (const Setting& setting : contender.settings) {
-      curve.attempts.push_back(cost_of(c, setting.text, integrator(contender, setting), quick));
+  for (const MethodSweep& sweep : sweeps) {
+    scene::MethodLine curve = line_of(sweep.label(), sweep.kind);
+    for (const Setting& setting : sweep.settings) {
+      curve.attempts.push_back(cost_of(c, setting.text, integrator(sweep, setting), quick));
       const auto right_hand_sides = std::get<std::int64_t>(curve.attempts.back().work.front());
       if (quick ? right_hand_sides > enough_for_a_look
                 : right_hand_sides > enough_right_hand_sides && curve.attempts.size() >= least_runs)
@@ -78,9 +78,9 @@ inline constexpr std::size_t least_runs = 3;
   return curves;
 }
 
-/// The condition of an example: greatest change of the end, in amplitudes, for a change of the begin by one.
+/// The condition of an example: greatest change of the end, in amplitudes, for a change of the start by one.
 /// By differences of runs whose error is far below them.
-/// @param change of each component of the begin, in amplitudes; small enough for a linear answer
+/// @param change of each component of the start, in amplitudes; small enough for a linear answer
 /// @throws Failure if a run fails
 [[nodiscard]] inline double condition_of(const Example& c, const ivp::NamedIntegrator& run,
                                          double change = 1e-6) {

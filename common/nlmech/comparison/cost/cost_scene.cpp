@@ -20,8 +20,8 @@ std::string heading_of(const std::string& problem, const scene::ProblemLines& li
 Costs costs_of(const WorkPrecisionStudy& study, bool quick) {
   if (study.measure) return study.measure(quick);
   const Example example = study.example();
-  std::vector<Contender> all = study.methods(quick);
-  for (Contender& peer : all_peers(quick)) all.push_back(std::move(peer));
+  std::vector<MethodSweep> all = study.methods(quick);
+  for (MethodSweep& peer : all_peers(quick)) all.push_back(std::move(peer));
   Costs costs{{"", cost_curves(example, all, quick)}};
   if (study.change == 0) return costs;
   const auto accurate = ivp::named_integrator("series", {.tolerance = 1e-16});
@@ -58,7 +58,7 @@ scene::Scene work_precision_scene(WorkPrecisionStudy what) {
                                {all.lines}, show);
     if (what.change > 0)
       show.near("condition", all.condition, all.again, 0.05,
-                "a hundred times the change of the begin: the answer is linear");
+                "a hundred times the change of the start: the answer is linear");
     what.check(all, show);
   };
   return {.name = "error-vs-time" + suffix,

@@ -29,8 +29,8 @@ struct WorkPrecisionStudy {
   std::string name;     ///< "duffing": scene `error-vs-time-duffing`, run `times-duffing`; may be empty
   std::string problem;  ///< "Driven Duffing oscillator to t = 50"; the heading adds who is fastest
   std::string reading;  ///< of the run: settings, and what else is particular
-  std::function<Example()> example = {};                           ///< the problem
-  std::function<std::vector<Contender>(bool quick)> methods = {};  ///< in the picture; all peers follow
+  std::function<Example()> example = {};                             ///< the problem
+  std::function<std::vector<MethodSweep>(bool quick)> methods = {};  ///< in the picture; all peers follow
   double change = 0;  ///< of the start, by which condition_of() finds the condition and that the answer to it
                       ///< is linear; 0: the condition is not asked for
   std::function<Costs(bool quick)> measure = {};               ///< instead of example, methods and change

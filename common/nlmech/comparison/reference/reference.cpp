@@ -88,35 +88,36 @@ Reference none_of(const std::vector<Arrived>& arrived, const Distance& best,
 }
 
 /// One of the methods that references are made of.
-struct Judge {
+struct ReferenceMethod {
   std::string_view name;
   double least_tolerance;   ///< below which it gains nothing
   std::int64_t most_steps;  ///< in some fifth of a second
 };
 
-constexpr std::array judges = {Judge{"series", 1e-16, 50'000},
-                               Judge{"adaptive-collocation", 1e-13, 20'000},
-                               Judge{"odeint-rosenbrock4", 1e-12, 60'000},
-                               Judge{"odeint-fehlberg78", 1e-13, 150'000},
-                               Judge{"cvode-bdf", 1e-12, 100'000},
-                               Judge{"gsl-rk8pd", 1e-13, 150'000},
-                               Judge{"laier", 1e-12, 60'000}};
+constexpr std::array reference_methods = {ReferenceMethod{"series", 1e-16, 50'000},
+                                          ReferenceMethod{"adaptive-collocation", 1e-13, 20'000},
+                                          ReferenceMethod{"odeint-rosenbrock4", 1e-12, 60'000},
+                                          ReferenceMethod{"odeint-fehlberg78", 1e-13, 150'000},
+                                          ReferenceMethod{"cvode-bdf", 1e-12, 100'000},
+                                          ReferenceMethod{"gsl-rk8pd", 1e-13, 150'000},
+                                          ReferenceMethod{"laier", 1e-12, 60'000}};
 
 /// By absolute tolerances for components that decay, then by those needed.
-Status by_judge(const Judge& judge, const ivp::System& system, const Tolerance& needed, const Effort& effort,
-                const Way& way, double seconds, StatesAt& states) {
+Status by_reference_method(const ReferenceMethod& by, const ivp::System& system, const Tolerance& needed,
+                           const WorkLimit& effort, const ReferenceRequest& way, double seconds,
+                           StatesAt& states) {
   const Stopwatch watch;
-  const ivp::MethodInfo& method = any_method(judge.name);
+  const ivp::MethodInfo& method = any_method(by.name);
   if (method.estimate_misses_time && depends_on_time(system, way.t0, way.x0.template cast<double>()))
     return Status::failure(Outcome::outside_validity, "its error estimate does not see what depends on t");
-  const double relative = std::clamp(needed.relative / 10, judge.least_tolerance, 1e-4);
+  const double relative = std::clamp(needed.relative / 10, by.least_tolerance, 1e-4);
   const double loose = std::max(needed.absolute / 10, relative * 1e-2);
-  const auto steps = static_cast<std::int64_t>(effort.work * static_cast<double>(judge.most_steps));
+  const auto steps = static_cast<std::int64_t>(effort.work * static_cast<double>(by.most_steps));
   Status status;
   for (const double absolute : {std::min(relative, loose) * 1e-6, loose}) {
     try {
       const ivp::Settings settings{.tolerance = relative, .absolute_tolerance = absolute};
-      Pace pace(way.t0, way.times.back(), static_cast<double>(steps));
+      StepBudget pace(way.t0, way.times.back(), static_cast<double>(steps));
       ivp::Observer observer;  // empty for methods whose steps may yet grow, once the stiffness has shown
       if (method.family == ivp::Family::series || method.family == ivp::Family::runge_kutta)
         observer = [&pace](const ivp::Step& step) { return pace.suffices(step.t1); };
@@ -140,7 +141,7 @@ double Reference::uncertainty() const {
   double worst = 0;
   const Eigen::Index last = states.cols() - 1;
   for (Eigen::Index i = 0; i < states.rows(); ++i)
-    worst = std::max(worst, doubt(i, last) / magnitude(static_cast<double>(states(i, last)), size[i]));
+    worst = std::max(worst, difference(i, last) / magnitude(static_cast<double>(states(i, last)), size[i]));
   return worst;
 }
 
@@ -150,8 +151,8 @@ std::string Reference::text() const {
   return fmt::format("{} and {} agree to {:.1f} digits", first.name, second.name, digits);
 }
 
-Reference agree(const std::vector<Candidate>& candidates, const Way& way, const Tolerance& needed,
-                double seconds) {
+Reference agree(const std::vector<Candidate>& candidates, const ReferenceRequest& way,
+                const Tolerance& needed, double seconds) {
   const Stopwatch watch;
   std::vector<Arrived> arrived;
   std::vector<Failed> failed;
@@ -180,12 +181,12 @@ Reference agree(const std::vector<Candidate>& candidates, const Way& way, const 
   r.first = a.by;
   r.second = b.by;
   r.states = a.states;
-  r.doubt = (a.states - b.states).cwiseAbs().cast<double>();
+  r.difference = (a.states - b.states).cwiseAbs().cast<double>();
   r.size = size_of(a.states);
   return r;
 }
 
-Status states_by(const ivp::NamedIntegrator& run, const ivp::System& system, const Way& way,
+Status states_by(const ivp::NamedIntegrator& run, const ivp::System& system, const ReferenceRequest& way,
                  const ivp::Observer& observer, const ivp::Limits& limits, StatesAt& states) {
   const Stopwatch watch;
   states.resize(way.x0.size(), static_cast<Eigen::Index>(way.times.size()));
@@ -207,13 +208,14 @@ Status states_by(const ivp::NamedIntegrator& run, const ivp::System& system, con
 }
 
 Reference reference_of(std::vector<Candidate> all, const ivp::System& system, const ivp::State& x0, double t0,
-                       const std::vector<double>& times, const Tolerance& needed, const Effort& effort) {
-  for (const Judge& judge : judges) {
-    const ivp::MethodInfo& method = any_method(judge.name);
+                       const std::vector<double>& times, const Tolerance& needed, const WorkLimit& effort) {
+  for (const ReferenceMethod& by : reference_methods) {
+    const ivp::MethodInfo& method = any_method(by.name);
     if (!method.is_available() || (method.second_order_only && !system.second_order())) continue;
-    all.push_back({std::string(judge.name), false, [=](const Way& way, double seconds, StatesAt& states) {
-                     return by_judge(judge, system, needed, effort, way, seconds, states);
-                   }});
+    all.push_back(
+        {std::string(by.name), false, [=](const ReferenceRequest& way, double seconds, StatesAt& states) {
+           return by_reference_method(by, system, needed, effort, way, seconds, states);
+         }});
   }
   return agree(all, {x0.cast<long double>(), t0, times}, needed, effort.seconds);
 }

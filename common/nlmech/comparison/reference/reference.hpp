@@ -40,7 +40,7 @@ struct Tolerance {
 };
 
 /// Bounds on the work for a reference.
-struct Effort {
+struct WorkLimit {
   /// In steps and evaluations, so that a result does not depend on the speed of the machine: 1 is about a
   /// second.
   double work = 1;
@@ -59,10 +59,10 @@ struct Effort {
 
 /// Ends a computation that is too slow to arrive: one that, after a twentieth of its steps, has made less
 /// than a twentieth of the way that they would have to.
-class Pace {
+class StepBudget {
  public:
   /// @param most steps from t0 to t1
-  Pace(double t0, double t1, double most) : t0_(t0), way_(t1 - t0), most_(most) {}
+  StepBudget(double t0, double t1, double most) : t0_(t0), way_(t1 - t0), most_(most) {}
   /// After a step to @p t: may it go on?
   [[nodiscard]] bool suffices(double t) {
     ++steps_;
@@ -77,7 +77,7 @@ class Pace {
 using ExtendedState = Eigen::Matrix<long double, Eigen::Dynamic, 1>;
 
 /// Where a solution begins and where it is wanted.
-struct Way {
+struct ReferenceRequest {
   ExtendedState x0;  ///< initial state
   double t0 = 0;     ///< begin
   std::vector<double>
@@ -89,21 +89,21 @@ struct Candidate {
   std::string name;       ///< "adaptive-collocation"
   bool extended = false;  ///< works in extended precision; if one of these fails, no other is tried
   /// Fills the states at the asked times, within that wall time in seconds.
-  std::function<Status(const Way&, double seconds, StatesAt&)> compute;
+  std::function<Status(const ReferenceRequest&, double seconds, StatesAt&)> compute;
 };
 
 /// A solution at several times, as far as it is known.
 struct Reference {
-  Status status;              ///< success, or why there is none
-  bool undetermined = false;  ///< none, because two computations in extended precision part: their rounding
-                              ///< is multiplied to the size of the solution
-  bool ends = false;          ///< none, because the solution seems to end on the way: the steps of two
-                              ///< computations, one of them in extended precision, shrink to nothing
-  Candidate first;            ///< of the two computations that agree best the one whose states are given
-  Candidate second;           ///< the other one
-  StatesAt states;            ///< of the first of them
-  Eigen::MatrixXd doubt;      ///< |difference| of the two, for each component and time
-  Eigen::VectorXd size;       ///< greatest |x_i| at these times
+  Status status;               ///< success, or why there is none
+  bool undetermined = false;   ///< none, because two computations in extended precision part: their rounding
+                               ///< is multiplied to the size of the solution
+  bool ends = false;           ///< none, because the solution seems to end on the way: the steps of two
+                               ///< computations, one of them in extended precision, shrink to nothing
+  Candidate first;             ///< of the two computations that agree best the one whose states are given
+  Candidate second;            ///< the other one
+  StatesAt states;             ///< of the first of them
+  Eigen::MatrixXd difference;  ///< |difference| of the two, for each component and time
+  Eigen::VectorXd size;        ///< greatest |x_i| at these times
 
   /// How wrong the last state may be: the greatest difference of a component there, relative to the component
   /// or, where that is below a thousandth of its size, to its size.
@@ -115,7 +115,7 @@ struct Reference {
 /// Runs the candidates in turn until two agree as finely as needed; else the two are taken that agree best,
 /// if they agree to two digits at all times.
 /// @param seconds wall time for all of them
-[[nodiscard]] Reference agree(const std::vector<Candidate>& candidates, const Way& way,
+[[nodiscard]] Reference agree(const std::vector<Candidate>& candidates, const ReferenceRequest& way,
                               const Tolerance& needed, double seconds);
 
 /// The states of a problem at @p times, by the first two that agree of @p extended, computations in extended
@@ -131,12 +131,13 @@ struct Reference {
 /// @param effort when to give up
 [[nodiscard]] Reference reference_of(std::vector<Candidate> extended, const ivp::System& system,
                                      const ivp::State& x0, double t0, const std::vector<double>& times,
-                                     const Tolerance& needed, const Effort& effort);
+                                     const Tolerance& needed, const WorkLimit& effort);
 
 /// The states at all times by a method that is begun anew at each.
 /// @param observer of all segments; may be empty
-[[nodiscard]] Status states_by(const ivp::NamedIntegrator& run, const ivp::System& system, const Way& way,
-                               const ivp::Observer& observer, const ivp::Limits& limits, StatesAt& states);
+[[nodiscard]] Status states_by(const ivp::NamedIntegrator& run, const ivp::System& system,
+                               const ReferenceRequest& way, const ivp::Observer& observer,
+                               const ivp::Limits& limits, StatesAt& states);
 
 /// The times at which a way from @p t0 to @p t1 is looked at: @p count equidistant ones, the last of them the
 /// end.

@@ -46,8 +46,9 @@ struct Backwards {
 
 /// The states at ascending times by one Taylor series.
 template <class Problem>
-Status taylor_states(const Problem& problem, const Way& way, const problems::ReferenceOptions& options,
-                     double most_steps, double seconds, StatesAt& states) {
+Status taylor_states(const Problem& problem, const ReferenceRequest& way,
+                     const problems::ReferenceOptions& options, double most_steps, double seconds,
+                     StatesAt& states) {
   constexpr int n = Problem::dimension;
   using Exact = Vector<long double, n>;
   const std::vector<double>& times = way.times;
@@ -56,7 +57,7 @@ Status taylor_states(const Problem& problem, const Way& way, const problems::Ref
   for (; next < times.size() && times[next] == way.t0; ++next)
     states.col(static_cast<Eigen::Index>(next)) = way.x0;
   if (next == times.size()) return {};
-  Pace pace(way.t0, times.back(), most_steps);
+  StepBudget pace(way.t0, times.back(), most_steps);
   const Stopwatch watch;
   const auto look = [&](const problems::TaylorStep<long double, n>& step, const Exact& x) {
     const long double end = step.start + step.length;
@@ -80,10 +81,11 @@ Status taylor_states(const Problem& problem, const Way& way, const problems::Ref
 
 /// The same in the direction of travel.
 template <class Problem>
-Status taylor_either_way(const Problem& problem, const Way& way, const problems::ReferenceOptions& options,
-                         double most_steps, double seconds, StatesAt& states) {
+Status taylor_either_way(const Problem& problem, const ReferenceRequest& way,
+                         const problems::ReferenceOptions& options, double most_steps, double seconds,
+                         StatesAt& states) {
   if (way.times.back() >= way.t0) return taylor_states(problem, way, options, most_steps, seconds, states);
-  Way mirrored{way.x0, -way.t0, way.times};
+  ReferenceRequest mirrored{way.x0, -way.t0, way.times};
   for (double& t : mirrored.times) t = -t;
   return taylor_states(Backwards<Problem>{problem}, mirrored, options, most_steps, seconds, states);
 }
@@ -94,7 +96,7 @@ Status taylor_either_way(const Problem& problem, const Way& way, const problems:
 /// @param size components of the state
 template <class Problem>
 [[nodiscard]] std::vector<Candidate> taylor_candidates(const Problem& problem, int size,
-                                                       const Effort& effort) {
+                                                       const WorkLimit& effort) {
   // A step takes 15 microseconds for two components, 600 for the 24 of four bodies, which attract each other.
   const double most_steps = effort.work * 1e5 / size;
   std::vector<Candidate> all;
@@ -104,7 +106,7 @@ template <class Problem>
     options.largest_step = effort.largest_step;
     options.most_steps = static_cast<std::size_t>(std::ceil(most_steps));
     all.push_back({"Taylor series of order " + std::to_string(order), true,
-                   [=](const Way& way, double seconds, StatesAt& states) {
+                   [=](const ReferenceRequest& way, double seconds, StatesAt& states) {
                      return detail::taylor_either_way(problem, way, options, most_steps, seconds, states);
                    }});
   }
@@ -115,7 +117,7 @@ template <class Problem>
 template <class Problem>
 [[nodiscard]] Reference reference_of(const Problem& problem, const problems::StateOf<double, Problem>& x0,
                                      double t0, const std::vector<double>& times, const Tolerance& needed,
-                                     const Effort& effort) {
+                                     const WorkLimit& effort) {
   return reference_of(taylor_candidates(problem, static_cast<int>(x0.size()), effort), ivp::System(problem),
                       x0, t0, times, needed, effort);
 }

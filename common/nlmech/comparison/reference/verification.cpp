@@ -39,7 +39,7 @@ Status derivative(const Candidate& run, const ExtendedState& x, double t0, doubl
                   const Eigen::VectorXd& by, const std::function<double()>& seconds, Eigen::MatrixXd& d) {
   d.resize(x.size(), x.size());
   StatesAt ends[2];
-  Way way{x, t0, {t1}};
+  ReferenceRequest way{x, t0, {t1}};
   for (Eigen::Index j = 0; j < x.size(); ++j) {
     long double begins[2];
     for (const int side : {0, 1}) {
@@ -57,29 +57,29 @@ Status derivative(const Candidate& run, const ExtendedState& x, double t0, doubl
 using Verdict = Verification::Verdict;
 
 /// A run beside its reference.
-struct Beside {
+struct Comparison {
   /// @param one what one tolerance comes to @param relative_to of digits
-  Beside(const Verified& r, const Reference& reference, Eigen::MatrixXd one, Eigen::MatrixXd relative_to)
+  Comparison(const Verified& r, const Reference& reference, Eigen::MatrixXd one, Eigen::MatrixXd relative_to)
       : run(r),
         scale(std::move(relative_to)),
         error(Eigen::MatrixXd::Zero(r.states.rows(), r.states.cols())),
-        doubt(error),
+        uncertainty(error),
         weight(std::move(one)),
         moved(weight) {
     for (Eigen::Index k = 0; k < error.cols(); ++k) {
       if (std::isnan(run.states(0, k))) continue;
       error.col(k) =
           (run.states.col(k).cast<long double>() - reference.states.col(k)).cwiseAbs().cast<double>();
-      doubt.col(k) = reference.doubt.col(k);
+      uncertainty.col(k) = reference.difference.col(k);
     }
   }
 
   const Verified& run;
-  Eigen::MatrixXd scale;   ///< what digits are relative to
-  Eigen::MatrixXd error;   ///< |difference|; zero where the run has no state
-  Eigen::MatrixXd doubt;   ///< of the reference; zero likewise
-  Eigen::MatrixXd weight;  ///< one tolerance
-  Eigen::MatrixXd moved;   ///< what the problem makes of one tolerance
+  Eigen::MatrixXd scale;        ///< what digits are relative to
+  Eigen::MatrixXd error;        ///< |difference|; zero where the run has no state
+  Eigen::MatrixXd uncertainty;  ///< of the reference; zero likewise
+  Eigen::MatrixXd weight;       ///< one tolerance
+  Eigen::MatrixXd moved;        ///< what the problem makes of one tolerance
 
   /// Where the error is greatest, compared with @p unit.
   [[nodiscard]] Verification worst(Verdict verdict, const Eigen::MatrixXd& unit) const {
@@ -89,7 +89,7 @@ struct Beside {
   }
   /// Where the run has the fewest digits, of the places at which it may be off by more than most_tolerances.
   [[nodiscard]] Verification fewest_digits() const {
-    const Eigen::ArrayXXd most = (error + doubt).array();
+    const Eigen::ArrayXXd most = (error + uncertainty).array();
     const auto counts = (most > most_tolerances * weight.array()).cast<double>();
     Eigen::Index row = 0, column = 0;
     (void)(counts * most / scale.array()).maxCoeff(&row, &column);
@@ -97,11 +97,11 @@ struct Beside {
   }
   /// Are the run and the reference good enough?
   [[nodiscard]] bool within(const Eigen::MatrixXd& bound) const {
-    return (error.array() <= bound.array()).all() && (doubt.array() <= bound.array()).all();
+    return (error.array() <= bound.array()).all() && (uncertainty.array() <= bound.array()).all();
   }
   /// Is the run off by more than most_tolerances, however far off the reference may be?
   [[nodiscard]] bool surely_beyond() const {
-    return ((error - doubt).array() > most_tolerances * weight.array()).any();
+    return ((error - uncertainty).array() > most_tolerances * weight.array()).any();
   }
 
  private:
@@ -111,11 +111,11 @@ struct Beside {
             .t = run.times[static_cast<std::size_t>(column)],
             .component = static_cast<int>(row),
             .error = error(row, column),
-            .doubt = doubt(row, column),
+            .uncertainty = uncertainty(row, column),
             .tolerances = error(row, column) / one,
             .allowed = std::max(most_tolerances, most_amplified * growth),
             .growth = growth,
-            .digits = -std::log10((error(row, column) + doubt(row, column)) / scale(row, column))};
+            .digits = -std::log10((error(row, column) + uncertainty(row, column)) / scale(row, column))};
   }
 };
 
@@ -134,12 +134,13 @@ Eigen::MatrixXd scales(const StatesAt& states, const Eigen::VectorXd& size, cons
 }
 
 /// The verdict on a run that is not right to enough digits, or of which the reference does not tell.
-Verification with_condition(const Beside& all, const Reference& reference, const Eigen::VectorXd& size) {
+Verification with_condition(const Comparison& all, const Reference& reference, const Eigen::VectorXd& size) {
   const Eigen::MatrixXd bound = (most_tolerances * all.weight).cwiseMax(most_amplified * all.moved);
   Verification v = all.worst(Verdict::wrong, bound);
   const double extent = size[v.component] > 0 ? size[v.component] : 1;
   const double allowed = v.allowed * v.error / std::max(v.tolerances, 1e-300);
-  const double sure = v.error - v.doubt;  // the reference may be off by its doubt, and the run by less then
+  const double sure =
+      v.error - v.uncertainty;  // the reference may be off by its uncertainty, and the run by less then
   const bool is_amplified =
       v.allowed > most_tolerances;  // else the tolerance is coarse, and no more to blame
   if (v.error >= 0.1 * extent && allowed >= 0.1 * extent && is_amplified) {
@@ -170,8 +171,9 @@ Tolerance tolerance_of(const ivp::Settings& settings) {
 
 double enough_digits(double tolerance) { return std::max(3.0, -std::log10(tolerance) / 2); }
 
-Status amplification(const Way& way, const Reference& reference, const Eigen::VectorXd& first_weight,
-                     const Eigen::MatrixXd& weight, double seconds, Eigen::MatrixXd& moved) {
+Status amplification(const ReferenceRequest& way, const Reference& reference,
+                     const Eigen::VectorXd& first_weight, const Eigen::MatrixXd& weight, double seconds,
+                     Eigen::MatrixXd& moved) {
   const Stopwatch watch;
   const std::function<double()> left = [&] { return seconds - watch.seconds(); };
   // Far above the errors of the run that made the reference, and small against the solution.
@@ -202,16 +204,16 @@ Status amplification(const Way& way, const Reference& reference, const Eigen::Ve
 }
 
 Verification verify(const ivp::System& system, const ivp::State& x0, double t0, const Verified& run,
-                    const Reference& reference, const Effort& effort) {
+                    const Reference& reference, const WorkLimit& effort) {
   if (reference.undetermined)
     return {.verdict = Verdict::undetermined, .t = run.times.back(), .growth = 1 / run.tolerance.relative};
   if (!reference.status.ok())
     return {.verdict = reference.ends ? Verdict::ended : Verdict::unknown, .reason = reference.text()};
   const Eigen::VectorXd size = reference.size.cwiseMax(x0.cwiseAbs());
-  Beside all(run, reference, weights(system, run.times, reference.states, size, run.tolerance),
-             scales(reference.states, size, run.tolerance));
+  Comparison all(run, reference, weights(system, run.times, reference.states, size, run.tolerance),
+                 scales(reference.states, size, run.tolerance));
   if (all.within(most_tolerances * all.weight)) return all.worst(Verdict::right, all.weight);
-  const Way way{x0.cast<long double>(), t0, run.times};
+  const ReferenceRequest way{x0.cast<long double>(), t0, run.times};
   const Eigen::MatrixXd first = weights(system, {t0}, way.x0, size, run.tolerance);
   const Status status = amplification(way, reference, first.col(0), all.weight, effort.seconds, all.moved);
   if (!status.ok()) all.moved.setZero();
@@ -226,7 +228,7 @@ Verification verify(const ivp::System& system, const ivp::State& x0, double t0, 
 
 bool agrees(const ivp::System& system, const ivp::State& x0, double t0, const Verified& run,
             const ivp::NamedIntegrator& other, const ivp::Limits& limits) {
-  Way way{x0.cast<long double>(), t0, {}};
+  ReferenceRequest way{x0.cast<long double>(), t0, {}};
   Eigen::MatrixXd states(x0.size(), 0);
   for (Eigen::Index k = 0; k < run.states.cols(); ++k) {
     if (std::isnan(run.states(0, k))) continue;

@@ -48,15 +48,15 @@ struct Verification {
                                        ///< furthest off, compared with what is allowed
   int component = 0;                   ///< and in which component, from 0
   double error = 0;                    ///< how far off it is there
-  double doubt = 0;                    ///< how far off the reference may be
+  double uncertainty = 0;              ///< how far off the reference may be
   double tolerances = 0;               ///< the same in tolerances
   double allowed = most_tolerances;    ///< how many of them are let pass there
   double growth = 1;                   ///< how much one tolerance grows up to there; 0: not known
-  double digits = 0;                   ///< of the component there, at least: by its error and the doubt,
-                                       ///< relative to it or, where it is below a thousandth of its size, to
-                                       ///< that; of a component that never exceeds the absolute tolerance
-                                       ///< relative to the size at which both tolerances are the same
-  std::string reason = {};             ///< of unknown and ended, in words
+  double digits = 0;        ///< of the component there, at least: by its error and the uncertainty,
+                            ///< relative to it or, where it is below a thousandth of its size, to
+                            ///< that; of a component that never exceeds the absolute tolerance
+                            ///< relative to the size at which both tolerances are the same
+  std::string reason = {};  ///< of unknown and ended, in words
 };
 
 /// What is verified.
@@ -79,7 +79,7 @@ inline constexpr int most_verified = 48;
 /// @param moved gets the result, of the size of @p weight
 /// @param seconds wall time
 /// @returns success, or why it is not known
-[[nodiscard]] Status amplification(const Way& way, const Reference& reference,
+[[nodiscard]] Status amplification(const ReferenceRequest& way, const Reference& reference,
                                    const Eigen::VectorXd& first_weight, const Eigen::MatrixXd& weight,
                                    double seconds, Eigen::MatrixXd& moved);
 
@@ -88,7 +88,7 @@ inline constexpr int most_verified = 48;
 /// @param reference at run.times
 /// @param effort for the condition
 [[nodiscard]] Verification verify(const ivp::System& system, const ivp::State& x0, double t0,
-                                  const Verified& run, const Reference& reference, const Effort& effort);
+                                  const Verified& run, const Reference& reference, const WorkLimit& effort);
 
 /// Does another method, begun anew at each row of the run, come to the same within most_tolerances? Two
 /// computations agree then that share nothing but the problem: for one run of many, whose reference would

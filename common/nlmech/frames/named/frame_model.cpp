@@ -13,7 +13,7 @@
 #include <utility>
 
 #include "nlmech/algebraic/symmetric_solver.hpp"
-#include "nlmech/support/echo.hpp"
+#include "nlmech/support/quoted_input.hpp"
 #include "nlmech/support/sentences.hpp"
 
 namespace nlmech::frames {
@@ -28,7 +28,7 @@ template <class... Args>
 }
 
 std::string called(const NamedMember& m) {
-  return fmt::format("member {}-{}", echoed(m.first), echoed(m.second));
+  return fmt::format("member {}-{}", quoted_input(m.first), quoted_input(m.second));
 }
 
 Names names_of(const std::vector<NamedNode>& nodes) {
@@ -37,10 +37,10 @@ Names names_of(const std::vector<NamedNode>& nodes) {
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const NamedNode& n = nodes[i];
     if (!(std::isfinite(n.x) && std::isfinite(n.y)))
-      throw refusal(ModelPart::nodes, i, "node {} is at ({}, {}); places are finite", echoed(n.name), n.x,
-                    n.y);
+      throw refusal(ModelPart::nodes, i, "node {} is at ({}, {}); places are finite", quoted_input(n.name),
+                    n.x, n.y);
     if (!names.emplace(n.name, static_cast<int>(i)).second)
-      throw refusal(ModelPart::nodes, i, "node {} stands twice", echoed(n.name));
+      throw refusal(ModelPart::nodes, i, "node {} stands twice", quoted_input(n.name));
   }
   return names;
 }
@@ -54,14 +54,14 @@ void require_places(const std::vector<NamedNode>& nodes) {
   for (std::size_t k = 1; k < order.size(); ++k) {
     const NamedNode &a = nodes[order[k - 1]], &b = nodes[order[k]];
     if (a.x == b.x && a.y == b.y)
-      throw refusal(ModelPart::nodes, order[k], "node {} is where node {} is, at ({}, {})", echoed(b.name),
-                    echoed(a.name), b.x, b.y);
+      throw refusal(ModelPart::nodes, order[k], "node {} is where node {} is, at ({}, {})",
+                    quoted_input(b.name), quoted_input(a.name), b.x, b.y);
   }
 }
 
 int index_of(const Names& names, const std::string& name, ModelPart part, std::size_t index) {
   const auto found = names.find(name);
-  if (found == names.end()) throw refusal(part, index, "there is no node {}", echoed(name));
+  if (found == names.end()) throw refusal(part, index, "there is no node {}", quoted_input(name));
   return found->second;
 }
 
@@ -154,7 +154,7 @@ Parts parts_of(const FrameModel& model, const Names& names, int elements) {
   }
   for (std::size_t i = 0; i < is_reached.size(); ++i) {
     if (is_reached[i] == 0)
-      throw refusal(ModelPart::nodes, i, "node {} has no member", echoed(model.nodes[i].name));
+      throw refusal(ModelPart::nodes, i, "node {} has no member", quoted_input(model.nodes[i].name));
   }
   return parts;
 }
@@ -169,7 +169,7 @@ Eigen::Index unknown_of(const std::string& node, Motion motion, const Names& nam
   const Eigen::Index at = frame.unknown(index_of(names, node, part, index), motion);
   if (at < 0)
     throw refusal(
-        part, index, "{} {}.{}, which {}", what, echoed(node), to_string(motion),
+        part, index, "{} {}.{}, which {}", what, quoted_input(node), to_string(motion),
         motion == Motion::rotation ? "is held, or which no member is rigidly joined to" : "is held");
   return at;
 }
@@ -183,9 +183,9 @@ void add_actions(const FrameModel& model, const Names& names, NamedFrame& f) {
         unknown_of(d.node, d.motion, names, f.frame, ModelPart::displacements, i, "displacement of");
     if (!std::isfinite(d.value))
       throw refusal(ModelPart::displacements, i, "displacement of {}.{} = {}; it must be finite",
-                    echoed(d.node), to_string(d.motion), d.value);
+                    quoted_input(d.node), to_string(d.motion), d.value);
     if (std::find(f.given.begin(), f.given.end(), at) != f.given.end())
-      throw refusal(ModelPart::displacements, i, "displacement of {}.{} stands twice", echoed(d.node),
+      throw refusal(ModelPart::displacements, i, "displacement of {}.{} stands twice", quoted_input(d.node),
                     to_string(d.motion));
     f.given.push_back(at);
     f.displacement[at] = d.value;
@@ -195,10 +195,10 @@ void add_actions(const FrameModel& model, const Names& names, NamedFrame& f) {
     const NamedLoad& l = model.loads[i];
     const Eigen::Index at = unknown_of(l.node, l.motion, names, f.frame, ModelPart::loads, i, "load on");
     if (!std::isfinite(l.value))
-      throw refusal(ModelPart::loads, i, "load on {}.{} = {}; it must be finite", echoed(l.node),
+      throw refusal(ModelPart::loads, i, "load on {}.{} = {}; it must be finite", quoted_input(l.node),
                     to_string(l.motion), l.value);
     if (std::binary_search(f.given.begin(), f.given.end(), at))
-      throw refusal(ModelPart::loads, i, "load on {}.{}, whose displacement is given", echoed(l.node),
+      throw refusal(ModelPart::loads, i, "load on {}.{}, whose displacement is given", quoted_input(l.node),
                     to_string(l.motion));
     f.load[at] += l.value;
   }
@@ -230,7 +230,7 @@ Eigen::VectorXd masses_of(const FrameModel& model, const Names& names, const Fra
     for (const double value : {m.mass, m.inertia}) {
       if (!(value >= 0 && std::isfinite(value)))
         throw refusal(ModelPart::masses, i, "mass and inertia of {} are {} and {}; neither is negative",
-                      echoed(m.node), m.mass, m.inertia);
+                      quoted_input(m.node), m.mass, m.inertia);
     }
     for (const Motion motion : {Motion::x, Motion::y, Motion::rotation}) {
       const Eigen::Index at = frame.unknown(node, motion);
@@ -296,7 +296,7 @@ NamedFrame build(const FrameModel& model, int elements) {
     throw refusal(ModelPart::nodes, at,
                   "node {} can move along {} and no member is strained: nothing holds it, or the frame is a "
                   "mechanism; give it a support or a member",
-                  echoed(model.nodes[at].name), to_string(mechanism->motion));
+                  quoted_input(model.nodes[at].name), to_string(mechanism->motion));
   }
   if (is_all_held && supports.size() == held.size())
     throw refusal(ModelPart::supports, 0, "all motions of all nodes are held");

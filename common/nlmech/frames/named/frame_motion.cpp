@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "nlmech/support/doubles.hpp"
-#include "nlmech/support/echo.hpp"
+#include "nlmech/support/quoted_input.hpp"
 #include "nlmech/support/sentences.hpp"
 
 namespace nlmech::frames {

@@ -40,9 +40,9 @@ struct Crossing {
 };
 
 /// The walk along all branches.
-class Walk {
+class PathTracer {
  public:
-  Walk(LoadedFrame& equations, const FrameWalk& how)
+  PathTracer(LoadedFrame& equations, const PathOptions& how)
       : how_(how),
         equations_(equations),
         first_(std::min(equations.first_load(), std::abs(how.until.value_or(HUGE_VAL)) / 20)),
@@ -303,7 +303,7 @@ class Walk {
     return found;
   }
 
-  FrameWalk how_;
+  PathOptions how_;
   const LoadedFrame& equations_;
   double first_;
   Path path_;
@@ -317,7 +317,7 @@ class Walk {
   int branch_ = 0, criticals_ = 0;
 };
 
-void require(const FrameWalk& walk) {
+void require(const PathOptions& walk) {
   if (walk.steps < 1 || walk.branches < 0 || walk.critical < 0)
     throw invalid_argument("equilibrium_paths: {} steps, {} branches and {} critical points", walk.steps,
                            walk.branches, walk.critical);
@@ -336,10 +336,10 @@ std::string_view to_string(FramePoint::Kind kind) noexcept {
   }
 }
 
-FramePaths equilibrium_paths(const NamedFrame& frame, const FrameWalk& walk) {
+FramePaths equilibrium_paths(const NamedFrame& frame, const PathOptions& walk) {
   require(walk);
   LoadedFrame equations(frame);
-  return Walk(equations, walk).all();
+  return PathTracer(equations, walk).all();
 }
 
 namespace {
@@ -368,11 +368,11 @@ double factor_of(const std::vector<Node>& moves) {
 
 }  // namespace
 
-Imperfect imperfect(const NamedFrame& perfect, const Imperfection& imperfection, const FrameWalk& walk) {
+Imperfect imperfect(const NamedFrame& perfect, const Imperfection& imperfection, const PathOptions& walk) {
   const auto& [mode, amplitude] = imperfection;
   if (mode < 1 || !std::isfinite(amplitude))
     throw invalid_argument("imperfect: mode {} with the amplitude {}; modes count from 1", mode, amplitude);
-  FrameWalk how = walk;
+  PathOptions how = walk;
   how.branches = 0;
   how.critical = mode;
   const FramePaths paths = equilibrium_paths(perfect, how);

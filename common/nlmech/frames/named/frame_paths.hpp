@@ -17,7 +17,7 @@
 namespace nlmech::frames {
 
 /// How far to walk.
-struct FrameWalk {
+struct PathOptions {
   int steps = 200;  ///< along each branch, at most; positive
   /// Load factor of either sign at which each branch ends, not 0; negative: the path sets out to negative
   /// ones.
@@ -81,7 +81,7 @@ struct FramePaths {
 /// @param frame stable at rest
 /// @param walk how far
 /// @throws std::invalid_argument if a number of @p walk is out of its range
-[[nodiscard]] FramePaths equilibrium_paths(const NamedFrame& frame, const FrameWalk& walk);
+[[nodiscard]] FramePaths equilibrium_paths(const NamedFrame& frame, const PathOptions& walk);
 
 /// The frame with an imperfection built in, or why there is none.
 struct Imperfect {
@@ -102,6 +102,6 @@ struct Imperfect {
 /// @throws std::invalid_argument for a mode below 1 or an amplitude that is not finite; as build(), if nodes
 /// meet
 [[nodiscard]] Imperfect imperfect(const NamedFrame& perfect, const Imperfection& imperfection,
-                                  const FrameWalk& walk = {});
+                                  const PathOptions& walk = {});
 
 }  // namespace nlmech::frames

@@ -66,7 +66,7 @@ class Orders {
   [[nodiscard]] int error_order() const {
     return current([](const auto& e) { return e.error_order(); });
   }
-  /// Takes the trial for the begin of the next, with another order if that will do better.
+  /// Takes the trial for the start of the next, with another order if that will do better.
   void accept(Statistics& statistics) {
     const int better = current([&](auto& e) {
       const int change = e.better_order();
@@ -75,7 +75,7 @@ class Orders {
     });
     ++steps_;
     const int next = std::clamp(order_ + better, 0, count - 1);
-    if (is_fixed_ || next == order_ || steps_ < patience) return;
+    if (is_fixed_ || next == order_ || steps_ < max_slow_trials) return;
     current([&](const auto& from) {
       at<0>(*this, next, [&](auto& to) {
         if constexpr (!std::is_same_v<std::decay_t<decltype(to)>, std::decay_t<decltype(from)>>)
@@ -87,7 +87,7 @@ class Orders {
   }
 
  private:
-  static constexpr int patience = 4;  // steps with an order before the next change
+  static constexpr int max_slow_trials = 4;  // steps with an order before the next change
 
   template <class>
   static const Setup& for_each_of(const Setup& setup) {
@@ -152,7 +152,7 @@ class Run : public AdaptiveStepLoop<System, Run<Sweeps, Newton>> {
   static constexpr double first_growth = 8;         // of the first ones, whose length was a guess
   static constexpr double telling = 1e-8;           // error of a step after which the length is no guess
   static constexpr double least_remembered = 0.01;  // of errors, which pass through zero
-  static constexpr int patience = 4;                // half as many slow trials, before Newton's iteration
+  static constexpr int max_slow_trials = 4;         // half as many slow trials, before Newton's iteration
   static constexpr double much = 1.5;  // longer that the error would allow a step that sweeps bound
   static constexpr int calm = 20;      // steps short against the time constants, before sweeps
   static constexpr double gentle = 1;  // h |J| of such steps
@@ -181,7 +181,7 @@ class Run : public AdaptiveStepLoop<System, Run<Sweeps, Newton>> {
   }
 
   double attempt(double t1) {
-    if (is_stiff_ ? calm_ >= calm : has_newton_ && slow_ >= patience) {
+    if (is_stiff_ ? calm_ >= calm : has_newton_ && slow_ >= max_slow_trials) {
       is_stiff_ = !is_stiff_;
       begin_engine();
     }

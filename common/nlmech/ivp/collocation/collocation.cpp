@@ -33,7 +33,7 @@ class CollocationStepper : public Stepper {
   static constexpr bool has_nodes = true;  ///< nodes 2..N
 
   /// @param system outlives the stepper
-  /// @param basis on the unit interval, the first node at its begin
+  /// @param basis on the unit interval, the first node at its start
   /// @param newton the iteration for a step's equations
   /// @param name the method's, for messages
   CollocationStepper(const System& system, collocation::Basis basis, const algebraic::Newton& newton,

@@ -26,8 +26,8 @@ namespace nlmech::ivp::adaptive {
 /// an iteration solves one real and (s - 1)/2 complex systems of the size of the state (E. Hairer and G.
 /// Wanner, Stiff differential equations solved by Radau methods, J. Comput. Appl. Math. 111 (1999) 93-111).
 ///
-/// Error at the end of the step, e_i <= absolute + relative |x_i| at the begin. The trial function fails the
-/// equation by the defect r, which is 0 at the nodes. Two samples of it, at the begin and at an inner time,
+/// Error at the end of the step, e_i <= absolute + relative |x_i| at the start. The trial function fails the
+/// equation by the defect r, which is 0 at the nodes. Two samples of it, at the start and at an inner time,
 /// are carried to the end by the equation's linear part (collocation::RadauDefect): exact, but for a factor
 /// of a few, for linear equations with any spectrum, through transients that the step does not resolve, and
 /// where stiffness reduces the order; it vanishes like h^(2s) where superconvergence holds. What it does not
@@ -75,9 +75,9 @@ class NewtonSteps : public DenseOutput {
     system_.rhs(segment_(t), x, f0_);
     ++statistics.right_hand_sides;
   }
-  /// Is the slope at the begin finite?
+  /// Is the slope at the start finite?
   [[nodiscard]] bool begin_is_finite() const { return all_finite(f0_.data(), f0_.size()); }
-  /// State at the begin.
+  /// State at the start.
   [[nodiscard]] const State& begin_state() const { return x0_; }
   /// State at the end of the trial.
   [[nodiscard]] const State& end_state() const { return x1_; }
@@ -88,7 +88,7 @@ class NewtonSteps : public DenseOutput {
 
   /// Power of the step with which the estimate grows; less where the problem is stiff.
   [[nodiscard]] int error_order() const { return 2 * s; }
-  /// Goes from the begin, t, to t1.
+  /// Goes from the start, t, to t1.
   Trial attempt(double t, double t1, Statistics& statistics) {
     t0_ = t;
     t1_ = t1;
@@ -114,7 +114,7 @@ class NewtonSteps : public DenseOutput {
     trial.converged = all_finite(x1_.data(), x1_.size()) && std::isfinite(trial.error);
     return trial;
   }
-  /// Takes the trial for the begin of the next.
+  /// Takes the trial for the start of the next.
   void accept(Statistics& statistics) {
     std::swap(x0_, x1_);
     carry_ = change_;
@@ -196,7 +196,7 @@ class NewtonSteps : public DenseOutput {
     ++statistics.factorisations;
   }
 
-  // z_j at the time t of the step: l_j(t) with the begin as a further node, where z is 0.
+  // z_j at the time t of the step: l_j(t) with the start as a further node, where z is 0.
   void lagrange(double t, Row& row) const {
     for (int j = 0; j < s; ++j) {
       double value = t * lagrange_scale_[j];
@@ -325,7 +325,7 @@ class NewtonSteps : public DenseOutput {
   // See the class.
   [[gnu::noinline]] double error(Statistics& statistics) {
     const Eigen::Index size = x0_.size();
-    // The defect at the begin and at an inner time.
+    // The defect at the start and at an inner time.
     for (Eigen::Index d = 0; d < size; ++d) {
       begin_defect_[d] = f0_[d] - dot<s>(defect_.begin_slope, nodes(z_, d)) / h_;
       node_[d] = x0_[d] + dot<s>(defect_.inner_value, nodes(z_, d));

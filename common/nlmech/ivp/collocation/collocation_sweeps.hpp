@@ -28,7 +28,7 @@ namespace nlmech::ivp::adaptive {
 /// first sweep starts from the polynomial of the step before.
 ///
 /// Error at the end of the step. The trial function p fails the equation by r(t) = f(t, p) - p', which is 0
-/// at the nodes and so, to leading order, r_0 times the Radau polynomial; f at the begin is known, and r_0
+/// at the nodes and so, to leading order, r_0 times the Radau polynomial; f at the start is known, and r_0
 /// with it. The polynomial is orthogonal to all of degree < s - 1: r acts on the end only through what the
 /// solution's slope has beyond that degree, a share r_0/max|f| of it if both decay alike. So the estimate is
 /// h r_0^2/max|f|, with the last Legendre coefficients of the slope in place of r_0 where they are larger.
@@ -67,13 +67,13 @@ class Sweeper : public DenseOutput {
     slope(t, x, f0_);
     ++statistics.right_hand_sides;
   }
-  /// Is the slope at the begin finite?
+  /// Is the slope at the start finite?
   [[nodiscard]] bool begin_is_finite() const { return all_finite(f0_.data(), f0_.size()); }
-  /// State at the begin.
+  /// State at the start.
   [[nodiscard]] const State& begin_state() const { return x0_; }
   /// State at the end of the trial.
   [[nodiscard]] const State& end_state() const { return x1_; }
-  /// A time in which the state, @p x0 with the slope at the begin, changes by a tenth of its size, or by a
+  /// A time in which the state, @p x0 with the slope at the start, changes by a tenth of its size, or by a
   /// tolerance where it has none.
   [[nodiscard]] double first_length(const State& x0, double interval) const {
     const Eigen::Index m = f_.cols();
@@ -90,7 +90,7 @@ class Sweeper : public DenseOutput {
 
   /// Power of the step with which the estimate grows.
   [[nodiscard]] int error_order() const { return shape_ > 0 ? s + 1 : 2 * s; }
-  /// Goes from the begin, t, to t1.
+  /// Goes from the start, t, to t1.
   Trial attempt(double t, double t1, Statistics& statistics) {
     t0_ = t;
     h_ = t1 - t;
@@ -99,7 +99,7 @@ class Sweeper : public DenseOutput {
     predict();
     return sweep(statistics, true);
   }
-  /// Takes the trial for the begin of the next.
+  /// Takes the trial for the start of the next.
   void accept(Statistics& /*statistics*/) {
     std::swap(x0_, x1_);
     carry_ = change_;

@@ -22,7 +22,7 @@ struct Start {
   double t0;             ///< begin
   double t1;             ///< end
   Observer observer;     ///< may be empty; called by the thread that has the trajectory
-  Limits limits;         ///< bounds on its work, from its begin
+  Limits limits;         ///< bounds on its work, from its start
   /// When all trajectories are to be over: one that begins late has less time, or none.
   std::chrono::steady_clock::time_point deadline = std::chrono::steady_clock::time_point::max();
 

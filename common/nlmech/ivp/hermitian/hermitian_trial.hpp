@@ -90,18 +90,18 @@ class HermitianTrial : public DenseOutput {
     return error_.allFinite() ? Outcome::success : Outcome::non_finite;
   }
 
-  /// Takes the end for the begin of the next trial.
+  /// Takes the end for the start of the next trial.
   void accept() {
     std::swap(x0_, x1_);
     std::swap(f0_, f1_);
     std::swap(g0_, g1_);
   }
 
-  /// State at the begin of the trial.
+  /// State at the start of the trial.
   [[nodiscard]] const State& begin_state() const { return x0_; }
   /// State at the end of the trial.
   [[nodiscard]] const State& end_state() const { return x1_; }
-  /// dx/dt at the begin.
+  /// dx/dt at the start.
   [[nodiscard]] const State& begin_derivative() const { return f0_; }
 
   /// max_i |e_i| / (atol + rtol max(|x0_i|, |x1_i|)) of the estimate e.
@@ -167,7 +167,7 @@ class HermitianTrial : public DenseOutput {
  private:
   static constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-  // Taylor's polynomial, unless its last terms are the greatest: then the begin.
+  // Taylor's polynomial, unless its last terms are the greatest: then the start.
   void predict() {
     const Eigen::Index n = x0_.size(), m = n / 2;
     for (Eigen::Index i = 0; i < n; ++i) x1_[i] = x0_[i] + h_ * f0_[i] + (h_ * h_ / 2) * g0_[i];

@@ -90,59 +90,59 @@ constexpr std::array<const SettingInfo*, 2> nodes_only = {&nodes_setting},
 static_assert(nodes_setting.most == collocation::max_nodes);
 
 constexpr std::array methods = {
-    MethodInfo{Euler::name, "forward Euler", classical, given, with_step<Euler>},
-    MethodInfo{BackwardEuler::name, "backward Euler", classical, given, with_step<BackwardEuler>},
+    MethodInfo{Euler::name, "forward Euler", classical, fixed, with_step<Euler>},
+    MethodInfo{BackwardEuler::name, "backward Euler", classical, fixed, with_step<BackwardEuler>},
     for_accelerations(
-        {CentralDifference::name, "central differences", classical, given, with_step<CentralDifference>}),
-    MethodInfo{Rk4::name, "the classical Runge-Kutta method", classical, given, with_step<Rk4>},
-    MethodInfo{Rk6::name, "Butcher's Runge-Kutta method of 7 stages", classical, given, with_step<Rk6>},
-    MethodInfo{Ode45::name, "Dormand and Prince's pair, controlled as MATLAB does", runge_kutta, chosen,
+        {CentralDifference::name, "central differences", classical, fixed, with_step<CentralDifference>}),
+    MethodInfo{Rk4::name, "the classical Runge-Kutta method", classical, fixed, with_step<Rk4>},
+    MethodInfo{Rk6::name, "Butcher's Runge-Kutta method of 7 stages", classical, fixed, with_step<Rk6>},
+    MethodInfo{Ode45::name, "Dormand and Prince's pair, controlled as MATLAB does", runge_kutta, adaptive,
                with_tolerances<Ode45>},
     MethodInfo{Dop853::name,
                "Dormand and Prince's method of order 8, controlled by estimates of orders 5 and 3",
-               runge_kutta, chosen, with_tolerances<Dop853>},
+               runge_kutta, adaptive, with_tolerances<Dop853>},
     for_accelerations({Rkn1210::name,
                        "Dormand, El-Mikkawy and Prince's pair for accelerations without velocities",
-                       runge_kutta, chosen, with_tolerances<Rkn1210>}),
+                       runge_kutta, adaptive, with_tolerances<Rkn1210>}),
     MethodInfo{Series::name,
                "Taylor series, order and steps by the radius of convergence",
                Family::series,
-               either,
+               both,
                taylor_series,
                {&order_setting}},
-    for_accelerations({Newmark::name, "Newmark's method, constant average acceleration", classical, given,
+    for_accelerations({Newmark::name, "Newmark's method, constant average acceleration", classical, fixed,
                        with_step<Newmark>}),
     for_accelerations(
-        {Hht::name, "Hilber, Hughes and Taylor's method, alpha = -0.1", classical, given, with_step<Hht>}),
-    for_accelerations({GeneralizedAlpha::name, "the generalised alpha method, rho = 0.8", classical, given,
+        {Hht::name, "Hilber, Hughes and Taylor's method, alpha = -0.1", classical, fixed, with_step<Hht>}),
+    for_accelerations({GeneralizedAlpha::name, "the generalised alpha method, rho = 0.8", classical, fixed,
                        with_step<GeneralizedAlpha>}),
     for_accelerations(
-        {laier.name, "Laier's Hermitian operators, with jerks", classical, either, with_operators<laier>}),
+        {laier.name, "Laier's Hermitian operators, with jerks", classical, both, with_operators<laier>}),
     for_accelerations({argyris.name, "Argyris and Mlejnek's Hermitian operators, stable in part", classical,
-                       either, with_operators<argyris>}),
-    for_accelerations({hoff.name, "Hoff and Pahl's operators without dissipation: newmark", classical, either,
+                       both, with_operators<argyris>}),
+    for_accelerations({hoff.name, "Hoff and Pahl's operators without dissipation: newmark", classical, both,
                        with_operators<hoff>}),
     for_accelerations({bazzi.name, "Bazzi and Anderheggen's operators without dissipation: newmark",
-                       classical, either, with_operators<bazzi>}),
+                       classical, both, with_operators<bazzi>}),
     MethodInfo{Mtl::name,
                "multi-step transversal linearisation over p = 3 steps: order p + 1 (odd p) or p + 2",
                classical,
-               given,
+               fixed,
                transversal,
                {&points_setting}},
-    MethodInfo{Mcpi::name, "modified Chebyshev-Picard iteration, 9 nodes", polynomials, given, picard,
+    MethodInfo{Mcpi::name, "modified Chebyshev-Picard iteration, 9 nodes", polynomials, fixed, picard,
                nodes_only},
     MethodInfo{RbfCollocation::name, "collocation by Gaussians at 7 Legendre-Gauss-Lobatto nodes",
-               polynomials, given, gaussians, nodes_and_shape},
+               polynomials, fixed, gaussians, nodes_and_shape},
     MethodInfo{PolynomialCollocation::lobatto_name,
                "collocation by polynomials at 7 Legendre-Gauss-Lobatto nodes: order N - 1", polynomials,
-               given, by_polynomials<NodeFamily::legendre_gauss_lobatto>, nodes_only},
+               fixed, by_polynomials<NodeFamily::legendre_gauss_lobatto>, nodes_only},
     MethodInfo{PolynomialCollocation::radau_name,
                "collocation by polynomials at the left end and 6 Radau nodes: order 2 N - 3", polynomials,
-               given, by_polynomials<NodeFamily::left_end_and_radau>, nodes_only},
+               fixed, by_polynomials<NodeFamily::left_end_and_radau>, nodes_only},
     MethodInfo{AdaptiveCollocation::name,
                "collocation at Radau nodes with control of steps, order (nodes 9, 13 or 17) and solver",
-               Family::collocation, chosen, adaptive_collocation, nodes_and_shape}};
+               Family::collocation, adaptive, adaptive_collocation, nodes_and_shape}};
 
 void check_positive(std::string_view name, std::string_view what, const std::optional<double>& value) {
   if (value && (!(*value > 0) || !std::isfinite(*value)))
@@ -157,7 +157,7 @@ void check_settings(const MethodInfo& method, const Settings& settings) {
   check_positive(method.name, "tolerance", settings.tolerance);
   check_positive(method.name, "absolute tolerance", settings.absolute_tolerance);
   if (settings.step && settings.tolerance) refuse("give a step or a tolerance, not both");
-  if (settings.step && method.steps == Steps::chosen)
+  if (settings.step && method.steps == Steps::adaptive)
     refuse("it chooses its steps itself; give a tolerance, not a step");
   if (settings.absolute_tolerance && (method.fixed_step() || settings.step))
     refuse("an absolute tolerance is for methods that choose their steps");

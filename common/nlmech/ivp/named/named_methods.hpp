@@ -78,9 +78,9 @@ inline constexpr std::array own_settings = {&nodes_setting, &shape_setting, &ord
 
 /// Where a method's steps come from.
 enum class Steps {
-  given,   ///< equal ones, from the user
-  chosen,  ///< the method's, by the tolerance
-  either   ///< the method's, or equal ones from the user
+  fixed,     ///< equal ones, from the user
+  adaptive,  ///< the method's, by the tolerance
+  both       ///< the method's, or equal ones from the user
 };
 
 /// What kind of formula a method has.
@@ -101,7 +101,7 @@ struct MethodInfo {
   std::string_view name;                            ///< "rk4"
   std::string_view meaning;                         ///< in a few words; of a peer its library
   Family family = Family::classical;                ///< kind of formula
-  Steps steps = Steps::given;                       ///< where they come from
+  Steps steps = Steps::fixed;                       ///< where they come from
   NamedIntegrator (*make)(const Settings&) = {};    ///< of checked settings; see with()
   std::array<const SettingInfo*, 2> settings = {};  ///< that it has; the rest is null
   bool second_order_only = false;                   ///< for problems with accelerations alone
@@ -116,7 +116,7 @@ struct MethodInfo {
   /// "cvode-bdf is not in this build: configure with CVODE (NLMECH_PEERS)"
   [[nodiscard]] std::string absent_sentence() const;
   /// Does it take a step, and choose none by itself?
-  [[nodiscard]] bool fixed_step() const { return steps == Steps::given; }
+  [[nodiscard]] bool fixed_step() const { return steps == Steps::fixed; }
   /// Does the setting count?
   [[nodiscard]] bool has(const SettingInfo& setting) const {
     return settings[0] == &setting || settings[1] == &setting;

@@ -98,7 +98,7 @@ class ExplicitStepper : public StepperOf<S> {
     return {};
   }
 
-  /// A step of the length t - t0 from the begin of the latest step: as accurate as the method itself.
+  /// A step of the length t - t0 from the start of the latest step: as accurate as the method itself.
   void at(double t, State& x) const override {
     ExplicitStepper shorter(system_);
     shorter.segment_ = segment_;

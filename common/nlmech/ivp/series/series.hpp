@@ -117,7 +117,7 @@ class Expansion : public DenseOutputOf<S> {
     scale_ = scale;
     taylor_.expand(segment_(t), x, scale);
   }
-  /// Its last terms. @param x the state at its begin
+  /// Its last terms. @param x the state at its start
   [[nodiscard]] Tail tail(const State& x, double atol, double rtol) const {
     Tail tail;
     for (int i = 0; i < size_; ++i) {
@@ -218,7 +218,7 @@ struct Rule {
 
 }  // namespace taylor_series
 
-/// Each step sums the Taylor series of the solution about its begin.
+/// Each step sums the Taylor series of the solution about its start.
 ///
 /// With a `step` T and an order N this is the scheme of C. P. Filipich and M. B. Rosales, A straightforward
 /// approach to solve ordinary nonlinear differential systems, section 3.2: steps of equal length, N terms

@@ -100,7 +100,7 @@ class UnrolledTaylor {
   std::vector<double> memory_;
 };
 
-/// What a system's taylor() gives, by its tape. Used so: begin_segment() at the begin of every stretch on
+/// What a system's taylor() gives, by its tape. Used so: begin_segment() at the start of every stretch on
 /// which the right-hand side is smooth, then expand() for every step, then coefficients().
 /// @tparam S has `Tape record(double t) const`
 template <class S>

@@ -62,7 +62,7 @@ class CentralDifferenceStepper : public Stepper {
   void at(double t, State& x) const override { hermite_.at(t, x); }
 
  private:
-  // Velocity and acceleration at the begin of a segment, and the velocity that would have been half a step
+  // Velocity and acceleration at the start of a segment, and the velocity that would have been half a step
   // before. After the first segment v_ is that of the end of the latest step.
   void start(double t, double h, const State& x0) {
     q_ = positions(x0);

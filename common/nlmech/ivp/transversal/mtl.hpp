@@ -19,7 +19,7 @@ namespace nlmech::ivp {
 enum class MtlLinear {
   given,    ///< the constant linear terms of the equations (System::linear_terms())
   zero,     ///< nothing (x'' = 0 for a problem with accelerations): collocation at equidistant points
-  jacobian  ///< df/dx at the begin of each block of p steps: for stiff problems, whose own linear terms may
+  jacobian  ///< df/dx at the start of each block of p steps: for stiff problems, whose own linear terms may
             ///< grow where solutions do not. Costs an exponential a block, and the time symmetry
 };
 

@@ -8,7 +8,7 @@
 
 namespace nlmech::orbit::kernels {
 
-// In time t from the begin of the step, with r_0 = |r|, eta = r.v, beta = 2 mu/r_0 - v.v there and sigma =
+// In time t from the start of the step, with r_0 = |r|, eta = r.v, beta = 2 mu/r_0 - v.v there and sigma =
 // 1/|r|: the universal functions U_1 and U_2 of ds = sigma dt obey
 //
 //     U_1' = (1 - beta U_2) sigma,  U_2' = U_1 sigma,  |r| = r_0 + eta U_1 + gamma U_2,  gamma = mu - beta

@@ -20,7 +20,7 @@ struct IpoptOptions {
 /// trapezoidal rule, by the interior-point method of A. Waechter and L. T. Biegler (Math. Program. 106 (2006)
 /// 25-57) with exact first and second derivatives. Prescribed values, the control's limit and the states'
 /// bounds are bounds of its variables, so no penalties are added. A free final time is held at its guess.
-/// @param guess the begin and the control; the states between are integrated with it
+/// @param guess the start and the control; the states between are integrated with it
 /// @return states and co-states (the multipliers) as a start for solve_extremal, the cost, which is within
 /// O(h^2) of the extremal's, and a status: `infeasible`, `step_limit` or `not_converged` as Ipopt says
 /// @throws std::logic_error if the build has no Ipopt, std::invalid_argument for options out of range

@@ -237,7 +237,7 @@ class ArrayObserver {
 struct Run {
   Equations& equations;       ///< dx/dt = f(t, x)
   double t;                   ///< begin; then the time reached
-  double t1;                  ///< end, another time than the begin
+  double t1;                  ///< end, another time than the start
   double* x;                  ///< state at t
   const ivp::Limits& limits;  ///< bounds on the work
   ArrayObserver* observer;    ///< may be null

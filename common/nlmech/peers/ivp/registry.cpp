@@ -22,7 +22,7 @@ ivp::MethodInfo row(std::string_view library, ivp::Family family, bool (*is_buil
   return {.name = Method{.formula = formula}.name(),
           .meaning = library,
           .family = family,
-          .steps = ivp::Steps::chosen,
+          .steps = ivp::Steps::adaptive,
           .make =
               [](const ivp::Settings& settings) {
                 return ivp::named::by_tolerance(settings, Method{.formula = formula});

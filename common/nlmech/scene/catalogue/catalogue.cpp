@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "nlmech/scene/program/this_process.hpp"
-#include "nlmech/support/echo.hpp"
 #include "nlmech/support/errors.hpp"
+#include "nlmech/support/quoted_input.hpp"
 #include "nlmech/support/sentences.hpp"
 #include "nlmech/support/threads.hpp"
 
@@ -38,7 +38,7 @@ Catalogue::Catalogue(std::string path, const std::vector<std::string>& required,
   read_header();
   std::error_code ignored;
   if (path_ == "-" || !std::filesystem::is_regular_file(path_, ignored)) return;
-  const Doing doing("reading " + name_);
+  const ProgressScope doing("reading " + name_);
   Line line;
   std::vector<double> numbers;
   std::string rest;
@@ -136,7 +136,7 @@ void print_catalogue(Catalogue& catalogue, const CatalogueOutput& output) {
       if (rows.first == 1) tell_of_no_rows(catalogue.name());
       break;
     }
-    const Doing doing(fmt::format("at row {}{}", rows.first, of));
+    const ProgressScope doing(fmt::format("at row {}{}", rows.first, of));
     const std::string lines = output.work(rows);
     print_result(std::exchange(header, {}));
     print_result(lines);

@@ -185,10 +185,10 @@ void put_names(const Diagram& d, const Axes& axes, Panel& panel) {
 /// Who is fastest at how many digits, in rows below the axes.
 void put_leads(const Diagram& d, const Axes& axes, const Layout& layout, Panel& panel) {
   const ProblemLines& problem = d.problems[axes.problem];
-  const auto leads = leads_of(problem);
+  const auto rankings = rankings_of(problem);
   std::size_t longest = 0;
-  for (const Lead& lead : leads)
-    longest = std::max(longest, lead.first ? letters(problem.lines[*lead.first].method) : 6);
+  for (const Ranking& ranking : rankings)
+    longest = std::max(longest, ranking.first ? letters(problem.lines[*ranking.first].method) : 6);
   double y = axes.bottom + 76;
   const auto put = [&](const std::string& text, double x, const char* side, const std::string& colour) {
     panel.set(fmt::format("label {} at screen {:.4f}, screen {:.4f} {} noenhanced {} textcolor rgb {}",
@@ -198,13 +198,13 @@ void put_leads(const Diagram& d, const Axes& axes, const Layout& layout, Panel& 
   const double names = axes.left + 34, margins = names + 16 + letter * static_cast<double>(longest);
   put("digits", axes.left + 20, "right", "soft_ink");
   put("fastest", names, "left", "soft_ink");
-  for (const Lead& lead : leads) {
+  for (const Ranking& ranking : rankings) {
     y += 17;
-    put(fmt::format("{:g}", lead.digits), axes.left + 20, "right", "ink");
-    const InColour* colour = lead.first ? d.colour_of(*lead.first) : nullptr;
-    put(lead.first ? problem.lines[*lead.first].method : "nobody", names, "left",
+    put(fmt::format("{:g}", ranking.digits), axes.left + 20, "right", "ink");
+    const InColour* colour = ranking.first ? d.colour_of(*ranking.first) : nullptr;
+    put(ranking.first ? problem.lines[*ranking.first].method : "nobody", names, "left",
         colour != nullptr ? gnuplot_quoted(method_looks[colour->colour].colour) : "soft_ink");
-    if (lead.first) put(lead.margin(problem), margins, "left", "ink");
+    if (ranking.first) put(ranking.margin(problem), margins, "left", "ink");
   }
 }
 

@@ -168,7 +168,7 @@ Lines ranked(const std::vector<MethodGroup>& groups, const std::vector<ProblemLi
           standings.best(lines_where(lines, [&](const auto& l) { return l.side == side && l.group == g; })));
   }
   for (const ProblemLines& p : problems) {
-    for (const Lead& lead : leads_of(p)) choose(lead.first);
+    for (const Ranking& ranking : rankings_of(p)) choose(ranking.first);
   }
   const auto wins = standings.wins(
       lines_where(lines, [](const auto& l) { return l.side == Side::ours || l.side == Side::subject; }));
@@ -185,7 +185,7 @@ Lines ranked(const std::vector<MethodGroup>& groups, const std::vector<ProblemLi
 
 }  // namespace
 
-std::string Lead::margin(const ProblemLines& problem) const {
+std::string Ranking::margin(const ProblemLines& problem) const {
   if (!first) return "nobody";
   if (!next) return "alone";
   const std::string& other = problem.lines[*next].method;
@@ -193,34 +193,34 @@ std::string Lead::margin(const ProblemLines& problem) const {
   return fmt::format("{:.{}f} times before {}", factor, factor < 9.95 ? 1 : 0, other);
 }
 
-std::vector<Lead> leads_of(const ProblemLines& problem) {
+std::vector<Ranking> rankings_of(const ProblemLines& problem) {
   const std::vector<Front> fronts = fronts_of(problem);
   const auto competes = [&](std::size_t i) { return problem.lines[i].side != Side::floor; };
-  std::vector<Lead> leads;
+  std::vector<Ranking> rankings;
   for (const double digits : asked_digits) {
-    Lead& lead = leads.emplace_back(Lead{digits, {}, {}});
+    Ranking& ranking = rankings.emplace_back(Ranking{digits, {}, {}});
     const auto first = fastest(fronts, digits, competes);
     if (!first) continue;
-    lead.first = first->first;
-    lead.time = first->second;
+    ranking.first = first->first;
+    ranking.time = first->second;
     const std::string family = problem.lines[first->first].family();
     const auto next = fastest(
         fronts, digits, [&](std::size_t i) { return competes(i) && problem.lines[i].family() != family; });
     if (!next) continue;
-    lead.next = next->first;
-    lead.factor = next->second / lead.time;
+    ranking.next = next->first;
+    ranking.factor = next->second / ranking.time;
   }
-  return leads;
+  return rankings;
 }
 
 std::string who_leads(const ProblemLines& problem) {
   std::vector<std::pair<std::string, std::vector<double>>> leaders;
-  for (const Lead& lead : leads_of(problem)) {
-    if (!lead.first) continue;
-    const std::string& name = problem.lines[*lead.first].method;
+  for (const Ranking& ranking : rankings_of(problem)) {
+    if (!ranking.first) continue;
+    const std::string& name = problem.lines[*ranking.first].method;
     const auto known = std::ranges::find(leaders, name, &decltype(leaders)::value_type::first);
     (known == leaders.end() ? leaders.emplace_back(name, std::vector<double>{}) : *known)
-        .second.push_back(lead.digits);
+        .second.push_back(ranking.digits);
   }
   if (leaders.empty()) return "no method has three digits";
   std::string text;

@@ -82,7 +82,7 @@ class Front {
 inline constexpr std::array asked_digits = {3.0, 6.0, 9.0, 12.0};
 
 /// Who gives so many digits in the least time, see Front. Of equal times the first counts.
-struct Lead {
+struct Ranking {
   double digits;                     ///< as asked
   std::optional<std::size_t> first;  ///< index of the fastest line; nothing: nobody has so many digits
   std::optional<std::size_t> next;   ///< of the fastest line of another family; nothing: no other arrives
@@ -94,7 +94,7 @@ struct Lead {
 };
 
 /// The lead at each of asked_digits, among all but Side::floor.
-[[nodiscard]] std::vector<Lead> leads_of(const ProblemLines& problem);
+[[nodiscard]] std::vector<Ranking> rankings_of(const ProblemLines& problem);
 
 /// "series is fastest at 3, 6 and 9 digits"; "ode45 is fastest at 3, series at 6 and 9 digits"; "no method
 /// has three digits".

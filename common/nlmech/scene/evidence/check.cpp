@@ -69,7 +69,7 @@ namespace {
 std::vector<CheckedQuantity> check_scene(const Chapter& chapter, const Scene& scene, Results& results,
                                          const std::optional<Publishing>& how, Measurements& measured) {
   std::vector<CheckedQuantity> quantities;
-  const Doing doing("computing " + scene.name);
+  const ProgressScope doing("computing " + scene.name);
   try {
     const Performance performance = perform(scene, results);
     for (const Quantity& q : performance.showing.quantities) quantities.push_back({scene.name, q});

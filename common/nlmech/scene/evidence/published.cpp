@@ -12,8 +12,8 @@
 
 #include "nlmech/scene/program/csv.hpp"
 #include "nlmech/scene/program/files.hpp"
-#include "nlmech/support/echo.hpp"
 #include "nlmech/support/errors.hpp"
+#include "nlmech/support/quoted_input.hpp"
 #include "nlmech/support/sentences.hpp"
 
 namespace nlmech::scene {
@@ -49,7 +49,7 @@ Verdict parse_verdict(const std::string& text, const std::string& where) {
   for (const Verdict v : verdicts) {
     if (to_string(v) == text) return v;
   }
-  throw input_error("{}: '{}' is no verdict", where, echoed(text));
+  throw input_error("{}: '{}' is no verdict", where, quoted_input(text));
 }
 
 bool close_to(const Tolerance& tolerance, double ours, const std::optional<Range>& reference) {
@@ -138,16 +138,17 @@ void check_evidence(const PublishedValue& p, const std::string& where) {
   const bool is_inferred = p.expected == Verdict::reproduced_inferred;
   refuse(compares(p.expected) && p.tolerance.empty(), where, "a verdict that compares, and no tolerance");
   refuse(!p.erratum.empty() && (p.expected == Verdict::reproduced || is_inferred), where,
-         fmt::format("a misprint ({}) cannot be reproduced", echoed(p.erratum)));
+         fmt::format("a misprint ({}) cannot be reproduced", quoted_input(p.erratum)));
   refuse(!p.tolerance.empty() && p.tolerance != "digits" && p.because.empty(), where,
-         fmt::format("no reason for the tolerance '{}'", echoed(p.tolerance)));
+         fmt::format("no reason for the tolerance '{}'", quoted_input(p.tolerance)));
   // A search that finds nothing that explains the number is evidence, too.
   const bool has_search = p.tried > 0 || !p.explains.empty();
   refuse((p.tried > 0) == p.explains.empty() || is_inferred > has_search ||
              (has_search && !is_inferred && p.expected != Verdict::not_stated),
          where, "readings tried and rows explained belong to an inferred reading or one not stated, both");
   if (has_search)
-    refuse(!is_share(p.explains), where, fmt::format("'{}' is not of the form '5 of 6'", echoed(p.explains)));
+    refuse(!is_share(p.explains), where,
+           fmt::format("'{}' is not of the form '5 of 6'", quoted_input(p.explains)));
 }
 
 PublishedValue to_value(const CsvRecord& record, const std::string& source, const std::string& file) {
@@ -158,12 +159,12 @@ PublishedValue to_value(const CsvRecord& record, const std::string& source, cons
       source, c[0],  c[1], c[2],  c[3],  0,    c[4], c[5], c[6], c[7], parse_verdict(c[8], where),
       c[9],   c[10], 0,    c[12], c[13], c[14]};
   if (!parse_number(p.printed, p.value)) {
-    throw input_error("{}, column 4 (value): '{}' is not a finite number", where, echoed(p.printed));
+    throw input_error("{}, column 4 (value): '{}' is not a finite number", where, quoted_input(p.printed));
   }
   double tried = 0;
   refuse(!c[11].empty() &&
              (!parse_number(c[11], tried) || tried != std::floor(tried) || tried < 1 || tried > 1e6),
-         where, fmt::format("'{}' is no number of readings", echoed(c[11])));
+         where, fmt::format("'{}' is no number of readings", quoted_input(c[11])));
   p.tried = static_cast<int>(tried);
   try {
     if (!p.tolerance.empty()) static_cast<void>(Tolerance(p.tolerance, p.printed));
@@ -234,7 +235,7 @@ Tolerance::Tolerance(std::string_view words, std::string_view printed) {
     number = words.substr(prefix.size());
   }
   if (!parse_number(number, amount_) || amount_ <= 0 || (kind_ == Kind::factor && amount_ < 1)) {
-    throw input_error("'{}' is no tolerance", echoed(words));
+    throw input_error("'{}' is no tolerance", quoted_input(words));
   }
   if (kind_ == Kind::absolute) amount_ *= last_unit(printed) * edge;
 }

@@ -16,9 +16,9 @@
 #include "nlmech/scene/program/this_process.hpp"
 #include "nlmech/scene/program/time_limit.hpp"
 #include "nlmech/scene/program/typed.hpp"
-#include "nlmech/support/echo.hpp"
 #include "nlmech/support/errors.hpp"
 #include "nlmech/support/instruction_set.hpp"
+#include "nlmech/support/quoted_input.hpp"
 #include "nlmech/support/sentences.hpp"
 
 namespace nlmech::scene {
@@ -118,7 +118,8 @@ bool is_equation(const CLI::App& app, const std::string& argument) {
 std::string unexpected(const CLI::App& app, const std::vector<std::string>& arguments) {
   constexpr std::size_t most = 6;
   std::string words;
-  for (std::size_t i = 0; i < std::min(most, arguments.size()); ++i) words += ' ' + echoed(arguments[i]);
+  for (std::size_t i = 0; i < std::min(most, arguments.size()); ++i)
+    words += ' ' + quoted_input(arguments[i]);
   if (arguments.size() > most) words += fmt::format(" and {} more", arguments.size() - most);
   const bool equation =
       std::ranges::any_of(arguments, [&app](const std::string& a) { return is_equation(app, a); });
@@ -136,7 +137,7 @@ int end_of_parsing(const CLI::App& app, const CLI::ParseError& error) {
   }
   const std::vector<std::string> extra = app.remaining(true);
   const bool few_words = dynamic_cast<const CLI::ExtrasError*>(&error) == nullptr || extra.empty();
-  tell(few_words ? complaint.str() : unexpected(app, extra));
+  print_message(few_words ? complaint.str() : unexpected(app, extra));
   return ExitCode::wrong_usage;
 }
 
@@ -186,7 +187,7 @@ int run_command(const Commands& commands, const std::string& title, int argc, co
   // Nobody speaks but who has found the error: the watch ends first.
   const auto end = [&](int exit_code, std::string_view sentence) {
     limit.reset();
-    tell(fmt::format("{}: {}", app.get_name(), sentence));
+    print_message(fmt::format("{}: {}", app.get_name(), sentence));
     return exit_code;
   };
   try {

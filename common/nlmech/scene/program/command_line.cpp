@@ -60,12 +60,14 @@ std::vector<const Scene*> chosen(const Chapter& chapter, const Work& options) {
 
 /// On a terminal one line a scene; silence in a pipe.
 void tell_progress(std::size_t done, std::size_t all, const std::string& scene, double seconds) {
-  if (::isatty(STDERR_FILENO) == 1) tell(fmt::format("[{}/{}] {} {:.1f} s", done, all, scene, seconds));
+  if (::isatty(STDERR_FILENO) == 1)
+    print_message(fmt::format("[{}/{}] {} {:.1f} s", done, all, scene, seconds));
 }
 
 void report_failing(const std::string& scene, const Quantity& q) {
-  tell(fmt::format("FAILS {}: {} = {} {}, allowed {} to {} ({})", scene, q.name, format_number(q.value, 6),
-                   q.unit, format_number(q.low, 6), format_number(q.high, 6), q.reason));
+  print_message(fmt::format("FAILS {}: {} = {} {}, allowed {} to {} ({})", scene, q.name,
+                            format_number(q.value, 6), q.unit, format_number(q.low, 6),
+                            format_number(q.high, 6), q.reason));
 }
 
 /// A line a file, as seen from the folder that gets them all.
@@ -87,12 +89,12 @@ int run(const Chapter& chapter, const Work& options) {
   for (const Scene* scene : scenes) {
     results.take_turn(scenes.size() - done);
     const Stopwatch watch;
-    const Doing doing("computing " + scene->name);
+    const ProgressScope doing("computing " + scene->name);
     try {
       const auto files = publish(chapter, *scene, perform(*scene, results), options.quick, how);
       if (!options.quiet) print_result(lines_of(files));
     } catch (const Failure& failure) {
-      tell(fmt::format("{}: {}: {}", chapter.name(), scene->name, failure.what()));
+      print_message(fmt::format("{}: {}: {}", chapter.name(), scene->name, failure.what()));
       code = ExitCode::failed;
     }
     tell_progress(++done, scenes.size(), scene->name, watch.seconds());

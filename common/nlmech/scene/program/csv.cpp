@@ -14,8 +14,8 @@
 #include "nlmech/scene/program/this_process.hpp"
 #include "nlmech/scene/program/typed.hpp"
 #include "nlmech/support/doubles.hpp"
-#include "nlmech/support/echo.hpp"
 #include "nlmech/support/errors.hpp"
+#include "nlmech/support/quoted_input.hpp"
 #include "nlmech/support/sentences.hpp"
 
 namespace nlmech::scene {
@@ -139,7 +139,7 @@ void CsvColumns::assign(std::string_view line, std::size_t number) {
       const auto count = std::count_if(names_.begin(), names_.end(), fits);
       if (count > 1)
         throw input_error("{}: line {}: two columns are called {}: '{}'", name_, number, known_[k][0],
-                          echoed(line));
+                          quoted_input(line));
       if (count == 1)
         column_[static_cast<std::size_t>(std::find_if(names_.begin(), names_.end(), fits) - names_.begin())] =
             static_cast<int>(k);
@@ -168,7 +168,7 @@ bool CsvColumns::read_header(std::string_view line, std::size_t number) {
   if (has_numbers && !has_names) {
     if (names_.size() != required_)
       throw input_error("{}: line {}: '{}' does not name the columns; the first line must name {}{}", name_,
-                        number, echoed(line), expected(), hint(line));
+                        number, quoted_input(line), expected(), hint(line));
     std::iota(column_.begin(), column_.end(), 0);
     for (std::size_t i = 0; i < required_; ++i) cells_[i] = names_[i] = known_[i][0];
     return false;
@@ -177,7 +177,7 @@ bool CsvColumns::read_header(std::string_view line, std::size_t number) {
     if (!has(known_[k][0]))
       throw input_error(
           "{}: line {}: there is no column {}; the header must name {}, separated by commas, and is '{}'{}",
-          name_, number, known_[k][0], expected(), echoed(line), hint(line));
+          name_, number, known_[k][0], expected(), quoted_input(line), hint(line));
   }
   return true;
 }
@@ -196,14 +196,15 @@ void CsvColumns::read_row(std::string_view line, std::size_t number, std::vector
     if (column_[i] < 0) {
       rest.append(",").append(cell);
     } else if (!parse_number(unquoted(cell), numbers[static_cast<std::size_t>(column_[i])])) {
-      throw input_error("{}: line {}, column {} ({}): '{}' is {}{}", name_, number, i + 1, echoed(names_[i]),
-                        echoed(cell), number_fault(unquoted(cell)), hint(line));
+      throw input_error("{}: line {}, column {} ({}): '{}' is {}{}", name_, number, i + 1,
+                        quoted_input(names_[i]), quoted_input(cell), number_fault(unquoted(cell)),
+                        hint(line));
     }
   }
   if (more && text.find_first_not_of(", \t\r") != std::string_view::npos)
     throw input_error("{}: line {}, column {}: '{}' is beyond the {} columns {}{}", name_, number,
-                      column_.size() + 1, echoed(trim(text)), column_.size(),
-                      echoed(fmt::format("{}", fmt::join(cells_, ","))), hint(line));
+                      column_.size() + 1, quoted_input(trim(text)), column_.size(),
+                      quoted_input(fmt::format("{}", fmt::join(cells_, ","))), hint(line));
 }
 
 bool CsvColumns::has(std::string_view column) const {
@@ -249,7 +250,7 @@ NumberColumns parse_numbers(std::string_view text, const std::string& name,
 }
 
 void tell_of_no_rows(const std::string& name) {
-  tell(fmt::format("{}: no row stands behind the header", name));
+  print_message(fmt::format("{}: no row stands behind the header", name));
 }
 
 std::vector<CsvRecord> parse_csv(std::string_view text, const std::string& name) {

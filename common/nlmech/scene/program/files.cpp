@@ -17,8 +17,8 @@
 
 #include "nlmech/scene/build_info.hpp"
 #include "nlmech/scene/program/this_process.hpp"
-#include "nlmech/support/echo.hpp"
 #include "nlmech/support/errors.hpp"
+#include "nlmech/support/quoted_input.hpp"
 #include "nlmech/support/sentences.hpp"
 
 namespace nlmech::scene {
@@ -52,7 +52,7 @@ std::string read_to_end(std::FILE* in, const std::string& name) {
 class TemporaryFile {
  public:
   explicit TemporaryFile(fs::path path) : path_(std::move(path)) {
-    const WholeAct act;
+    const CriticalSection act;
     file_.reset(std::fopen(path_.c_str(), "wb"));
     if (file_) trace_.emplace(act, [this] { ::unlink(path_.c_str()); });
   }
@@ -60,7 +60,7 @@ class TemporaryFile {
   TemporaryFile& operator=(const TemporaryFile&) = delete;
   ~TemporaryFile() {
     if (!trace_) return;
-    const WholeAct act;
+    const CriticalSection act;
     trace_->gone(act);
     ::unlink(path_.c_str());
   }
@@ -73,7 +73,7 @@ class TemporaryFile {
   }
   /// @returns false with errno set if it stays where it is
   bool rename_to(const fs::path& path) {
-    const WholeAct act;
+    const CriticalSection act;
     if (std::rename(path_.c_str(), path.c_str()) != 0) return false;
     trace_->gone(act);
     trace_.reset();
@@ -83,17 +83,17 @@ class TemporaryFile {
  private:
   fs::path path_;
   std::unique_ptr<std::FILE, Close> file_;
-  std::optional<Trace> trace_;
+  std::optional<CleanupOnExit> trace_;
 };
 }  // namespace
 
 std::string read_whole(const fs::path& path) {
   if (path == "-") {
-    const Doing reading("reading standard input", ::isatty(STDIN_FILENO) == 1);
+    const ProgressScope reading("reading standard input", ::isatty(STDIN_FILENO) == 1);
     return read_to_end(stdin, "standard input");
   }
   const std::string name = echoed_path(path.string());
-  const Doing reading("reading " + name);
+  const ProgressScope reading("reading " + name);
   std::error_code ignored;
   if (fs::is_directory(path, ignored)) throw input_error("{}: is a folder, not a file", name);
   const std::unique_ptr<std::FILE, Close> in(std::fopen(path.c_str(), "rb"));

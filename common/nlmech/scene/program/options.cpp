@@ -6,8 +6,8 @@
 #include <algorithm>
 
 #include "nlmech/scene/program/typed.hpp"
-#include "nlmech/support/echo.hpp"
 #include "nlmech/support/errors.hpp"
+#include "nlmech/support/quoted_input.hpp"
 #include "nlmech/support/sentences.hpp"
 
 namespace nlmech::scene {
@@ -49,14 +49,15 @@ Option& Option::one_of(std::vector<std::string> texts) {
 }
 
 void Option::check(double value, const std::string& text) const {
-  if (positive_ && !(value > 0)) throw input_error("{} {}: must be positive", name_, echoed(text));
+  if (positive_ && !(value > 0)) throw input_error("{} {}: must be positive", name_, quoted_input(text));
   if (range_ && !(value >= range_->first && value <= range_->second))
-    throw input_error("{} {}: must be from {:g} to {:g}", name_, echoed(text), range_->first, range_->second);
+    throw input_error("{} {}: must be from {:g} to {:g}", name_, quoted_input(text), range_->first,
+                      range_->second);
 }
 
 void Option::check_text(const std::string& text) const {
   if (!texts_.empty() && std::ranges::find(texts_, text) == texts_.end())
-    throw input_error("{} {}: there is {}", name_, echoed(text), fmt::join(texts_, ", "));
+    throw input_error("{} {}: there is {}", name_, quoted_input(text), fmt::join(texts_, ", "));
 }
 
 double Option::number(const std::string& text) const {
@@ -90,7 +91,7 @@ void Option::understand(const std::vector<std::string>& typed) const {
                  [&](const std::span<double>& to) {
                    const std::vector<double> all = numbers();
                    if (all.size() != to.size())
-                     throw input_error("{} {}: {} numbers where {} are needed", name_, echoed(text),
+                     throw input_error("{} {}: {} numbers where {} are needed", name_, quoted_input(text),
                                        all.size(), to.size());
                    std::ranges::copy(all, to.begin());
                  }},

@@ -93,7 +93,7 @@ class Child {
  public:
   Child(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
         const std::vector<std::string>& settings, const std::array<Pipe, 2>& pipes) {
-    const WholeAct act;
+    const CriticalSection act;
     id_ = start(arguments, folder, settings, pipes[0].end[1], pipes[1].end[1]);
     trace_.emplace(act, [this] { ::kill(id_, SIGKILL); });
   }
@@ -107,7 +107,7 @@ class Child {
     siginfo_t ended{};  // its number is not given to another one before the trace is gone
     while (::waitid(P_PID, static_cast<id_t>(id_), &ended, WEXITED | WNOWAIT) < 0 && errno == EINTR) {
     }
-    const WholeAct act;
+    const CriticalSection act;
     trace_->gone(act);
     trace_.reset();
     int status = 0;
@@ -116,7 +116,7 @@ class Child {
 
  private:
   pid_t id_ = 0;
-  std::optional<Trace> trace_;
+  std::optional<CleanupOnExit> trace_;
 };
 
 /// Reads both pipes as they fill, so that a program which writes much to one of them is never stuck.

@@ -7,8 +7,8 @@
 #include <system_error>
 #include <utility>
 
-#include "nlmech/support/echo.hpp"
 #include "nlmech/support/errors.hpp"
+#include "nlmech/support/quoted_input.hpp"
 
 namespace nlmech::scene {
 namespace {
@@ -56,44 +56,44 @@ std::string line_of(std::string_view message) {
 
 }  // namespace
 
-WholeAct::WholeAct() : lock_(state().mutex) {}
+CriticalSection::CriticalSection() : lock_(state().mutex) {}
 
-Trace::Trace(const WholeAct& /*act*/, std::function<void()> clear)
+CleanupOnExit::CleanupOnExit(const CriticalSection& /*act*/, std::function<void()> clear)
     : place_(state().traces.insert(state().traces.end(), std::move(clear))) {}
 
-void Trace::gone(const WholeAct& /*act*/) { state().traces.erase(place_); }
+void CleanupOnExit::gone(const CriticalSection& /*act*/) { state().traces.erase(place_); }
 
-Doing::Doing(std::string what, bool silent) {
-  const WholeAct act;
+ProgressScope::ProgressScope(std::string what, bool silent) {
+  const CriticalSection act;
   before_ = std::exchange(state().doing, std::move(what));
   silent_before_ = std::exchange(state().silent, silent);
 }
 
-Doing::~Doing() {
-  const WholeAct act;
+ProgressScope::~ProgressScope() {
+  const CriticalSection act;
   state().doing = std::move(before_);
   state().silent = silent_before_;
 }
 
 std::string doing_now() {
-  const WholeAct act;
+  const CriticalSection act;
   return state().doing;
 }
 
 void print_result(std::string_view text) {
-  const WholeAct act;
+  const CriticalSection act;
   print_within_act(text);
 }
 
 void print_last_result(std::string_view text) {
-  const WholeAct act;
+  const CriticalSection act;
   print_within_act(text);
   state().done = true;
 }
 
-void tell(std::string_view message) {
+void print_message(std::string_view message) {
   const std::string line = line_of(message);
-  const WholeAct act;
+  const CriticalSection act;
   wipe_within_act();
   write_error(line);
 }
@@ -106,13 +106,13 @@ void show_progress(std::string_view line) {
 }
 
 void wipe_progress() {
-  const WholeAct act;
+  const CriticalSection act;
   wipe_within_act();
 }
 
 void end_process(int exit_code, std::string_view message) {
   const std::string line = line_of(message);
-  const WholeAct act;
+  const CriticalSection act;
   if (state().done) return;
   wipe_within_act();
   for (const auto& clear : state().traces) clear();

@@ -20,38 +20,38 @@ struct ExitCode {
 
 /// While one lives, no other thread ends the process: for a short act that is done whole or not at all (a
 /// result printed, a file renamed, a child started and noted). Acts do not nest.
-class WholeAct {
+class CriticalSection {
  public:
-  WholeAct();
+  CriticalSection();
 
  private:
   std::unique_lock<std::mutex> lock_;
 };
 
 /// Something that is to be cleared away if the process is ended early: a temporary file, a child. Made and
-/// given up within a WholeAct, so that it is noted exactly as long as it is there.
-class Trace {
+/// given up within a CriticalSection, so that it is noted exactly as long as it is there.
+class CleanupOnExit {
  public:
   /// @param clear removes it; called at most once, by the thread that ends the process
-  Trace(const WholeAct& /*act*/, std::function<void()> clear);
-  Trace(const Trace&) = delete;
-  Trace& operator=(const Trace&) = delete;
+  CleanupOnExit(const CriticalSection& /*act*/, std::function<void()> clear);
+  CleanupOnExit(const CleanupOnExit&) = delete;
+  CleanupOnExit& operator=(const CleanupOnExit&) = delete;
   /// It is gone, or in its place.
-  void gone(const WholeAct& act);
+  void gone(const CriticalSection& act);
 
  private:
   std::list<std::function<void()>>::iterator place_;
 };
 
 /// What the process is doing, in words for its user, until this goes: "reading standard input".
-class Doing {
+class ProgressScope {
  public:
   /// @param what instead of what was said before, which holds again afterwards
   /// @param silent no progress is shown meanwhile: the user is typing on the same terminal
-  explicit Doing(std::string what, bool silent = false);
-  Doing(const Doing&) = delete;
-  Doing& operator=(const Doing&) = delete;
-  ~Doing();
+  explicit ProgressScope(std::string what, bool silent = false);
+  ProgressScope(const ProgressScope&) = delete;
+  ProgressScope& operator=(const ProgressScope&) = delete;
+  ~ProgressScope();
 
  private:
   std::string before_;
@@ -70,7 +70,7 @@ void print_last_result(std::string_view text);
 
 /// Writes a message to standard error: printable_message(), and a line end if it has none. A line of progress
 /// is wiped away first.
-void tell(std::string_view message);
+void print_message(std::string_view message);
 
 /// Shows one line of progress on standard error in place of the last one, unless something is being printed
 /// or the user is typing. To be called for terminals only.

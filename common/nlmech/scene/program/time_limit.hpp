@@ -12,8 +12,8 @@ namespace nlmech::scene {
 ///
 /// After some seconds of silence, and then every second, it shows on standard error what is being done, if
 /// that is a terminal. At the limit it ends the process with exit code 1 and a sentence: files that are half
-/// written are removed, children ended, and an act under way (WholeAct) is finished first. So a result is
-/// printed whole or not at all, and time in which nobody takes it does not count.
+/// written are removed, children ended, and an act under way (CriticalSection) is finished first. So a result
+/// is printed whole or not at all, and time in which nobody takes it does not count.
 class TimeLimit {
  public:
   /// What is watched over.

@@ -5,28 +5,29 @@
 #include <cstddef>
 
 #include "nlmech/scene/program/csv.hpp"
-#include "nlmech/support/echo.hpp"
 #include "nlmech/support/errors.hpp"
+#include "nlmech/support/quoted_input.hpp"
 #include "nlmech/support/sentences.hpp"
 
 namespace nlmech::scene {
 
 double typed_number(std::string_view option, const std::string& text) {
   double value = 0;
-  if (!parse_number(text, value)) throw input_error("{} {}: {}", option, echoed(text), number_fault(text));
+  if (!parse_number(text, value))
+    throw input_error("{} {}: {}", option, quoted_input(text), number_fault(text));
   return value;
 }
 
 double typed_positive(std::string_view option, const std::string& text) {
   const double value = typed_number(option, text);
-  if (!(value > 0)) throw input_error("{} {}: must be positive", option, echoed(text));
+  if (!(value > 0)) throw input_error("{} {}: must be positive", option, quoted_input(text));
   return value;
 }
 
 int typed_whole(std::string_view option, const std::string& text, int least, int most) {
   const double value = typed_number(option, text);
   if (!(value >= least && value <= most && value == std::floor(value)))
-    throw input_error("{} {}: must be a whole number from {} to {}", option, echoed(text), least, most);
+    throw input_error("{} {}: must be a whole number from {} to {}", option, quoted_input(text), least, most);
   return static_cast<int>(value);
 }
 
@@ -51,7 +52,8 @@ std::vector<std::string> typed_words(std::string_view option, const std::string&
   for (const std::string& word : all) {
     double value = 0;
     if (!parse_number(word, value))
-      throw input_error("{} {}: '{}' is {}", option, echoed(text), echoed(word), number_fault(word));
+      throw input_error("{} {}: '{}' is {}", option, quoted_input(text), quoted_input(word),
+                        number_fault(word));
   }
   return all;
 }

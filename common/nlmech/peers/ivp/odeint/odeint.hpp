@@ -11,7 +11,7 @@ namespace nlmech::peers {
 /// Boost.Odeint (K. Ahnert, M. Mulansky, Odeint - Solving ordinary differential equations in C++, AIP Conf.
 /// Proc. 1389 (2011) 1586-1589) with its standard step control. rosenbrock4 gets the exact Jacobian and
 /// df/dt. Dense output of dopri5 and rosenbrock4 is the library's own of order 4 and 3; that of the others is
-/// a shorter integration of the same formula from the begin of the step, as accurate as the steps themselves.
+/// a shorter integration of the same formula from the start of the step, as accurate as the steps themselves.
 struct Odeint {
   /// Which formula.
   enum class Formula {

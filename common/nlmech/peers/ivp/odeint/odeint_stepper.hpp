@@ -226,7 +226,7 @@ class OdeintStepper final : public PeerStepper {
     }
   }
 
-  /// From the begin of the latest step to @p end, in Odeint's time, by steps of the same formula: usually
+  /// From the start of the latest step to @p end, in Odeint's time, by steps of the same formula: usually
   /// one. False if Odeint does not get there.
   bool steps_to(double end, State& x) {
     Controlled controlled = make(tolerances_);

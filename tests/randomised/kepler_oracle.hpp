@@ -1,0 +1,161 @@
+/// @file
+/// Kepler's motion by its classical equation in any type of number, and random states: what the randomised
+/// tests over orbits and transfers share. Nothing of universal variables.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <string>
+#include <utility>
+
+#include "nlmech/orbit/state.hpp"
+#include "nlmech/support/extended_real.hpp"
+#include "tests/randomised/randomised.hpp"
+
+namespace nlmech::orbit::randomised {
+
+using nlmech::randomised::Draw;
+/// 100 digits: revolutions up to 1e20, cancellation near the parabola and near the centre.
+using Real = ExtendedReal<100>;
+using Wide = long double;
+
+inline constexpr double eps = std::numeric_limits<double>::epsilon();
+
+template <class T>
+[[nodiscard]] BasicState<T> as(const State& s) {
+  BasicState<T> wide;
+  for (int i = 0; i < 3; ++i) wide.position[i] = T(s.position[i]), wide.velocity[i] = T(s.velocity[i]);
+  return wide;
+}
+
+template <class T>
+[[nodiscard]] T length(const Vector3<T>& v) {
+  using std::sqrt;
+  return sqrt(v.dot(v));
+}
+
+/// The root of a growing function between two bounds, by Newton's iteration kept inside a bracket.
+template <class T, class F>
+[[nodiscard]] T root_of(const F& value_and_slope, T low, T high, T x) {
+  using std::abs;
+  for (int i = 0; i < 2000; ++i) {
+    const auto [value, slope] = value_and_slope(x);
+    if (value == 0) break;
+    (value < 0 ? low : high) = x;
+    T next = slope > 0 ? T(x - value / slope) : low;
+    if (!(next > low && next < high) || i % 16 == 15) next = (low + high) / 2;
+    const T change = abs(T(next - x));
+    x = next;
+    if (change <= std::numeric_limits<T>::epsilon() * abs(x) / 2) break;
+  }
+  return x;
+}
+
+/// Where Kepler's motion leads to: E - e sin E = M, e sinh H - H = N, or Barker's equation, in the frame of
+/// the periapsis.
+template <class T>
+[[nodiscard]] BasicState<T> conic(const BasicState<T>& s, const T& t, const T& mu) {
+  using std::abs, std::asinh, std::atan2, std::cos, std::cosh, std::floor, std::log, std::pow, std::sin,
+      std::sinh, std::sqrt;
+  const T r0 = length(s.position), alpha = 2 / r0 - s.velocity.dot(s.velocity) / mu;
+  const Vector3<T> h = cross(s.position, s.velocity);
+  const T p = h.dot(h) / mu, along = s.position.dot(s.velocity) / sqrt(mu);
+  const Vector3<T> apse = cross(s.velocity, h) / mu - s.position / r0;
+  const T e = length(apse);
+  const Vector3<T> x = e == 0 ? Vector3<T>(s.position / r0) : Vector3<T>(apse / e);
+  Vector3<T> y = Vector3<T>::Zero();
+  if (p > 0) y = cross(Vector3<T>(h / length(h)), x);
+  const auto in_frame = [&](const T& px, const T& py, const T& vx, const T& vy) {
+    return BasicState<T>{px * x + py * y, vx * x + vy * y};
+  };
+  if (alpha > 0) {
+    const T a = 1 / alpha, n = sqrt(mu * alpha) * alpha, b = sqrt(a * p), turn = 2 * atan2(T(0), T(-1));
+    const T e0 = e == 0 ? T(0) : T(atan2(T(along * sqrt(alpha)), T(1 - r0 * alpha)));
+    T m = e0 - e * sin(e0) + n * t;
+    m -= turn * floor(T(m / turn + T(0.5)));
+    const T E = root_of<T>([&](const T& u) { return std::pair<T, T>(u - e * sin(u) - m, 1 - e * cos(u)); },
+                           m - 2, m + 2, m + e * sin(m));
+    const T rate = n / (1 - e * cos(E));
+    return in_frame(a * (cos(E) - e), b * sin(E), -a * sin(E) * rate, b * cos(E) * rate);
+  }
+  if (alpha < 0) {
+    const T a = -1 / alpha, n = sqrt(-mu * alpha) * -alpha, b = sqrt(a * p);
+    const T h0 = asinh(T(along * sqrt(-alpha) / e)), m = e * sinh(h0) - h0 + n * t;
+    T bound = 1;
+    while (e * sinh(bound) - bound < abs(m)) bound *= 2;
+    const T H = root_of<T>([&](const T& u) { return std::pair<T, T>(e * sinh(u) - u - m, e * cosh(u) - 1); },
+                           -bound, bound, asinh(T(m / e)));
+    const T rate = n / (e * cosh(H) - 1);
+    return in_frame(a * (e - cosh(H)), b * sinh(H), -a * sinh(H) * rate, b * cosh(H) * rate);
+  }
+  const T m = p * along + along * along * along / 3 + 2 * sqrt(mu) * t;
+  T bound = 1;
+  while (p * bound + bound * bound * bound / 3 < abs(m)) bound *= 2;
+  const T d = root_of<T>([&](const T& u) { return std::pair<T, T>(p * u + u * u * u / 3 - m, p + u * u); },
+                         -bound, bound, T(0));
+  const T r = (p + d * d) / 2, rate = sqrt(mu) / r;
+  return in_frame((p - d * d) / 2, sqrt(p) * d, -d * rate, sqrt(p) * rate);
+}
+
+template <class T>
+[[nodiscard]] BasicState<T> conic(const State& start, double time, double gravity) {
+  return conic<T>(as<T>(start), T(time), T(gravity));
+}
+
+/// |a - b|.
+template <class T>
+[[nodiscard]] double distance(const Vector3<double>& a, const Vector3<T>& b) {
+  Vector3<T> d;
+  for (int i = 0; i < 3; ++i) d[i] = T(a[i]) - b[i];
+  return static_cast<double>(T(length(d)));
+}
+
+/// A direction, one in four along an axis.
+[[nodiscard]] inline Vector3<double> direction(Draw& draw) {
+  if (draw.chance(0.25)) {
+    Vector3<double> axis(0, 0, 0);
+    axis[draw.whole(0, 2)] = draw.chance(0.5) ? 1 : -1;
+    return axis;
+  }
+  return Vector3<double>(draw.normal(), draw.normal(), draw.normal()).normalized();
+}
+
+/// A state at the distance @p r with a speed in units of the circular one, at an angle from outwards.
+[[nodiscard]] inline State state_of(Draw& draw, double r, double mu, double speed, double angle) {
+  const Vector3<double> out = direction(draw);
+  Vector3<double> side = cross(out, direction(draw));
+  while (side.norm() < 1e-3) side = cross(out, direction(draw));
+  side.normalize();
+  const double v = speed * std::sqrt(mu / r);
+  return {r * out, v * std::cos(angle) * out + v * std::sin(angle) * side};
+}
+
+[[nodiscard]] inline std::string words(const State& s, double time, double mu) {
+  return fmt::format(
+      "--position {:.17g},{:.17g},{:.17g} --velocity {:.17g},{:.17g},{:.17g} --until {:.17g} --mu {:.17g}",
+      s.position[0], s.position[1], s.position[2], s.velocity[0], s.velocity[1], s.velocity[2], time, mu);
+}
+
+/// Random conics with their corners: circles, parabolas, straight lines, at rest, grazing the centre.
+struct Motion {
+  State start;
+  double time, mu;
+};
+[[nodiscard]] inline Motion any_motion(Draw& draw) {
+  const double mu = draw.log_uniform(1e-6, 1e20), r = draw.log_uniform(1e-6, 1e12);
+  const double speed = draw.chance(0.3)   ? std::numbers::sqrt2 * (1 + draw.signed_log(1e-17, 0.1))
+                       : draw.chance(0.1) ? 0.0
+                                          : draw.log_uniform(1e-6, draw.chance(0.2) ? 1e8 : 10);
+  double angle = draw.uniform(0, std::numbers::pi);
+  if (draw.chance(0.2)) angle = draw.log_uniform(1e-18, 0.1);
+  if (draw.chance(0.2)) angle = std::numbers::pi - draw.log_uniform(1e-18, 0.1);
+  if (draw.chance(0.1)) angle = std::numbers::pi / 2;
+  const State s = state_of(draw, r, mu, speed, angle);
+  const double scale = r * std::sqrt(r / mu) / (1 + (draw.chance(0.5) ? speed : 0));
+  return {s, scale * draw.signed_log(1e-8, draw.chance(0.2) ? 1e18 : 1e4), mu};
+}
+
+}  // namespace nlmech::orbit::randomised
