@@ -495,8 +495,11 @@ Trajectory usual_trajectory(const UserProblem& problem, const RunOptions& option
   const Stopwatch watch;
   try {
     return trajectory(problem, options, usual);
-  } catch (const Failure&) {
+  } catch (const Failure& first) {
     if (!options.verify) throw;
+    // Where two methods end the equations do: a third that goes on has stepped over the end.
+    const auto is_outside = [](const Failure& f) { return f.status().outcome() == Outcome::outside_validity; };
+    int outside = is_outside(first) ? 1 : 0;
     for (const std::string_view name :
          {"dop853", "series", "adaptive-collocation", "odeint-rosenbrock4", "cvode-bdf"}) {
       const ivp::MethodInfo& other = any_method(name);
@@ -504,10 +507,11 @@ Trajectory usual_trajectory(const UserProblem& problem, const RunOptions& option
       rest.limits.seconds -= watch.seconds();
       rest.limits.largest_step = watchful_step(options.t0, options.t1, options.limits.largest_step);
       if (!other.is_available() || !has_settings(other, options.settings)) continue;
-      if (rest.limits.seconds <= 0) break;
+      if (rest.limits.seconds <= 0 || outside > 1) break;
       try {
         if (Trajectory found = trajectory(problem, rest, other); !found.is_open) return found;
-      } catch (const Failure&) {  // that of the usual method says more
+      } catch (const Failure& failure) {  // that of the usual method says more
+        if (is_outside(failure)) ++outside;
       }
     }
     throw;
