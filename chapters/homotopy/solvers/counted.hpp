@@ -43,6 +43,7 @@ struct Counted {
   friend Counted abs(const Counted& x) { return {std::abs(x.value), x.counter}; }
   friend Counted floor(const Counted& x) { return {std::floor(x.value), x.counter}; }
   friend bool isfinite(const Counted& x) { return std::isfinite(x.value); }
+  friend int ilogb(const Counted& x) { return std::ilogb(x.value); }
   friend Counted sqrt(const Counted& x) { return made(std::sqrt(x.value), x, x); }
   friend Counted sin(const Counted& x) { return made(std::sin(x.value), x, x); }
   friend Counted cos(const Counted& x) { return made(std::cos(x.value), x, x); }
