@@ -147,7 +147,7 @@ TEST(RandomisedAlgebraic, ARootHasTheResidualThatWasAskedFor) {
     if (name != "energy-trust-region") names.emplace_back(name);
   }
   if (peers::kinsol_available()) names.emplace_back("kinsol");
-  randomised test({.quick = 1500, .full = 200'000, .least_right = 0.2}, [&](Draw& draw) {
+  randomised_test({.quick = 1500, .full = 200'000, .least_right = 0.2}, [&](Draw& draw) {
     const RandomSystem s = random_system(draw);
     algebraic::DenseEquations equations(
         s.n, [&](const VectorXd& x, VectorXd& f) { residual(s, x, f); },
@@ -216,7 +216,7 @@ struct Wells : algebraic::Potential {
 };
 
 TEST(RandomisedAlgebraic, TheEnergyEndsInAMinimum) {
-  randomised test({.quick = 500, .full = 100'000, .least_right = 0.3}, [](Draw& draw) {
+  randomised_test({.quick = 500, .full = 100'000, .least_right = 0.3}, [](Draw& draw) {
     Wells wells;
     const int n = draw.whole(1, most);
     wells.a = MatrixXd::Identity(n, n);

@@ -18,7 +18,7 @@ TEST(RandomisedReaders, SpacecraftAsToml) {
       "hub_inertia = 8\nmass_per_length = 0.0271875\nyoungs_modulus = 1584000000.0\nlength = 4\n",
       "tip_mass = 0.1  # slug\ntip_inertia = 0.02\nhub_radius = 1.0\nsecond_moment = 4.7095e-8\n",
       "length = 3.5\n", ""};
-  randomised test({.quick = 2000, .full = all_of_them, .least_right = 0.02}, [](Draw& draw) {
+  randomised_test({.quick = 2000, .full = all_of_them, .least_right = 0.02}, [](Draw& draw) {
     return read_or_refused(damaged(draw, examples), [](const std::string& text) {
       const spacecraft::Parameters p = chapters::gss_control::parse_spacecraft(text, "craft.toml");
       for (const double x : {p.mass_per_length, p.youngs_modulus, p.length, p.second_moment}) {
@@ -42,7 +42,7 @@ TEST(RandomisedReaders, TwoOrbitsAsToml) {
       "mu = 3.986e14\nrevolutions = 2\nfrom = {position = [7e6, 0, 0], velocity = [0, 7.5e3, 0]}\n"
       "to = {p = 4.2e7, e = 0, nu = 90}\n[departures]\nfirst = 0\nlast = 6000\n[arrivals]\nfirst = "
       "4000\nlast = 3e4\n"};
-  randomised test({.quick = 1500, .full = all_of_them, .least_right = 0.02}, [](Draw& draw) {
+  randomised_test({.quick = 1500, .full = all_of_them, .least_right = 0.02}, [](Draw& draw) {
     return read_or_refused(damaged(draw, examples), [](const std::string& text) {
       const orbit::PorkchopProblem p = chapters::rbf_inverse::read_porkchop(text, "two.toml");
       return p.mu > 0 && std::isfinite(p.mu) && p.from.state.position.allFinite() &&

@@ -106,7 +106,7 @@ bool is_bounded(const std::string& text) {
 }
 
 TEST(RandomisedEquations, AnyTextIsReadOrRefused) {
-  randomised test({.quick = 3000, .full = 1'000'000, .least_right = 0.02}, [](Draw& draw) {
+  randomised_test({.quick = 3000, .full = 1'000'000, .least_right = 0.02}, [](Draw& draw) {
     const std::string text = draw.chance(0.5) ? damaged(draw, examples()) : babble(draw);
     try {
       return is_bounded(text) ? Case::judged(0, 1, {}) : Case::wrong("out of bounds: " + shown(text));
@@ -152,7 +152,7 @@ Case judged(Draw& draw, const Judge& judge) {
 }
 
 TEST(RandomisedEquations, ValuesAndDerivatives) {
-  randomised test({.quick = 300, .full = 100'000, .least_right = 0.3}, [](Draw& draw) {
+  randomised_test({.quick = 300, .full = 100'000, .least_right = 0.3}, [](Draw& draw) {
     return judged(draw, [](const Trial& trial) -> std::optional<double> {
       const ivp::System system{Problem(Equations(SourceText("E", trial.text)))};
       const ivp::State x{trial.point[1], trial.point[2]};
@@ -187,7 +187,7 @@ bool is_beyond_doubles(const std::array<std::vector<Estimate>, 2>& coefficients)
 
 TEST(RandomisedEquations, TaylorCoefficients) {
   constexpr int order = 6;
-  randomised test({.quick = 60, .full = 20'000, .least_right = 0.1}, [](Draw& draw) {
+  randomised_test({.quick = 60, .full = 20'000, .least_right = 0.1}, [](Draw& draw) {
     return judged(draw, [](const Trial& trial) -> std::optional<double> {
       const auto exact = solution(trial.trees, trial.point, order);
       if (!exact || is_beyond_doubles(*exact)) return std::nullopt;

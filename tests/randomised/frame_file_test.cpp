@@ -50,7 +50,7 @@ TEST(RandomisedFrameFile, FramesAsToml) {
       source_lines("chapters/homotopy/frames/truss.toml", 40),
       source_lines("chapters/homotopy/frames/shallow-arch.toml", 40),
       source_lines("chapters/homotopy/frames/level-brace.toml", 40)};
-  randomised test({.quick = 1500, .full = all_of_them, .least_right = 0.02},
+  randomised_test({.quick = 1500, .full = all_of_them, .least_right = 0.02},
                   [](Draw& draw) { return read_or_refused(damaged(draw, examples), stands); });
 }
 
@@ -59,7 +59,7 @@ TEST(RandomisedFrameFile, LoadCases) {
       source_lines("chapters/homotopy/frames/cases.toml", 60),
       source_lines("chapters/homotopy/frames/cases.toml", 60) +
           "[masses]\ntip = { mass = 1, inertia = 2 }\n[damping]\nmass = 0.1\nstiffness = 1e-3\n"};
-  randomised test({.quick = 1500, .full = all_of_them, .least_right = 0.02}, [](Draw& draw) {
+  randomised_test({.quick = 1500, .full = all_of_them, .least_right = 0.02}, [](Draw& draw) {
     const std::string text = damaged(draw, examples);
     const char* const names[] = {"weight", "twist", "lift"};
     const std::optional<std::string> load_case = names[draw.whole(0, 2)];

@@ -80,7 +80,7 @@ Singular singular_at(const ToggleFrame& whole, const CriticalPoint& c) {
 }
 
 TEST(RandomisedFrames, CriticalPointsAreSingularAndTheSameForEveryStep) {
-  randomised test({.quick = 12, .full = 3'000, .least_right = 0.3}, [](Draw& draw) {
+  randomised_test({.quick = 12, .full = 3'000, .least_right = 0.3}, [](Draw& draw) {
     Toggle t = random_toggle(draw, 12);
     t.full = true;
     const ToggleFrame whole = make_frame(t);
@@ -155,7 +155,7 @@ TEST(RandomisedFrames, EquilibriaOfOneElementAreThoseOfAScan) {
   const std::vector<std::string> names = {
       "newton", "damped-newton", "broyden", "levenberg-marquardt", "dogleg",         "energy-trust-region",
       "riks",   "crisfield",     "gdc",     "chow-yorke",          "newton-homotopy"};
-  randomised test({.quick = 60, .full = 30'000, .least_right = 0.3}, [&](Draw& draw) {
+  randomised_test({.quick = 60, .full = 30'000, .least_right = 0.3}, [&](Draw& draw) {
     Toggle t = random_toggle(draw, 1);
     t.height = draw.log_uniform(0.05, 0.7);  // no member bows
     const ToggleFrame half = make_frame(t);
@@ -195,7 +195,7 @@ TEST(RandomisedFrames, EquilibriaOfOneElementAreThoseOfAScan) {
 }
 
 TEST(RandomisedFrames, EquilibriaCarryTheirLoadAndEnergiesAreLeast) {
-  randomised test({.quick = 60, .full = 20'000, .least_right = 0.3}, [](Draw& draw) {
+  randomised_test({.quick = 60, .full = 20'000, .least_right = 0.3}, [](Draw& draw) {
     const Toggle t = random_toggle(draw, 40);
     const ToggleFrame half = make_frame(t);
     const double load = draw.signed_log(1e-2, 1e4);
@@ -233,7 +233,7 @@ TEST(RandomisedFrames, EquilibriaCarryTheirLoadAndEnergiesAreLeast) {
 }
 
 TEST(RandomisedFrames, LimitPointsOfWilliamsEquation) {
-  randomised test({.quick = 60, .full = 10'000, .least_right = 0.5}, [](Draw& draw) {
+  randomised_test({.quick = 60, .full = 10'000, .least_right = 0.5}, [](Draw& draw) {
     const double height = draw.log_uniform(0.02, 0.95),
                  stiff = draw.chance(0.5) ? 1 : draw.log_uniform(0.1, 1);
     const frames::Williams w{.height = height, .ea = 1.885e6 * stiff};

@@ -121,7 +121,7 @@ Case judged(const Cartesian& p, const Ellipsoid& e, const Geodetic& g, double bo
 constexpr double allowed = 16;
 
 TEST(RandomisedGeodesy, ClosestPointIsTheClosest) {
-  randomised::randomised test({.quick = 2000, .full = 600'000}, [](Draw& draw) {
+  randomised::randomised_test({.quick = 2000, .full = 600'000}, [](Draw& draw) {
     const Ellipsoid e = any_ellipsoid(draw);
     const Cartesian p = any_point(draw, e);
     const GeodeticPoint found = ClosestPoint(e)(p);
@@ -131,7 +131,7 @@ TEST(RandomisedGeodesy, ClosestPointIsTheClosest) {
 }
 
 TEST(RandomisedGeodesy, FastTransformationsOfAllInstructionSets) {
-  randomised::randomised test({.quick = 1000, .full = 400'000}, [](Draw& draw) {
+  randomised::randomised_test({.quick = 1000, .full = 400'000}, [](Draw& draw) {
     const Ellipsoid e = draw.chance(0.5) ? Ellipsoid::wgs84() : any_ellipsoid(draw);
     const auto set = draw.one_of({InstructionSet::baseline, InstructionSet::avx2, InstructionSet::avx512});
     if (!available(set)) return Case::undecided();
@@ -160,7 +160,7 @@ TEST(RandomisedGeodesy, FastTransformationsOfAllInstructionSets) {
 // The Earth as the header says it: 4e-16 rad, and 2.5e-9 m below 100 km or 2.2e-8 m up to 35000 km. The
 // latitude by one step of Newton's iteration in extended precision from the one found.
 TEST(RandomisedGeodesy, TheEarthToTheStatedAccuracy) {
-  randomised::randomised test({.quick = 2000, .full = 1'000'000}, [](Draw& draw) {
+  randomised::randomised_test({.quick = 2000, .full = 1'000'000}, [](Draw& draw) {
     const Ellipsoid e = Ellipsoid::wgs84();
     const double h = draw.uniform(-1e4, draw.chance(0.5) ? 1e5 : 3.5e7);
     const Cartesian p = forward(Geodetic{draw.uniform(-std::numbers::pi / 2, std::numbers::pi / 2),
@@ -181,7 +181,7 @@ TEST(RandomisedGeodesy, TheEarthToTheStatedAccuracy) {
 // The series says its own miss; a success is within a hundredth of the distance, and the miss is the true
 // one.
 TEST(RandomisedGeodesy, TheSeriesKnowsItsMiss) {
-  randomised::randomised test({.quick = 1000, .full = 300'000}, [](Draw& draw) {
+  randomised::randomised_test({.quick = 1000, .full = 300'000}, [](Draw& draw) {
     const Ellipsoid e = any_ellipsoid(draw);
     const Cartesian p = any_point(draw, e);
     const PerturbationSeries method{draw.whole(1, highest_order),
@@ -205,7 +205,7 @@ TEST(RandomisedGeodesy, TheSeriesKnowsItsMiss) {
 // Forward for all ellipsoids and heights against the same equation in extended precision without its
 // cancellation.
 TEST(RandomisedGeodesy, ForwardOnEveryEllipsoid) {
-  randomised::randomised test({.quick = 2000, .full = 500'000}, [](Draw& draw) {
+  randomised::randomised_test({.quick = 2000, .full = 500'000}, [](Draw& draw) {
     const Ellipsoid e = any_ellipsoid(draw);
     const Geodetic g{draw.chance(0.8) ? draw.uniform(-std::numbers::pi / 2, std::numbers::pi / 2)
                                       : draw.signed_log(1e-300, 1.5),

@@ -234,13 +234,13 @@ Case chain(Draw& draw) {
 }
 
 TEST(RandomisedHermitian, LinearOscillators) {
-  randomised test({.quick = 24, .full = 3000, .least_right = 0.1}, oscillator);
+  randomised_test({.quick = 24, .full = 3000, .least_right = 0.1}, oscillator);
 }
 TEST(RandomisedHermitian, FreeDuffingOscillators) {
-  randomised test({.quick = 20, .full = 2000, .least_right = 0.1}, duffing);
+  randomised_test({.quick = 20, .full = 2000, .least_right = 0.1}, duffing);
 }
 TEST(RandomisedHermitian, LoadsThatNobodyAnnounces) {
-  randomised test({.quick = 28, .full = 1500, .least_right = 0.05}, chain);
+  randomised_test({.quick = 28, .full = 1500, .least_right = 0.05}, chain);
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ namespace {
 
 using randomised::Case;
 using randomised::Draw;
-using randomised::randomised test;
+using randomised::randomised_test;
 
 constexpr double digits_and_a_half = 30;
 
@@ -72,7 +72,7 @@ auto tolerances(const Question& q, double time_per_tolerance) {
 // An error of a tolerance in x, which creeps at 1/mu, is mu tolerances of time, at every leap anew.
 TEST(RandomisedStiffCodes, VanDerPol) {
   if (!has_codes()) GTEST_SKIP() << "this build lacks the codes to compare with";
-  randomised test({.quick = 5, .full = 1500}, [](Draw& draw) {
+  randomised_test({.quick = 5, .full = 1500}, [](Draw& draw) {
     const double mu = draw.log_uniform(1, 1e4), end = draw.uniform(0.1, 2) * (mu + 5),
                  tolerance = draw.log_uniform(1e-8, 1e-3);
     const Question q{System(problems::TextProblem("van-der-pol", {{"mu", mu}})),
@@ -87,7 +87,7 @@ TEST(RandomisedStiffCodes, VanDerPol) {
 
 TEST(RandomisedStiffCodes, Robertson) {
   if (!has_codes()) GTEST_SKIP() << "this build lacks the codes to compare with";
-  randomised test({.quick = 5, .full = 1500}, [](Draw& draw) {
+  randomised_test({.quick = 5, .full = 1500}, [](Draw& draw) {
     const double k1 = 0.04 * draw.log_uniform(0.1, 10), k2 = 1e4 * draw.log_uniform(0.01, 100),
                  k3 = 3e7 * draw.log_uniform(0.01, 100), end = draw.log_uniform(1e-3, 1e10),
                  tolerance = draw.log_uniform(1e-8, 1e-3);
@@ -102,7 +102,7 @@ TEST(RandomisedStiffCodes, Robertson) {
 // The last reaction comes to its end within some ten units of time: errors of the time at which it does.
 TEST(RandomisedStiffCodes, Hires) {
   if (!has_codes()) GTEST_SKIP() << "this build lacks the codes to compare with";
-  randomised test({.quick = 5, .full = 1500}, [](Draw& draw) {
+  randomised_test({.quick = 5, .full = 1500}, [](Draw& draw) {
     const double k_plus = draw.log_uniform(10, 1e4), end = draw.log_uniform(0.1, 1000),
                  tolerance = draw.log_uniform(1e-8, 1e-3);
     const problems::TextProblem p("hires", {{"k_plus", k_plus}});

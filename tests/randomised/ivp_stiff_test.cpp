@@ -17,12 +17,12 @@
 namespace nlmech::ivp::ivp_stiff_test {
 namespace {
 
-using randomised::Case;
-using randomised::Draw;
-using randomised::randomised test;
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
+using randomised::Case;
+using randomised::Draw;
+using randomised::randomised_test;
 
 constexpr double digits_and_a_half = 30;
 constexpr double eps = 2.220446049250313e-16;
@@ -149,7 +149,7 @@ Case forced_case(Draw& draw, Index n) {
 }
 
 TEST(RandomisedStiff, LinearSystemsOfAnySpectrum) {
-  randomised test({.quick = 150, .full = 40'000}, [](Draw& draw) {
+  randomised_test({.quick = 150, .full = 40'000}, [](Draw& draw) {
     constexpr Index sizes[] = {2, 3, 6};
     return forced_case(draw, sizes[draw.whole(0, 2)]);
   });
@@ -172,7 +172,7 @@ struct Manifold {
 };
 
 TEST(RandomisedStiff, SlowManifolds) {
-  randomised test({.quick = 400, .full = 40'000}, [](Draw& draw) {
+  randomised_test({.quick = 400, .full = 40'000}, [](Draw& draw) {
     const Manifold p{.rate = draw.log_uniform(1, 1e10),
                      .bend = draw.chance(0.5) ? 0 : draw.log_uniform(0.1, 1e3),
                      .frequency = draw.log_uniform(0.01, 30)};
@@ -202,7 +202,7 @@ struct Kaps {
 };
 
 TEST(RandomisedStiff, KapsProblem) {
-  randomised test({.quick = 400, .full = 40'000}, [](Draw& draw) {
+  randomised_test({.quick = 400, .full = 40'000}, [](Draw& draw) {
     const Kaps p{.rate = draw.log_uniform(1, 1e12)};
     const double end = draw.log_uniform(0.01, 10), tolerance = draw.log_uniform(1e-13, 1e-2);
     const double absolute = draw.chance(0.5) ? tolerance : tolerance * draw.log_uniform(1e-6, 1);

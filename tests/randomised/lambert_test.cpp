@@ -16,7 +16,7 @@ namespace nlmech::orbit::randomised::lambert_test {
 namespace {
 
 using nlmech::randomised::Case;
-using nlmech::randomised::randomised test;
+using nlmech::randomised::randomised_test;
 
 LambertProblem any_problem(Draw& draw) {
   LambertProblem p;
@@ -73,7 +73,7 @@ Case judged(const LambertProblem& p, const LambertArc& arc, const LambertSolutio
 }
 
 TEST(RandomisedLambert, EveryArcArrives) {
-  randomised test({.quick = 200, .full = 50'000}, [](Draw& draw) {
+  randomised_test({.quick = 200, .full = 50'000}, [](Draw& draw) {
     const LambertProblem p = any_problem(draw);
     const LambertArc arc{draw.chance(0.5), draw.chance(0.5) ? 0 : draw.whole(0, 20),
                          draw.chance(0.5) ? LambertBranch::low : LambertBranch::high};
@@ -112,7 +112,7 @@ Wide least_time_by_angles(const LambertProblem& p, bool long_way, int revolution
 
 // Two arcs of M revolutions where there is time for them, none where there is not.
 TEST(RandomisedLambert, NoArcIsMissingAndNoneInvented) {
-  randomised test({.quick = 300, .full = 200'000}, [](Draw& draw) {
+  randomised_test({.quick = 300, .full = 200'000}, [](Draw& draw) {
     const LambertProblem p = any_problem(draw);
     const bool long_way = draw.chance(0.5);
     const int revolutions = draw.whole(1, 30);
@@ -136,7 +136,7 @@ TEST(RandomisedLambert, NoArcIsMissingAndNoneInvented) {
 
 // Finite numbers of any size: finite velocities that arrive, or a sentence.
 TEST(RandomisedLambert, AnyFiniteNumbers) {
-  randomised test({.quick = 1000, .full = 200'000, .least_right = 0.001}, [](Draw& draw) {
+  randomised_test({.quick = 1000, .full = 200'000, .least_right = 0.001}, [](Draw& draw) {
     LambertProblem p;
     for (int i = 0; i < 3; ++i) p.from[i] = draw.any_finite(), p.to[i] = draw.any_finite();
     p.time = std::abs(draw.any_finite());
@@ -151,7 +151,7 @@ TEST(RandomisedLambert, AnyFiniteNumbers) {
 
 // What the command prints: within a millionth of the distance, by both methods.
 TEST(RandomisedTransfer, EverySuccessArrives) {
-  randomised test({.quick = 30, .full = 20'000}, [](Draw& draw) {
+  randomised_test({.quick = 30, .full = 20'000}, [](Draw& draw) {
     const LambertProblem l = any_problem(draw);
     const TransferProblem p{l.from, l.to, l.time, {.mu = l.mu}, l.normal};
     Transfer t;

@@ -17,7 +17,7 @@ namespace nlmech::orbit::randomised::orbit_test {
 namespace {
 
 using nlmech::randomised::Case;
-using nlmech::randomised::randomised test;
+using nlmech::randomised::randomised_test;
 
 /// Kepler's motion in long double where that has digits enough, else in 100: of a place and a speed that
 /// doubles can hold.
@@ -38,7 +38,7 @@ bool is_plain(const Motion& m, const KeplerCondition& kappa) {
 
 // Within 8 kappa eps of |r| and |v|, whatever the conic, or refused; a success has kappa eps < 1.
 TEST(RandomisedKepler, PropagationIsAsExactAsItsData) {
-  randomised test({.quick = 300, .full = 50'000}, [](Draw& draw) {
+  randomised_test({.quick = 300, .full = 50'000}, [](Draw& draw) {
     const Motion m = any_motion(draw);
     const KeplerSolution found = propagate_kepler(m.start, m.time, m.mu);
     if (!found.status.ok()) return Case::refused();
@@ -70,7 +70,7 @@ TEST(RandomisedKepler, PropagationIsAsExactAsItsData) {
 // Near the parabola rounding of the energy decides how far out the body is: a success has digits there too,
 // and what has few of them is known to have few.
 TEST(RandomisedKepler, NearTheParabolaDigitsAreCounted) {
-  randomised test({.quick = 400, .full = 20'000}, [](Draw& draw) {
+  randomised_test({.quick = 400, .full = 20'000}, [](Draw& draw) {
     const double mu = draw.log_uniform(1e-6, 1e20), r = draw.log_uniform(1e-6, 1e12);
     const double speed = std::numbers::sqrt2 * (1 + draw.signed_log(1e-18, 1e-3));
     const State s = state_of(draw, r, mu, speed, draw.uniform(0, std::numbers::pi));
@@ -92,7 +92,7 @@ TEST(RandomisedKepler, NearTheParabolaDigitsAreCounted) {
 
 // Units at the ends of doubles change what is lost to underflow, and nothing else.
 TEST(RandomisedKepler, PowersOfTwoChangeNoDigit) {
-  randomised test({.quick = 500, .full = 300'000}, [](Draw& draw) {
+  randomised_test({.quick = 500, .full = 300'000}, [](Draw& draw) {
     Motion m = any_motion(draw);
     const double r = m.start.position.norm();
     const int length_power = draw.whole(-900, 900) - std::ilogb(r), time_power = draw.whole(-900, 900);
@@ -153,7 +153,7 @@ double condition_by_differences(const BasicState<Real>& start, const Real& time,
 // A bound of 8 kappa eps needs no more than three digits of kappa. It has them, or is that of a gravity which
 // rounding of a few operations changes: after many revolutions that moves the end.
 TEST(RandomisedKepler, TheConditionIsThatOfDifferences) {
-  randomised test({.quick = 20, .full = 10'000}, [](Draw& draw) {
+  randomised_test({.quick = 20, .full = 10'000}, [](Draw& draw) {
     const Motion m = any_motion(draw);
     const double kappa = kepler_condition(m.start, m.time, m.mu).position;
     if (!(kappa < 1e12)) return Case::refused();
@@ -174,7 +174,7 @@ TEST(RandomisedKepler, TheConditionIsThatOfDifferences) {
 // There and back within 32 eps (times 1/(1 + e cos nu) by the true anomaly, in the circular speed by the time
 // since periapsis); e and a by their definitions in long double.
 TEST(RandomisedElements, ThereAndBack) {
-  randomised test({.quick = 1000, .full = 500'000}, [](Draw& draw) {
+  randomised_test({.quick = 1000, .full = 500'000}, [](Draw& draw) {
     const Motion m = any_motion(draw);
     const Elements e = elements_of(m.start, m.mu);
     const std::string what = words(m.start, 0, m.mu);
@@ -214,7 +214,7 @@ TEST(RandomisedElements, ThereAndBack) {
 
 // Finite numbers of any size: finite elements and states, or a sentence.
 TEST(RandomisedElements, AnyFiniteNumbers) {
-  randomised test({.quick = 2000, .full = 500'000, .least_right = 0.01}, [](Draw& draw) {
+  randomised_test({.quick = 2000, .full = 500'000, .least_right = 0.01}, [](Draw& draw) {
     State s;
     for (int i = 0; i < 3; ++i) s.position[i] = draw.any_finite(), s.velocity[i] = draw.any_finite();
     const double mu = std::abs(draw.any_finite()), time = draw.any_finite();
@@ -248,7 +248,7 @@ TEST(RandomisedElements, AnyFiniteNumbers) {
 // The series: each step adds 2 tolerance + 9 eps, in units of |r| and of the larger of |v| and the circular
 // speed, times the condition of the rest of the way.
 TEST(RandomisedContinuation, IsWithinItsTolerance) {
-  randomised test({.quick = 100, .full = 10'000}, [](Draw& draw) {
+  randomised_test({.quick = 100, .full = 10'000}, [](Draw& draw) {
     const Motion m = any_motion(draw);
     const double tolerance = draw.log_uniform(1e-18, 1e-3);
     double allowed = 8 * eps * kepler_condition(m.start, m.time, m.mu).position;
@@ -274,7 +274,7 @@ TEST(RandomisedContinuation, IsWithinItsTolerance) {
 
 // Zonal terms: the energy and the angular momentum about the axis are kept to the rounding of their terms.
 TEST(RandomisedContinuation, ZonalInvariantsAreKept) {
-  randomised test({.quick = 100, .full = 50'000}, [](Draw& draw) {
+  randomised_test({.quick = 100, .full = 50'000}, [](Draw& draw) {
     Gravity g{.mu = draw.log_uniform(1e-3, 1e16), .radius = draw.log_uniform(1e-3, 1e8)};
     for (double& j : g.zonal) j = draw.chance(0.3) ? 0 : draw.signed_log(1e-9, 1e-2);
     const double r = g.radius * draw.log_uniform(1, 100);

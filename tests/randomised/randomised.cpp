@@ -91,8 +91,8 @@ void keep(const std::string& name, std::int64_t seed, const Counts& n) {
 }
 
 /// So few right ones are no chance, three standard deviations below the stated share, and at least one.
-double least_right_of(const randomised test& randomised test, std::int64_t cases) {
-  const double mean = randomised test.least_right * static_cast<double>(cases);
+double least_right_of(const RandomisedTest& size, std::int64_t cases) {
+  const double mean = size.least_right * static_cast<double>(cases);
   return mean > 0 ? std::max(1.0, mean - 3 * std::sqrt(mean)) : 0;
 }
 
@@ -165,7 +165,7 @@ Case Case::wrong(std::string what) { return {Verdict::wrong, HUGE_VAL, std::move
 Case Case::refused(std::string what) { return {Verdict::refused, 0, std::move(what)}; }
 Case Case::undecided(std::string what) { return {Verdict::undecided, 0, std::move(what)}; }
 
-void randomised test(const randomised test& randomised test, const std::function<Case(Draw&)>& trial) {
+void randomised_test(const RandomisedTest& size, const std::function<Case(Draw&)>& trial) {
   const auto* const test = testing::UnitTest::GetInstance()->current_test_info();
   const std::string name = fmt::format("{}.{}", test->test_suite_name(), test->name());
   const bool full = is_full();
@@ -180,7 +180,7 @@ void randomised test(const randomised test& randomised test, const std::function
     return;
   }
   Counts counts;
-  for (std::int64_t number = 0; number < (full ? randomised test.full : randomised test.quick); ++number) {
+  for (std::int64_t number = 0; number < (full ? size.full : size.quick); ++number) {
     const Case found = case_of(number);
     counts.add(found);
     if (found.verdict == Case::Verdict::wrong && static_cast<std::size_t>(counts.wrong) <= shown)
@@ -191,7 +191,7 @@ void randomised test(const randomised test& randomised test, const std::function
       "randomised {}: {} cases, {} right (worst {:.2g} of its bound), {} refused, {} undecided, {} wrong\n",
       name, counts.cases, counts.right, counts.worst, counts.refused, counts.undecided, counts.wrong);
   EXPECT_EQ(counts.wrong, 0) << "successes that are wrong";
-  EXPECT_GE(static_cast<double>(counts.right), least_right_of(randomised test, counts.cases))
+  EXPECT_GE(static_cast<double>(counts.right), least_right_of(size, counts.cases))
       << "too few cases come to a judgement: the randomised test is empty";
   if (full) keep(name, seed, counts);
 }

@@ -3,7 +3,7 @@
 /// often than their share, and every success is held to something that does not use the code under test.
 ///
 ///     TEST(RandomisedKepler, PropagationKeepsItsDigits) {
-///       randomised test({.quick = 300, .full = 200'000}, [](Draw& draw) {
+///       randomised_test({.quick = 300, .full = 200'000}, [](Draw& draw) {
 ///         const double e = draw.log_uniform(1e-12, 0.999999);
 ///         ...
 ///         if (!found.status.ok()) return Case::refused();
@@ -86,7 +86,7 @@ struct Case {
 
 /// How many cases, and how many of them have to come to a judgement for the randomised test to mean
 /// something.
-struct randomised test {
+struct RandomisedTest {
   std::int64_t quick = 100;    ///< cases of the unit test
   std::int64_t full = 10'000;  ///< cases with NLMECH_RANDOMISED=full
   double least_right =
@@ -97,6 +97,6 @@ struct randomised test {
 /// numbers), and if too few were judged. An exception other than std::invalid_argument, InputError and
 /// Failure is a wrong case too. With NLMECH_RANDOMISED=full the counts are written as a row of
 /// this seed for tables/RANDOMISED.md.
-void randomised test(const randomised test& randomised test, const std::function<Case(Draw&)>& trial);
+void randomised_test(const RandomisedTest& size, const std::function<Case(Draw&)>& trial);
 
 }  // namespace nlmech::randomised

@@ -37,7 +37,7 @@ const std::vector<std::string>& points() {
 // As many rows as lines with something on them; every number finite; what is printed reads back the same.
 TEST(RandomisedReaders, ColumnsOfNumbers) {
   const std::vector<std::string> names = {"x", "y", "z"};
-  randomised test({.quick = 3000, .full = all_of_them, .least_right = 0.02}, [&](Draw& draw) {
+  randomised_test({.quick = 3000, .full = all_of_them, .least_right = 0.02}, [&](Draw& draw) {
     return read_or_refused(damaged(draw, points()), [&](const std::string& text) {
       const scene::NumberColumns read = scene::parse_numbers(text, "points.csv", names);
       std::string again;
@@ -59,7 +59,7 @@ TEST(RandomisedReaders, RecordsOfTexts) {
   static const std::vector<std::string> examples = {
       source_lines("tables/places.csv", 12), source_lines("tables/published/laier.csv", 6),
       "a,b\n\"1,2\",\"say \"\"x\"\"\"\n", "a\n\"two\nlines\"\n,\n", "\"\",x\n"};
-  randomised test({.quick = 2000, .full = all_of_them, .least_right = 0.02}, [&](Draw& draw) {
+  randomised_test({.quick = 2000, .full = all_of_them, .least_right = 0.02}, [&](Draw& draw) {
     return read_or_refused(damaged(draw, examples), [](const std::string& text) {
       const auto read = scene::parse_csv(text, "file.csv");
       std::string again;
@@ -91,7 +91,7 @@ TEST(RandomisedReaders, RecordsOfTexts) {
 TEST(RandomisedReaders, PublishedTables) {
   static const std::vector<std::string> examples = {source_lines("tables/published/laier.csv", 8),
                                                     source_lines("tables/published/roy.csv", 8)};
-  randomised test({.quick = 500, .full = all_of_them, .least_right = 0.005}, [&](Draw& draw) {
+  randomised_test({.quick = 500, .full = all_of_them, .least_right = 0.005}, [&](Draw& draw) {
     return read_or_refused(damaged(draw, examples), [](const std::string& text) {
       for (const scene::PublishedValue& value : scene::parse_published(text, "laier", "laier.csv")) {
         if (!std::isfinite(value.value)) return false;
@@ -103,7 +103,7 @@ TEST(RandomisedReaders, PublishedTables) {
 
 TEST(RandomisedReaders, Places) {
   static const std::vector<std::string> examples = {source_lines("tables/places.csv", 20)};
-  randomised test({.quick = 250, .full = all_of_them, .least_right = 0.01}, [&](Draw& draw) {
+  randomised_test({.quick = 250, .full = all_of_them, .least_right = 0.01}, [&](Draw& draw) {
     return read_or_refused(damaged(draw, examples), [](const std::string& text) {
       static_cast<void>(scene::parse_places(text, "places.csv"));
       return true;
@@ -114,7 +114,7 @@ TEST(RandomisedReaders, Places) {
 TEST(RandomisedReaders, NumbersAndListsAsTyped) {
   static const std::vector<std::string> examples = {"1",       "-0.5",     "1e-9", "1,2,3",
                                                     "7e6,0,0", "0.01,100", "12",   "+3"};
-  randomised test({.quick = 3000, .full = all_of_them, .least_right = 0.02}, [&](Draw& draw) {
+  randomised_test({.quick = 3000, .full = all_of_them, .least_right = 0.02}, [&](Draw& draw) {
     const int kind = draw.whole(0, 3);
     return read_or_refused(damaged(draw, examples), [kind](const std::string& text) {
       if (kind == 0) return std::isfinite(scene::typed_number("--x", text));
@@ -216,7 +216,7 @@ TEST(RandomisedReaders, CommandLines) {
       "work --limit 5 --positive 1 --",
       "work --positive 1 --number 1 --number 2",
       "work --limit 0 --positive 1"};
-  randomised test({.quick = 1000, .full = all_of_them, .least_right = 0.02}, [&](Draw& draw) {
+  randomised_test({.quick = 1000, .full = all_of_them, .least_right = 0.02}, [&](Draw& draw) {
     const std::string line = damaged(draw, examples);
     Streams streams;
     const int code = program(scene::split(line, ' '));

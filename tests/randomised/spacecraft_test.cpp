@@ -24,7 +24,7 @@ namespace {
 
 using randomised::Case;
 using randomised::Draw;
-using randomised::randomised test;
+using randomised::randomised_test;
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
@@ -159,7 +159,7 @@ TEST(SpacecraftOracle, DoesNotKnowModesThatItsMeshLacks) {
 }
 
 TEST(RandomisedSpacecraft, StepsAgreeWithElements) {
-  randomised test({.quick = 8, .full = 1500, .least_right = 0.3}, [](Draw& draw) {
+  randomised_test({.quick = 8, .full = 1500, .least_right = 0.3}, [](Draw& draw) {
     const Parameters p = drawn_craft(draw, 1);
     const Gains g = drawn_gains(draw, p);
     const double x = p.length * draw.uniform(0.1, 1);
@@ -189,7 +189,7 @@ TEST(RandomisedSpacecraft, StepsAgreeWithElements) {
 
 // Poles are zeros of a characteristic function in 110 digits.
 TEST(RandomisedSpacecraft, ClosedLoopPolesAreZeros) {
-  randomised test({.quick = 30, .full = 2000, .least_right = 0.5}, [](Draw& draw) {
+  randomised_test({.quick = 30, .full = 2000, .least_right = 0.5}, [](Draw& draw) {
     const Parameters p = drawn_craft(draw, 1.5);
     const Gains g = drawn_gains(draw, p);
     const ClosedLoop loop(p, g);
@@ -212,7 +212,7 @@ TEST(RandomisedSpacecraft, ClosedLoopPolesAreZeros) {
 
 // Natural frequencies against twelve and twenty-four elements.
 TEST(RandomisedSpacecraft, FrequenciesAreThoseOfElements) {
-  randomised test({.quick = 40, .full = 20'000, .least_right = 0.5}, [](Draw& draw) {
+  randomised_test({.quick = 40, .full = 20'000, .least_right = 0.5}, [](Draw& draw) {
     const Parameters p = drawn_craft(draw, 2);
     const Frequencies f = poles(Plant(p), 4);
     if (!f.status.ok()) return Case::refused(f.status.text());
@@ -229,7 +229,7 @@ TEST(RandomisedSpacecraft, FrequenciesAreThoseOfElements) {
 
 // With a delay of its margin a loop has a pole on the axis: 1 + L e^(-j omega tau) = 0, L in 110 digits.
 TEST(RandomisedSpacecraft, DelayMarginsReachTheAxis) {
-  randomised test({.quick = 30, .full = 2000, .least_right = 0.3}, [](Draw& draw) {
+  randomised_test({.quick = 30, .full = 2000, .least_right = 0.3}, [](Draw& draw) {
     const Parameters p = drawn_craft(draw, 1);
     const Gains g = drawn_gains(draw, p);
     const ClosedLoop loop(p, g);
@@ -260,7 +260,7 @@ TEST(RandomisedSpacecraft, DelayMarginsReachTheAxis) {
 
 // No other gains cost less, and the costs of e and y are those of the residues in time.
 TEST(RandomisedSpacecraft, OptimalGainsAreTheLeast) {
-  randomised test({.quick = 60, .full = 20'000, .least_right = 0.5}, [](Draw& draw) {
+  randomised_test({.quick = 60, .full = 20'000, .least_right = 0.5}, [](Draw& draw) {
     const Parameters p = drawn_craft(draw, 1);
     const CostWeights w{draw.chance(0.2) ? 0. : draw.log_uniform(1e-6, 1e6), draw.log_uniform(1e-6, 1e3)};
     const bool pd = draw.chance(0.5);

@@ -1,6 +1,6 @@
 """Random cases of whole commands in search of silent failures: draws with corners, verdicts, counts.
 
-    @randomised test(quick=8, full=1000)
+    @randomised_test(quick=8, full=1000)
     def test_every_row_is_right(draw):
         height = draw.log_uniform(0.02, 12.9)
         r = ran(f"homotopy solve --height {height!r}")
@@ -133,7 +133,7 @@ def worst_of(cases, what):
 EVERY_CASE = settings(database=None, deadline=None, suppress_health_check=list(HealthCheck))
 
 
-class randomised test:
+class RandomisedTest:
     """The cases of one randomised test, by their numbers."""
 
     def __init__(self, trial):
@@ -198,11 +198,11 @@ def is_full():
     return os.environ.get("NLMECH_RANDOMISED") == "full"
 
 
-def randomised test(quick, full, least_right=0.1):
+def randomised_test(quick, full, least_right=0.1):
     """Makes a test of a function from draws to a case."""
     def decorate(trial):
         def test():
-            this = randomised test(trial)
+            this = RandomisedTest(trial)
             alone = os.environ.get("NLMECH_RANDOMISED_CASE")
             if alone is None:
                 this.run(full if is_full() else quick, least_right)

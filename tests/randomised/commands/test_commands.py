@@ -6,7 +6,7 @@ import tempfile
 import unicodedata
 
 import pytest
-from cases import randomised test, judged, refused, wrong
+from cases import randomised_test, judged, refused, wrong
 
 from nlmech_tree import chapters, program, text_of
 
@@ -154,7 +154,7 @@ def verdict_on(command, done):
 
 
 @pytest.mark.skipif(not COMMANDS, reason="no program is built")
-@randomised test(quick=20, full=10_000, least_right=0.02)
+@randomised_test(quick=20, full=10_000, least_right=0.02)
 def test_end_in_time_with_numbers_or_a_sentence(draw):
     command = changed(draw)
     with tempfile.TemporaryDirectory(prefix="nlmech-test-") as folder:

@@ -2,7 +2,7 @@
 import math
 import re
 
-from cases import EPS, failed, randomised test, judged, needs, number, ran, undecided, wrong
+from cases import EPS, failed, randomised_test, judged, needs, number, ran, undecided, wrong
 
 needs_integrators = needs("integrators")
 METHODS = ["", "", "series", "ode45", "dop853", "adaptive-collocation", "laier"]
@@ -126,7 +126,7 @@ def ratio_of(found, times, within):
 
 
 @needs_integrators
-@randomised test(quick=40, full=10_000, least_right=0.7)
+@randomised_test(quick=40, full=10_000, least_right=0.7)
 def test_events_are_all_there(draw):
     m = Motion(draw)
     a = Asked(draw, m)
@@ -154,7 +154,7 @@ def test_events_are_all_there(draw):
 
 
 @needs_integrators
-@randomised test(quick=15, full=3_000, least_right=0.7)
+@randomised_test(quick=15, full=3_000, least_right=0.7)
 def test_balls_bounce(draw):
     """From height h, with restitution e: the k-th time of flight is 2 e^k (2 h/g)^(1/2)."""
     h, g, e = draw.log_uniform(1e-2, 1e3), draw.log_uniform(0.1, 100), draw.uniform(0.3, 1)

@@ -3,7 +3,7 @@ forces that switch, tanks. Their solutions have closed forms, here in 40 digits;
 import math
 import re
 
-from cases import EPS, failed, randomised test, judged, needs, number, ran, undecided, wrong
+from cases import EPS, failed, randomised_test, judged, needs, number, ran, undecided, wrong
 from mpmath import mp, mpc, mpf
 
 MOST_TOLERANCES, MOST_AMPLIFIED, SLACK = 100, 10, 1.1  # what a run without a word is right to; the command compares rows with 100 of them
@@ -239,7 +239,7 @@ def relative(error, x, size):
 
 
 @needs("integrators")
-@randomised test(quick=24, full=3_000, least_right=0.9)
+@randomised_test(quick=24, full=3_000, least_right=0.9)
 def test_everyday_equations_are_answered(draw):
     with mp.workdps(DIGITS):
         return answered(draw, draw.one_of(KINDS)(draw))

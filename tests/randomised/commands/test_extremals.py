@@ -3,7 +3,7 @@ integrated by Taylor series in 20 digits."""
 import math
 
 import taylor
-from cases import EPS, failed, randomised test, judged, needs, number, ran, wrong
+from cases import EPS, failed, randomised_test, judged, needs, number, ran, wrong
 from mpmath import mp
 
 
@@ -117,7 +117,7 @@ def left_of(a, p, flight):
 
 
 @needs("rbf_inverse")
-@randomised test(quick=8, full=1_000)
+@randomised_test(quick=8, full=1_000)
 def test_extremals_arrive_at_their_cost(draw):
     a = Asked(draw)
     r = ran(a.words, 20)

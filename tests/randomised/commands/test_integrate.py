@@ -3,7 +3,7 @@ backwards: checked against Taylor series in 25 digits."""
 import math
 import re
 
-from cases import EPS, failed, randomised test, judged, needs, number, ran, refused, undecided, wrong
+from cases import EPS, failed, randomised_test, judged, needs, number, ran, refused, undecided, wrong
 from ivp import HERMITIAN, METHODS, MOST_AMPLIFIED, MOST_TOLERANCES, Question, one_tolerance
 from mpmath import mp
 
@@ -110,13 +110,13 @@ def tried(draw, has_rows):
 
 
 @needs_integrators
-@randomised test(quick=8, full=3_000)
+@randomised_test(quick=8, full=3_000)
 def test_integrate_prints_what_is_right(draw):
     return tried(draw, has_rows=False)
 
 
 @needs_integrators
-@randomised test(quick=12, full=3_000)
+@randomised_test(quick=12, full=3_000)
 def test_every_row_is_right(draw):
     return tried(draw, has_rows=True)
 
@@ -145,7 +145,7 @@ def judged_halvings(runs, known, words):
 
 
 @needs_integrators
-@randomised test(quick=20, full=3_000)
+@randomised_test(quick=20, full=3_000)
 def test_halved_steps_lead_to_the_solution(draw):
     q = Question(draw)
     way = draw.log_uniform(1e-4, 0.3) * q.problem.longest * (-1 if draw.chance(0.3) else 1)
@@ -188,7 +188,7 @@ def step_of(method, w, h):
 
 
 @needs_integrators
-@randomised test(quick=20, full=3_000)
+@randomised_test(quick=20, full=3_000)
 def test_steps_are_powers_of_a_matrix(draw):
     w, x, v = draw.log_uniform(1e-2, 1e2), draw.signed_log(1e-3, 10), draw.signed_log(1e-3, 10)
     method = draw.one_of(["euler", "backward-euler", "newmark", "rk4"])
@@ -301,7 +301,7 @@ class Comparison:
 
 
 @needs_integrators
-@randomised test(quick=8, full=2_000)
+@randomised_test(quick=8, full=2_000)
 def test_compared_digits_are_there(draw):
     a = Comparison(draw)
     r = ran(f"integrators compare {a.same} --methods {','.join(a.methods)}")

@@ -4,7 +4,7 @@ import math
 import operator
 import tempfile
 
-from cases import EPS, failed, randomised test, judged, needs, number, ran, refused, undecided, worst_of, wrong
+from cases import EPS, failed, randomised_test, judged, needs, number, ran, refused, undecided, worst_of, wrong
 from kepler import DIGITS, Transition, any_motion, condition, conic, distance, norm, state_of, triple
 from mpmath import mp
 
@@ -88,7 +88,7 @@ def words_of(start, end, mu):
 
 
 @needs("two_body_series")
-@randomised test(quick=20, full=3_000)
+@randomised_test(quick=20, full=3_000)
 def test_orbits_row_by_row(draw):
     start, end, mu = any_motion(draw)
     method, tolerance = draw.one_of(["kepler", "series", "rkn1210"]), 1e-15
@@ -139,7 +139,7 @@ def judged_row(start, end, cells):
 
 
 @needs("two_body_series")
-@randomised test(quick=10, full=500)
+@randomised_test(quick=10, full=500)
 def test_nearly_parabolic_catalogues(draw):
     motions = [nearly_parabolic(draw) for _ in range(40)]
     with tempfile.NamedTemporaryFile("w", prefix="nlmech-test-", suffix=".csv") as file:

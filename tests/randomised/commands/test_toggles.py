@@ -3,7 +3,7 @@ equation by its closed form."""
 import dataclasses
 import math
 
-from cases import EPS, failed, randomised test, judged, needs, number, ran, undecided, wrong
+from cases import EPS, failed, randomised_test, judged, needs, number, ran, undecided, wrong
 from half_toggle import EA, EI, LENGTH, HalfToggle, flexibility
 from mpmath import mp
 
@@ -154,7 +154,7 @@ def judged_shape(a, s, r):
 
 
 @needs_homotopy
-@randomised test(quick=10, full=3_000)
+@randomised_test(quick=10, full=3_000)
 def test_toggles_carry_their_load(draw):
     a = Asked(draw, "solve")
     a.load = draw.signed_log(1e-3, 1e4 if draw.chance(0.3) else 300)
@@ -252,7 +252,7 @@ def compared(printed, expected, is_whole, r):
 
 
 @needs_homotopy
-@randomised test(quick=5, full=1_000)
+@randomised_test(quick=5, full=1_000)
 def test_limit_points_are_those_of_another_element(draw):
     a = Asked(draw, "limit-points")
     r = ran(a.words)

@@ -5,7 +5,7 @@ import math
 import tempfile
 
 import taylor
-from cases import EPS, failed, randomised test, judged, needs, number, ran, undecided, worst_of, wrong
+from cases import EPS, failed, randomised_test, judged, needs, number, ran, undecided, worst_of, wrong
 from kepler import DIGITS, Transition, combined, condition, conic, cross, direction, distance, dot, norm, state_of, triple
 from mpmath import mp
 
@@ -84,7 +84,7 @@ class Arc:
 
 
 @needs_rbf_inverse
-@randomised test(quick=20, full=5_000)
+@randomised_test(quick=20, full=5_000)
 def test_transfers_arrive_as_printed(draw):
     """The miss is no more than a millionth of the distance, as the page says, and it is the one that is printed: to its three digits and to what
     rounding leaves. So is the velocity at the arrival, to what a millionth of the distance changes it."""
@@ -258,7 +258,7 @@ def times_of(window, count):
 
 
 @needs_rbf_inverse
-@randomised test(quick=20, full=3_000)
+@randomised_test(quick=20, full=3_000)
 def test_porkchops_have_the_least_speeds(draw):
     p = Bodies(draw)
     with tempfile.NamedTemporaryFile("w", prefix="nlmech-test-", suffix=".toml") as file:

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace nlmech::randomised::randomised_test {
+namespace nlmech::randomised::cases_test {
 namespace {
 
 TEST(Randomised, FindsTheOneWrongCaseOfAHundred) {
@@ -16,7 +16,7 @@ TEST(Randomised, FindsTheOneWrongCaseOfAHundred) {
   {
     const testing::ScopedFakeTestPartResultReporter reporter(
         testing::ScopedFakeTestPartResultReporter::INTERCEPT_ONLY_CURRENT_THREAD, &results);
-    randomised test({.quick = 100, .full = 100}, one_wrong);
+    randomised_test({.quick = 100, .full = 100}, one_wrong);
   }
   ASSERT_EQ(results.size(), 2);  // the case, and that there is one
   EXPECT_NE(std::string(results.GetTestPartResult(0).message()).find("case 41 "), std::string::npos);
@@ -29,7 +29,7 @@ TEST(Randomised, IsNotContentWithRefusalsAlone) {
   {
     const testing::ScopedFakeTestPartResultReporter reporter(
         testing::ScopedFakeTestPartResultReporter::INTERCEPT_ONLY_CURRENT_THREAD, &results);
-    randomised test({.quick = 10, .full = 10}, [](Draw&) { return Case::refused(); });
+    randomised_test({.quick = 10, .full = 10}, [](Draw&) { return Case::refused(); });
   }
   EXPECT_EQ(results.size(), 1);
 }
@@ -40,7 +40,7 @@ TEST(Randomised, CountsANaNAndAForeignExceptionAsWrong) {
   {
     const testing::ScopedFakeTestPartResultReporter reporter(
         testing::ScopedFakeTestPartResultReporter::INTERCEPT_ONLY_CURRENT_THREAD, &results);
-    randomised test({.quick = 1, .full = 1, .least_right = 0},
+    randomised_test({.quick = 1, .full = 1, .least_right = 0},
                     [](Draw&) -> Case { throw std::out_of_range("no such row"); });
   }
   EXPECT_EQ(results.size(), 2);
@@ -61,4 +61,4 @@ TEST(Randomised, DrawsTheCornersAndStaysWithinTheRange) {
 }
 
 }  // namespace
-}  // namespace nlmech::randomised::randomised_test
+}  // namespace nlmech::randomised::cases_test
