@@ -30,10 +30,10 @@ std::vector<nlmech::comparison::Accuracy> sweep(const std::string& method) {
                        const long double s = t, half_root_pi = std::sqrt(std::acos(-1.0L)) / 2;
                        return {std::exp(-s * s), half_root_pi * std::erf(s)};
                      }};
-  const Contender sweep = by_tolerances(method, Kind::explicit_, true);
+  const MethodSweep tolerances = by_tolerances(method, Kind::explicit_, true);
   std::vector<Accuracy> found;
-  for (const Setting& setting : sweep.settings) {
-    found.push_back(accuracy_of(bell, integrator(sweep, setting), {}));
+  for (const Setting& setting : tolerances.settings) {
+    found.push_back(accuracy_of(bell, integrator(tolerances, setting), {}));
   }
   return found;
 }

@@ -14,7 +14,7 @@ std::vector<std::string> texts(const MethodSweep& sweep) {
   return all;
 }
 
-TEST(Contenders, SweepTolerancesFromCoarseToFine) {
+TEST(MethodSweep, SweepTolerancesFromCoarseToFine) {
   const MethodSweep full = by_tolerances("ode45", Kind::explicit_, false);
   ASSERT_EQ(full.settings.size(), 10u);
   for (std::size_t i = 0; i < 10; ++i) {
@@ -26,7 +26,7 @@ TEST(Contenders, SweepTolerancesFromCoarseToFine) {
             (std::vector<std::string>{"tolerance 1e-04", "tolerance 1e-08"}));
 }
 
-TEST(Contenders, SweepStepsAsMultiplesOfAScale) {
+TEST(MethodSweep, SweepStepsAsMultiplesOfAScale) {
   const std::vector<double> factors = {1, 0.5, 0.25};
   const MethodSweep full = by_steps("rk4", {}, Kind::classical, 0.2, factors, false);
   EXPECT_EQ(texts(full), (std::vector<std::string>{"step 0.2", "step 0.1", "step 0.05"}));
@@ -36,20 +36,20 @@ TEST(Contenders, SweepStepsAsMultiplesOfAScale) {
 }
 
 // c T is what decides how flat a radial function is over a step, so it stays the same down the sweep.
-TEST(Contenders, KeepTheShapeOfRadialFunctionsAStep) {
+TEST(MethodSweep, KeepTheShapeOfRadialFunctionsAStep) {
   const MethodSweep c = by_steps("rbf-coll", 9, Kind::source, 2, std::vector<double>{1, 0.125}, false, 3);
   for (const Setting& s : c.settings) EXPECT_DOUBLE_EQ(s.settings.shape.value() * s.settings.step.value(), 3);
   EXPECT_EQ(c.label(), "rbf-coll, N = 9");
 }
 
-TEST(Contenders, AreNamedByWhatTellsThemApart) {
+TEST(MethodSweep, AreNamedByWhatTellsThemApart) {
   MethodSweep c{"mtl", {}, Kind::classical, {}};
   EXPECT_EQ(c.label(), "mtl");
   c.points = 3;
   EXPECT_EQ(c.label(), "mtl, p = 3");
 }
 
-TEST(Contenders, AreAllPeersExplicitOnesFirst) {
+TEST(MethodSweep, AreAllPeersExplicitOnesFirst) {
   const std::vector<MethodSweep> all = all_peers(true);
   EXPECT_EQ(all.size(), peers::all_peer_names().size());
   bool implicit = false;

@@ -146,10 +146,10 @@ TEST(Verify, SaysThatTheSolutionEnds) {
 }
 
 // A reference that knows eight digits does not find a run wrong that is off by as much.
-TEST(Verify, TakesTheDoubtOfTheReferenceIntoAccount) {
+TEST(Verify, TakesTheUncertaintyOfTheReferenceIntoAccount) {
   const std::vector<double> times = {1};
   Reference expected = reference_of(problems::TextProblem("duffing"), {1, 0}, 0, times, {}, {});
-  expected.uncertainty.setConstant(1e-6);
+  expected.difference.setConstant(1e-6);
   Verified run{times, expected.states.cast<double>(), {1e-9, 1e-9}};
   run.states(0, 0) += 9e-7;
   const ivp::System system{problems::TextProblem("duffing")};

@@ -75,7 +75,7 @@ struct StabilitySeries {
   /// As many as count at y: members of a fine mesh need few.
   [[nodiscard]] static std::size_t terms_at(const Number& y) {
     using std::ilogb;
-    const double bits = (first == 1 ? 3.3 : 4.33) - 1 - ilogb(y);  // of a term, at least
+    const double bits = (first == 1 ? 3.3 : 4.33) - 1 - static_cast<double>(ilogb(y));  // of a term, at least
     return std::min(terms,
                     std::size_t{7} + static_cast<std::size_t>(std::numeric_limits<Number>::digits / bits));
   }

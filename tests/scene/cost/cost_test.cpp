@@ -32,10 +32,10 @@ ProblemLines crossing() {
   return {"", {line("low", 1e-3, 2, 9), line("high", 2e-2, 1.1, 12), line("high, N = 5", 3e-2, 1.1, 12)}};
 }
 
-TEST(Leads, AreThoseOfOtherMethods) {
+TEST(Rankings, AreThoseOfOtherMethods) {
   const ProblemLines problem = crossing();
   const auto rankings = rankings_of(problem);
-  ASSERT_EQ(leads.size(), asked_digits.size());
+  ASSERT_EQ(rankings.size(), asked_digits.size());
   EXPECT_EQ(problem.lines[*rankings[0].first].method, "low");
   EXPECT_EQ(problem.lines[*rankings[0].next].method, "high");
   EXPECT_NEAR(rankings[0].time, 2e-3, 1e-12);
@@ -47,7 +47,7 @@ TEST(Leads, AreThoseOfOtherMethods) {
   EXPECT_EQ(rankings[3].factor, 0);
 }
 
-TEST(Leads, AreSaidInWords) {
+TEST(Rankings, AreSaidInWords) {
   const ProblemLines problem = crossing();
   const auto rankings = rankings_of(problem);
   EXPECT_EQ(rankings[0].margin(problem), "11 times before high");
@@ -59,7 +59,7 @@ TEST(Leads, AreSaidInWords) {
   EXPECT_EQ(who_leads(two), "a is fastest at 3 and 6 digits");
 }
 
-TEST(Leads, OfEqualsGoToTheFirst) {
+TEST(Rankings, OfEqualsGoToTheFirst) {
   const ProblemLines problem = {"", {line("a", 1, 2, 12), line("b", 1, 2, 12)}};
   for (const Ranking& ranking : rankings_of(problem)) {
     EXPECT_EQ(ranking.first, 0U);
@@ -69,14 +69,14 @@ TEST(Leads, OfEqualsGoToTheFirst) {
   }
 }
 
-TEST(Leads, AreNoneOfAFloor) {
+TEST(Rankings, AreNoneOfAFloor) {
   ProblemLines problem = crossing();
   problem.lines.push_back(line("closed form", 1e-9, 1, 15, 0, Side::floor));
   EXPECT_EQ(who_leads(problem), "low is fastest at 3 and 6, high at 9 and 12 digits");
   EXPECT_FALSE(rankings_of(problem)[3].next);
 }
 
-TEST(Leads, NeedSomebodyWhoArrives) {
+TEST(Rankings, NeedSomebodyWhoArrives) {
   const ProblemLines alone = {"", {line("a", 1, 2, 12)}};
   EXPECT_EQ(who_leads(alone), "a is fastest at 3, 6, 9 and 12 digits");
   EXPECT_EQ(rankings_of(alone)[0].margin(alone), "alone");
