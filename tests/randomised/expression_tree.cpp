@@ -56,7 +56,8 @@ std::optional<Estimate> estimate(const std::vector<Real>& values, const Real& sc
   // A value that no disturbance changes may still have an error in the last place, or be a sum of subnormal
   // products.
   spread = margin * spread + 4 * abs(values[0]) * 0x1p-53 + margin * scale * 0x1p-53 + Real(1e-250);
-  if (!isfinite(spread) || spread > 1e-6 * (1 + abs(values[0]))) return std::nullopt;  // too uncertain for a comparison
+  if (!isfinite(spread) || spread > 1e-6 * (1 + abs(values[0])))
+    return std::nullopt;  // too uncertain for a comparison
   return Estimate{values[0], spread};
 }
 
@@ -66,7 +67,8 @@ const std::vector<std::string> unary = {"sqrt", "exp",   "log",   "sin",   "cos"
                                         "cot",  "asinh", "acosh", "atanh", "step", "heaviside"};
 const std::vector<std::string> binary = {"+", "-", "*", "*", "/", "+", "^", "atan2", "min", "max"};
 const std::vector<std::string> comparisons = {"<", "<=", ">", ">="};
-const std::vector<std::string> of_time = {"floor", "ceil", "frac", "mod"};  // functions of time alone, with jumps
+const std::vector<std::string> of_time = {"floor", "ceil", "frac",
+                                          "mod"};  // functions of time alone, with jumps
 
 bool is_in(const std::vector<std::string>& names, const std::string& name) {
   return std::ranges::find(names, name) != names.end();

@@ -49,7 +49,7 @@ class Tree {
     double rate = 0, start = 0;  // floor(rate t + start)
     bool named = false;          // a definition
     bool blank = false;          // a product without its sign
-    std::string digits;  // digits of a number
+    std::string digits;          // digits of a number
   };
   int grow(Draw& draw, int depth);
   [[nodiscard]] std::string written(int node, int rank, const std::string& prefix) const;
