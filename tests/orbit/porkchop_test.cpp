@@ -120,7 +120,7 @@ TEST(Porkchop, OppositePositionsHaveATransfer) {
   LambertProblem lambert{{1, 0, 0}, {-2, 0, 0}, p.arrivals.first, 1, Vector3<double>(0, 0, 1)};
   EXPECT_NEAR(grid.at(0, 0).v_departure, (solve_lambert(lambert).v1 - p.from.state.velocity).norm(),
               64 * eps);
-  // With purely radial motion there is no such plane.
+  // For positions in the same direction there is no transfer.
   p.to.state = {{2, 0, 0}, {0, std::sqrt(0.5), 0}};
   EXPECT_FALSE(porkchop(p).at(0, 0).exists());
 }

@@ -112,7 +112,7 @@ TEST(Poles, OfTheLockedHubAreTheTextbooks) {
   EXPECT_NEAR(of_heavy.omega[0] / std::sqrt(3 * heavy.bending_stiffness() / (1e12 * 64)), 1, 1e-12);
 }
 
-// Between two poles there is one zero of theta/u: none is missed, for any light hub.
+// Between two poles there is one zero of theta/u: none is missed, also without hub inertia.
 RC_GTEST_PROP(Poles, AndHubZerosAlternate, ()) {
   Parameters p = *random_spacecraft();
   if (*rc::gen::inRange(0, 4) == 0) p.hub_inertia = 0;
