@@ -124,7 +124,7 @@ TEST(Errata, Equation2_45_SmallParameter) {
                                   .scale = 1});
 }
 
-// (2.48) prints phi_0 = 2 atan((R - r)/z): an identity, but 0/0 on the equator and cancelling beside it.
+// (2.48) prints phi_0 = 2 atan((R - r)/z): an identity, but 0/0 on the equator, with cancellation near it.
 TEST(Errata, Equation2_48_StartingLatitude) {
   const auto printed = [](double r, double z) { return 2 * std::atan(std::hypot(r, z) / z - r / z); };
   EXPECT_TRUE(std::isnan(printed(7e6, 0)));

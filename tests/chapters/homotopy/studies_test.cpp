@@ -134,7 +134,7 @@ TEST(Iterations, RowsAreThoseOfTheTables) {
   }
 }
 
-// Four operations on a variable; none on constants.
+// Four operations on a variable are counted, operations on constants are not.
 TEST(Counted, CountsWhatAVariableTakesPartIn) {
   std::int64_t operations = 0;
   const Counted x(4., &operations), y = 3 * x + sqrt(x) - 1;
@@ -145,7 +145,7 @@ TEST(Counted, CountsWhatAVariableTakesPartIn) {
   EXPECT_EQ(operations, 4);
 }
 
-// Counting numbers have the values of double, within the rounding of a pole that double knows to more digits.
+// Values of Counted are those of double, up to the rounding of a pole that double represents more accurately.
 TEST(Counted, TangentIsThatOfDouble) {
   const frames::ToggleFrame toggle = make_frame(frames::Toggle{.height = 0.44, .elements = 4});
   const Eigen::Index n = toggle.frame.size();
