@@ -6,7 +6,7 @@
 
 int main() {
   using namespace nlmech::orbit;
-  // About the Earth in 72 minutes, with at most one whole revolution; metres and seconds.
+  // About the Earth in 72 minutes, with at most one full revolution; metres and seconds.
   const LambertProblem problem{
       .from = {2.87e6, 5.19e6, 2.85e6}, .to = {2.09e6, 7.82e6, 0}, .time = 4320, .mu = 3.986004418e14};
   for (const auto& [arc, orbit] : lambert_arcs(problem, 1)) {

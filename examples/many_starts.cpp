@@ -1,4 +1,4 @@
-/// Lorenz' equations from many starts at once: Taylor series side by side in the processor's registers.
+/// Lorenz' equations from many initial states at once: Taylor series in SIMD registers.
 #include <cstdio>
 #include <span>
 #include <vector>

@@ -8,7 +8,8 @@
 
 int main() {
   using namespace nlmech::orbit;
-  // Two planets on circles of radius 1 and 1.5; a year of the inner one lasts 2 pi. They start side by side.
+  // Two planets on circles of radius 1 and 1.5; the inner one has the period 2 pi. They start at the same
+  // angle.
   const double year = 2 * std::numbers::pi, outer = 1.5;
   const PorkchopProblem problem{.mu = 1,
                                 .from = {.state = {{1, 0, 0}, {0, 1, 0}}},

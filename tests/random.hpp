@@ -1,6 +1,5 @@
 /// @file
-/// Random numbers for properties. What nearly every property needs of RapidCheck is compiled once, in
-/// random.cpp.
+/// Random numbers for properties. The common part of RapidCheck is compiled once, in random.cpp.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -11,8 +10,8 @@
 
 namespace nlmech::tests {
 
-/// A double in [low, high), with all digits random. As of all numbers of RapidCheck, the first of a
-/// property's cases are near the lower bound, the last anywhere.
+/// A double in [low, high) with all digits random. RapidCheck draws the first cases of a property near the
+/// lower bound and the last ones anywhere.
 [[nodiscard]] rc::Gen<double> between(double low, double high);
 
 }  // namespace nlmech::tests

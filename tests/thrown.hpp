@@ -1,5 +1,5 @@
 /// @file
-/// What a refusal says.
+/// Messages of refusals.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ template <class Error, class Call>
   return "";
 }
 
-/// Is the part in the text? Where it is not, an expectation shows both.
+/// Does the text contain the part? An assertion shows both if not.
 [[nodiscard]] inline testing::AssertionResult holds(std::string_view text, std::string_view part) {
   if (text.find(part) != std::string_view::npos) return testing::AssertionSuccess();
   return testing::AssertionFailure() << "'" << part << "' is not in\n" << text;

@@ -1,7 +1,7 @@
 /// @file
-/// Makes the coefficients of nlmech/geodesy/kernels/arctangent.hpp: the polynomial Q of n terms for which
+/// Computes the coefficients of nlmech/geodesy/kernels/arctangent.hpp: the polynomial Q of n terms for which
 /// t + t^3 Q(t^2) is the best approximation of atan(t) on |t| <= tan(pi/8), by the exchange algorithm of
-/// Remez in 50 digits. Prints them rounded to double, and the greatest error of the rounded polynomial.
+/// Remez in 50 digits. Prints them rounded to double, and the largest error of the rounded polynomial.
 
 #include <cstdio>
 #include <cstdlib>
@@ -30,7 +30,7 @@ Real polynomial(const Vector& c, const Real& w) {
   return sum;
 }
 
-/// Gaussian elimination with row exchange; small and in 50 digits.
+/// Gaussian elimination with row exchange, for small systems in 50 digits.
 Vector solve(std::vector<Vector> m) {
   const std::size_t n = m.size();
   for (std::size_t i = 0; i < n; ++i) {
@@ -50,7 +50,7 @@ Vector solve(std::vector<Vector> m) {
   return x;
 }
 
-/// Coefficients whose weighted error takes the same size with alternating sign at the given points.
+/// Coefficients for which the weighted error has equal size and alternating sign at the given points.
 Vector equal_ripple(const Vector& points) {
   const std::size_t n = points.size() - 1;
   std::vector<Vector> m;
@@ -67,7 +67,7 @@ Vector equal_ripple(const Vector& points) {
 }
 
 struct Errors {
-  Vector extrema;  ///< one a stretch of equal sign
+  Vector extrema;  ///< one in each interval of equal sign
   Real greatest = 0;
 };
 

@@ -1,7 +1,7 @@
 /// @file
-/// Makes the references of the problem set of chapter integrators: states at the times at which errors are
-/// judged, in extended precision, each by two computations of different orders, and what the problems
-/// multiply errors by.
+/// Computes the references of the problem set of chapter integrators: states at the times at which errors are
+/// measured, in extended precision, each by two computations of different orders, and the condition numbers
+/// of the problems.
 ///
 ///     problem_set_references tables/reference              all problems: some minutes
 ///     problem_set_references tables/reference lorenz       this one, in files of its own name, to look at
@@ -53,9 +53,10 @@ std::vector<std::vector<Real>> lists(const std::vector<State>& states) {
   return all;
 }
 
-/// Derivatives of the ends of a Taylor step's parts by their begins. Parts turn the fastest motion by four
-/// radians or decades, for which eight Radau nodes leave 1e-6. The condition is made of their products: a
-/// quotient of two fundamental matrices has no digit on a stiff or chaotic problem.
+/// Adds the derivatives of the ends of the parts of a Taylor step with respect to their starts. In a part the
+/// fastest motion rotates or decays by at most four, for which eight Radau nodes have an error of 1e-6. The
+/// condition number uses their products: a quotient of two fundamental matrices has no correct digit for a
+/// stiff or chaotic problem.
 void add_links(const TaylorStep& step, const TextProblem& problem, std::vector<Link>& links) {
   static const references::RadauRule<double> rule(8);
   const ivp::System system(problem);
@@ -79,7 +80,7 @@ void add_links(const TaylorStep& step, const TextProblem& problem, std::vector<L
   }
 }
 
-/// To each of @p times in turn, so that a step ends there.
+/// States at each of @p times; a step ends at each of them.
 template <class Visit>
 auto taylor_states(const TextProblem& problem, const std::vector<Real>& times, int order, double tolerance,
                    Visit&& visit) {
@@ -124,8 +125,8 @@ Solved by_radau(const TextProblem& problem, const std::vector<Real>& times) {
   return solved;
 }
 
-/// In closed form: each swing begins at rest, on the other side than the one before and nearer by twice the
-/// force, about a centre that friction moves.
+/// Closed form: each half swing starts at rest, on the other side than the one before and closer by twice the
+/// force, about a centre that friction shifts.
 template <class T>
 std::vector<T> friction_at(const T& t) {
   const T pi = acos(T(-1));
@@ -135,8 +136,8 @@ std::vector<T> friction_at(const T& t) {
   return {side * (amplitude * cos(angle) + Friction::force), -side * amplitude * sin(angle)};
 }
 
-/// Quarters of swings and the parts between judged times. At a turn the acceleration falls from x + f to x -
-/// f in size, and with it what a velocity there becomes.
+/// Quarters of half swings and the parts between the times of measurement. At a turning point the magnitude
+/// of the acceleration decreases from x + f to x - f, and with it the effect on a velocity there.
 std::vector<Link> friction_links(const std::vector<Real>& times) {
   constexpr double pi = 3.14159265358979323846;
   std::set<double> stops;
@@ -170,7 +171,7 @@ Solved friction(const std::vector<Real>& times) {
   return solved;
 }
 
-/// Decimal digits on which two states agree, each component by its scale.
+/// Decimal digits on which two states agree, each component relative to its scale.
 int agreed_digits(const Solved& solved, const references::Scales& scales) {
   double worst = 0;
   for (std::size_t k = 0; k < solved.first.size(); ++k) {

@@ -1,7 +1,7 @@
 /// @file
-/// Makes tables/reference/rbf_ivp.csv: end states of the initial value problems of nlmech/problems in
-/// extended precision. Each is computed twice, by Taylor series of two orders with steps of different
-/// lengths, and only digits on which both agree are printed.
+/// Computes tables/reference/rbf_ivp.csv: end states of the initial value problems of nlmech/problems in
+/// extended precision. Each is computed twice, by Taylor series of two orders with different step sizes; only
+/// digits on which both agree are printed.
 ///
 ///     reference_solutions > tables/reference/rbf_ivp.csv      all problems that take seconds
 ///     reference_solutions duffing van-der-pol-stiff           these only; the stiff ones take an hour each
@@ -39,7 +39,7 @@ int agreed_digits(const Real& a, const Real& b) {
   return std::clamp(static_cast<int>(-log10(relative)) - 1, 0, most_digits);
 }
 
-/// Where a row belongs: problem, parameters that differ from the default, time.
+/// Key of a row: problem, parameters that differ from the default, time.
 struct Place {
   std::string problem, parameters, time;
 };
@@ -68,7 +68,7 @@ struct WorkLimit {
   double tolerance[2];
 };
 constexpr WorkLimit fine = {{46, 58}, {1e-62, 1e-64}};
-/// Where stability, not accuracy, holds the steps down: a lower order is cheaper.
+/// For step sizes limited by stability, not accuracy: a lower order is cheaper.
 constexpr WorkLimit stiff = {{28, 34}, {1e-42, 1e-44}};
 
 /// From the problem's own initial state at time 0. @throws std::runtime_error if a solution does not reach
@@ -93,7 +93,7 @@ Twice<Problem::dimension> solve_twice(const Problem& problem, const std::vector<
   return states;
 }
 
-/// Rows for all states at the given times; @p texts say the times exactly.
+/// Rows for all states at the given times; @p texts are the exact times.
 template <class Problem>
 Twice<Problem::dimension> tabulate(const Problem& problem, const std::string& parameters,
                                    const std::vector<std::string>& texts, const WorkLimit& effort = fine) {
@@ -111,7 +111,7 @@ Twice<Problem::dimension> tabulate(const Problem& problem, const std::string& pa
   return states;
 }
 
-/// The period from amplitude 1 by our formula, and by Boost's complete elliptic integral.
+/// The period for amplitude 1 by Duffing::period(), and by Boost's complete elliptic integral.
 void print_period(const Place& place, const Duffing& problem) {
   const Real modulus = sqrt(problem.elliptic_parameter(Real(1)));
   print(place, "period", problem.period(Real(1)),
@@ -124,7 +124,7 @@ void duffing() {
   tabulate(problem.text(), "", {"500"});
 }
 
-/// Fast: 101 periods in 0.75 units of time.
+/// A fast oscillation: 101 periods in 0.75 units of time.
 void duffing_hard() {
   const Duffing problem{.hardening = 1e6};
   print_period(Place{"duffing", "hardening=1e6", "0"}, problem);
@@ -134,7 +134,7 @@ void duffing_hard() {
 void impact() {
   const TextProblem problem("impact");
   const auto states = tabulate(problem, "", {"0.5", "1", "499", "500"});
-  // Of the free oscillation that the force leaves behind.
+  // Values of the free oscillation after the force.
   const Place place{"impact", "", "1"};
   const Duffing free;
   const auto &a = states.first[1], &b = states.second[1];
@@ -143,7 +143,7 @@ void impact() {
   print(place, "period", free.period(free.amplitude(a)), free.period(free.amplitude(b)));
 }
 
-/// three-dof.ode with the decimals of Table 4.5 in place of the doubles next to them.
+/// three-dof.ode with the decimals of Table 4.5 instead of their nearest doubles.
 struct DecimalChain {
   static constexpr int dimension = 6;
   static constexpr std::string_view name = "three-dof";
@@ -161,7 +161,7 @@ struct DecimalChain {
   }
 };
 
-/// With the decimal numbers of the table, and with the doubles next to them: what a program in double solves.
+/// With the decimals of the table, and with their nearest doubles, which a program in double solves.
 void three_masses() {
   tabulate(DecimalChain(), "", {"200"});
   tabulate(TextProblem("three-dof"), "as doubles", {"200"});

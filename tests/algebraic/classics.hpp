@@ -37,7 +37,7 @@ inline MatrixXd random_matrix(Eigen::Index n, Eigen::Index m) {
   return a;
 }
 
-/// The iterates of a method.
+/// Records the iterates of a method.
 template <class Method>
 std::vector<VectorXd> iterates(const Method& method, Equations& equations, VectorXd x) {
   std::vector<VectorXd> all;
@@ -48,7 +48,7 @@ std::vector<VectorXd> iterates(const Method& method, Equations& equations, Vecto
   return all;
 }
 
-/// The same equations with their matrix stored as a sparse one, every entry of it, zeros too.
+/// The same equations with a sparse matrix that stores every entry, zeros included.
 class Sparse : public DenseEquations {
  public:
   explicit Sparse(const DenseEquations& of) : DenseEquations(of) {
@@ -67,30 +67,30 @@ class Sparse : public DenseEquations {
   Eigen::SparseMatrix<double> matrix_;
 };
 
-/// A (x - root).
+/// The linear equations A (x - root) = 0.
 inline DenseEquations linear(const MatrixXd& a, const VectorXd& root) {
   return {a.rows(), [=](const VectorXd& x, VectorXd& f) { f = a * (x - root); },
           [=](const VectorXd&, MatrixXd& b) { b = a; }};
 }
 
-/// One equation.
+/// One equation in one unknown.
 template <class F, class D>
 DenseEquations scalar(F f, D d) {
   return {1, [f](const VectorXd& x, VectorXd& r) { r[0] = f(x[0]); },
           [d](const VectorXd& x, MatrixXd& b) { b(0, 0) = d(x[0]); }};
 }
 
-/// x^3 - 8.
+/// x^3 - 8 = 0.
 inline DenseEquations cube() {
   return scalar([](double x) { return x * x * x - 8; }, [](double x) { return 3 * x * x; });
 }
-/// The circle x^2 + y^2 = 4 meets the hyperbola x y = 1 at x^2 = 2 + sqrt(3); dF/dx is singular at 0.
+/// Circle x^2 + y^2 = 4 and hyperbola x y = 1 intersect at x^2 = 2 + sqrt(3); dF/dx is singular at 0.
 inline DenseEquations circle() {
   return {2, [](const VectorXd& x, VectorXd& f) { f << x.squaredNorm() - 4, x[0] * x[1] - 1; },
           [](const VectorXd& x, MatrixXd& b) { b << 2 * x[0], 2 * x[1], x[1], x[0]; }};
 }
 
-/// Options that no method takes.
+/// Options that every method refuses.
 template <class Method>
 void expect_refused(const Method& method) {
   DenseEquations equations = circle();
@@ -148,8 +148,8 @@ inline DenseEquations broyden_tridiagonal(Eigen::Index n) {
           }};
 }
 
-/// Freudenstein and Roth 1963: root (5, 4), and a minimum of |F| at (11.41..., -0.8968...) with
-/// |F|^2 = 48.9842... (More, Garbow and Hillstrom 1981), to which descent from (0.5, -2) leads.
+/// Freudenstein and Roth 1963: root (5, 4), and a minimum of |F| at (11.41..., -0.8968...) with |F|^2 =
+/// 48.9842... (More, Garbow and Hillstrom 1981), which descent from (0.5, -2) reaches.
 inline DenseEquations freudenstein_roth() {
   return {2,
           [](const VectorXd& x, VectorXd& f) {

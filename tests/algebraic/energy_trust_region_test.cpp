@@ -1,4 +1,4 @@
-/// Minimising potentials by trust regions.
+/// Minimisation of potentials by trust regions.
 #include "nlmech/algebraic/newton/energy_trust_region.hpp"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ using Eigen::VectorXd;
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
-/// A potential from functions.
+/// A potential given by functions.
 class Given : public Potential {
  public:
   Given(Eigen::Index n, std::function<double(const VectorXd&)> energy, DenseEquations::Residual residual,
@@ -37,7 +37,7 @@ class Given : public Potential {
   std::function<double(const VectorXd&)> energy_;
 };
 
-/// Rosenbrock's valley, least at (1, 1).
+/// Rosenbrock's valley, with its minimum at (1, 1).
 Given valley() {
   return {2,
           [](const VectorXd& x) {
@@ -53,7 +53,7 @@ Given valley() {
           }};
 }
 
-/// x^4/4 - x^2/2 + slope x: two minima, or one.
+/// V = x^4/4 - x^2/2 + slope x: two minima, or one.
 Given two_wells(double slope) {
   return {1, [=](const VectorXd& x) { return std::pow(x[0], 4) / 4 - x[0] * x[0] / 2 + slope * x[0]; },
           [=](const VectorXd& x, VectorXd& f) { f[0] = std::pow(x[0], 3) - x[0] + slope; },
@@ -73,15 +73,15 @@ TEST(EnergyTrustRegion, WalksDownTheValley) {
     return true;
   });
   ASSERT_TRUE(report.status.ok()) << report.status.text();
-  // The condition of the Hessian there is 2500.
+  // The condition number of the Hessian there is 2500.
   EXPECT_NEAR(x[0], 1, 2500 * 4 * eps);
   EXPECT_NEAR(x[1], 1, 2500 * 4 * eps);
   EXPECT_LE(report.statistics.steps, 30);
   EXPECT_LE(report.last, 1e-12);
 }
 
-// Between the wells V is stationary, but no minimum; with a slope beyond 2/(3 sqrt(3)) one well is gone, and
-// where it was |F| has a minimum that is no root.
+// V is stationary between the wells, but has no minimum there. For a slope beyond 2/(3 sqrt(3)) one well
+// disappears, and |F| has a minimum there that is no root.
 TEST(EnergyTrustRegion, EndsInAMinimumOnly) {
   const auto end = [](double slope, double from) {
     Given equations = two_wells(slope);
@@ -100,7 +100,8 @@ TEST(EnergyTrustRegion, EndsInAMinimumOnly) {
   }
 }
 
-// -sqrt(x) + x^2 exists for x >= 0 only: its minimum is at 4^(-2/3), and steps from far go to below 0.
+// -sqrt(x) + x^2 is defined for x >= 0 only: its minimum is at 4^(-2/3), and steps from a large x lead below
+// 0.
 TEST(EnergyTrustRegion, ComesBackFromWhereThereIsNoEnergy) {
   Given equations(
       1, [](const VectorXd& x) { return x[0] * x[0] - std::sqrt(x[0]); },

@@ -21,14 +21,14 @@ using namespace classics;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr Homotopy both[] = {Homotopy::fixed_point, Homotopy::newton};
 
-/// x^3 - 3 x + 3: extrema at -1 and 1, one root, left of both.
+/// x^3 - 3 x + 3: extrema at -1 and 1, and one root to the left of both.
 DenseEquations bent() {
   return scalar([](double x) { return (x * x - 3) * x + 3; }, [](double x) { return 3 * x * x - 3; });
 }
-/// By Cardano's formula.
+/// The root by Cardano's formula.
 double root_of_bent() { return -std::cbrt((3 + std::sqrt(5.0)) / 2) - std::cbrt((3 - std::sqrt(5.0)) / 2); }
 
-/// H of the given point, from F there and at the start.
+/// H at an iterate, from F there and at the start.
 VectorXd value_of(Homotopy function, const Iterate& i, const VectorXd& start, const VectorXd& first) {
   const double t = i.time;
   if (function == Homotopy::newton) return i.f - (1 - t) * first;
@@ -43,7 +43,7 @@ TEST(VectorHomotopy, StaysOnThePath) {
     equations.residual(x, first);
     const VectorHomotopy method = {.function = function, .accuracy = 1e-6};
     const Report report = find_root(method, equations, x, [&](const Iterate& i) {
-      // |dH/dx| <= 6 on the way, the path's error a hundred times a step's.
+      // |dH/dx| <= 6 on the path; the error of the path is a hundred times that of a step.
       EXPECT_LE(value_of(function, i, start, first).norm(), 6e-4 * (1 + i.x.norm()));
       return true;
     });
@@ -57,11 +57,11 @@ TEST(VectorHomotopy, StopsAtATurningPointThatChowAndYorkePass) {
   VectorXd x = vector({2});
   const Report stopped = find_root(VectorHomotopy{.function = Homotopy::newton}, equations, x);
   EXPECT_EQ(stopped.status.outcome(), Outcome::step_underflow) << stopped.status.text();
-  EXPECT_NEAR(stopped.time, 0.8, 1e-3);  // F(1) = 1 of F(2) = 5
-  EXPECT_NEAR(x[0], 1, 0.05);            // F is flat: the root of 1e-3, times a few
+  EXPECT_NEAR(stopped.time, 0.8, 1e-3);  // F(1) = 1 and F(2) = 5
+  EXPECT_NEAR(x[0], 1, 0.05);  // F is flat there: an error of 1e-3 in t becomes its square root, times a few
 }
 
-// From 2 down to 1 where t = 0.8, back to t = 0 at -1, and to the root.
+// The path goes from x = 2 to 1, where t = 0.8, back to t = 0 at -1, and to the root.
 TEST(ChowYorke, PassesTurningPoints) {
   DenseEquations equations = bent();
   for (const double longest : {0.05, 1.0}) {
@@ -71,7 +71,7 @@ TEST(ChowYorke, PassesTurningPoints) {
     const ChowYorke method = {.function = Homotopy::newton, .longest = longest};
     const Report report = find_root(method, equations, x, [&](const Iterate& i) {
       if (i.time < 1) {
-        EXPECT_LE(value_of(Homotopy::newton, i, start, first).norm(), 5e-6);  // its accuracy
+        EXPECT_LE(value_of(Homotopy::newton, i, start, first).norm(), 5e-6);  // the accuracy of the path
       }
       EXPECT_LT(i.x[0], previous + 1e-9);
       previous = i.x[0];
@@ -84,7 +84,7 @@ TEST(ChowYorke, PassesTurningPoints) {
     EXPECT_LE(greatest_before, 0.8 + 1e-6);
     EXPECT_GE(least_after, -1e-6);
     if (longest < 0.1) {
-      EXPECT_LT(least_after, 0.01);  // t is below that for 0.26 of x
+      EXPECT_LT(least_after, 0.01);  // t is below 0.01 over an interval of 0.26 of x
     }
   }
 }
@@ -93,7 +93,7 @@ TEST(ChowYorke, BothHomotopiesFindTheirRootDenseAndSparse) {
   for (const Homotopy function : both) {
     DenseEquations dense = circle();
     Sparse sparse(dense);
-    // At the root near it det B > 0, as det dH/dx is at the start of the fixed-point path.
+    // det B > 0 at the root nearby, as det dH/dx at the start of the fixed-point path.
     VectorXd x = vector({3, 0.5}), y = x;
     ASSERT_TRUE(find_root(ChowYorke{.function = function}, dense, x).status.ok());
     const Report report = find_root(ChowYorke{.function = function}, sparse, y);
@@ -103,12 +103,12 @@ TEST(ChowYorke, BothHomotopiesFindTheirRootDenseAndSparse) {
 }
 
 TEST(ChowYorke, StartsWhereTheMatrixIsSingular) {
-  // dF/dx = 0 at 1; the Newton homotopy leaves along x, not along t.
+  // dF/dx = 0 at 1: the path of the Newton homotopy starts along x, not along t.
   DenseEquations equations = bent();
   VectorXd x = vector({1});
   const Report report = find_root(ChowYorke{.function = Homotopy::newton}, equations, x);
   EXPECT_EQ(report.statistics.fallbacks, 1);
-  // Either side of the path is as good: one leads to the root, the other one to t = -infinity.
+  // Both directions of the path are possible: one leads to the root, the other one to t = -infinity.
   if (report.status.ok()) {
     EXPECT_NEAR(x[0], root_of_bent(), 2e-11);
   } else {
@@ -116,7 +116,8 @@ TEST(ChowYorke, StartsWhereTheMatrixIsSingular) {
   }
 }
 
-// H = 0 at the start and F = H at the end make the Newton homotopy of linear equations a straight line.
+// For linear equations the path of the Newton homotopy is a straight line: H = 0 at the start, F = H at the
+// end.
 RC_GTEST_PROP(ChowYorke, IsStraightForLinearEquations, ()) {
   MatrixXd m(3, 3);
   for (double& v : m.reshaped()) v = *rc::gen::inRange(-100, 101) / 100.0;
@@ -133,7 +134,7 @@ RC_GTEST_PROP(ChowYorke, IsStraightForLinearEquations, ()) {
   RC_ASSERT(report.statistics.rejected == 0);
 }
 
-/// The largest defect of h = 0 in the first pass, h of Eq. 2.11.
+/// The largest residual of h = 0 in the first pass, with h of Eq. 2.11.
 double defect(int steps) {
   DenseEquations equations = circle();
   VectorXd x = vector({3, -1});
@@ -192,8 +193,8 @@ TEST(FirstScalarHomotopy, TimeRunsFromZeroToOneInEveryPass) {
   }
 }
 
-/// The largest defect on the way to t = 1 of what the exact flow keeps: |F|^2 Q less |x - x(0)|^2 for the
-/// fixed point.
+/// The largest relative deviation up to t = 1 of the invariant of the exact flow: |F|^2 Q, minus |x - x(0)|^2
+/// for the fixed-point function.
 double kept(const ScalarHomotopy& options, int steps) {
   MatrixXd a(2, 2);
   a << 3, 1, 1, 2;
@@ -223,7 +224,7 @@ double kept(const ScalarHomotopy& options, int steps) {
   return worst;
 }
 
-// With the sign as printed in Eq. 2.15 the defect of the fixed point does not tend to 0.
+// With the printed sign of Eq. 2.15 the deviation for the fixed-point function does not tend to 0.
 TEST(ScalarHomotopy, KeepsItsInvariantToFirstOrder) {
   for (const auto function : {ScalarHomotopy::Function::fixed_point, ScalarHomotopy::Function::newton}) {
     const double coarse = kept({.function = function}, 400), fine = kept({.function = function}, 800);
@@ -269,7 +270,7 @@ TEST(ScalarHomotopy, FindsKnownRoots) {
       const Report report = find_root(method, equations, x);
       ASSERT_TRUE(report.status.ok()) << report.status.text();
       EXPECT_LE(report.last, method.tolerance);
-      // |B^-1| |F|; the curvature of F is nothing at this distance.
+      // |B^-1| |F|; the curvature of F is negligible at this distance.
       EXPECT_LE((x - root).norm(), 1.01 * method.tolerance / least);
     }
   }
@@ -301,7 +302,7 @@ TEST(ScalarHomotopy, ReportsWhatItDid) {
   EXPECT_EQ(s.newton_iterations, 0);
 }
 
-// Eqs 2.15 and 2.16 with one unknown: dx/dt = -F/(2 F'), and so Euler's step is Newton's times dt/2.
+// Eqs 2.15 and 2.16 with one unknown: dx/dt = -F/(2 F'), so Euler's step is Newton's times dt/2.
 RC_GTEST_PROP(ScalarHomotopy, FirstStepInOneVariableIsADampedNewtonStep, ()) {
   const double start = *rc::gen::map(rc::gen::inRange(-300, 300), [](int k) { return k / 100.0 + 0.005; });
   const double dt = *rc::gen::map(rc::gen::inRange(1, 200), [](int k) { return k / 100.0; });
@@ -314,12 +315,12 @@ RC_GTEST_PROP(ScalarHomotopy, FirstStepInOneVariableIsADampedNewtonStep, ()) {
         find_root({.function = function, .step = dt, .tolerance = 0, .steps = 1}, equations, x);
     RC_ASSERT(report.status.outcome() == Outcome::step_limit);
     const double step = -dt / 2 * f(start) / d(start);
-    // Eight roundings or so, each of the step or of the sum.
+    // About eight rounding errors of the step or of the sum.
     RC_ASSERT(std::abs(x[0] - (start + step)) <= 8 * eps * (std::abs(start) + std::abs(step)));
   }
 }
 
-// The Newton homotopy in one variable has the closed flow F(x(t)) = F(x(0)) exp(-t/2).
+// The Newton homotopy in one variable has the exact flow F(x(t)) = F(x(0)) exp(-t/2).
 TEST(ScalarHomotopy, EulersRuleIsOfFirstOrderToTheExactFlow) {
   DenseEquations equations = cube();
   const double exact = std::cbrt(8 + (27 - 8) * std::exp(-1.0));  // at t = 2, from x = 3
@@ -332,7 +333,7 @@ TEST(ScalarHomotopy, EulersRuleIsOfFirstOrderToTheExactFlow) {
     EXPECT_NEAR(report.time, 2, 1e-12);  // sum of 400 steps
     errors[k] = std::abs(x[0] - exact);
   }
-  // Order 1 with a next term of relative size dt = 0.01, times a constant below 5.
+  // Order 1; the next term has the relative size dt = 0.01 times a constant below 5.
   EXPECT_NEAR(errors[0] / errors[1], 2, 0.1);
 }
 
@@ -350,15 +351,15 @@ RC_GTEST_PROP(ScalarHomotopy, EveryStepBelowFourApproachesTheRootOfLinearEquatio
       find_root({.function = Function::newton, .step = dt, .tolerance = 0, .steps = 1}, equations, x));
   const double gain = dt * (1 - dt / 4) * std::pow(f.squaredNorm() / g.norm(), 2);
   const double before = (start - root).squaredNorm(), length = dt / 2 * f.squaredNorm() / g.norm();
-  // Rounding of the squares, of F (which enters the gain relatively, magnified by |a||start|/|F|) and of the
-  // step; a few of each.
+  // A few rounding errors each of the squares, of F (which enters the gain relatively, times |a||start|/|F|)
+  // and of the step.
   const double noise = 100 * eps * (before + length * length) *
                        (1 + a.norm() * (start.norm() + root.norm()) / f.norm()) *
                        (1 + a.norm() * f.norm() / g.norm());
   RC_ASSERT(std::abs((x - root).squaredNorm() - (before - gain)) <= noise);
 }
 
-// F -> U F, F -> c F (Newton only), x -> V x with orthogonal U, V leave the path where it was.
+// F -> U F, F -> c F (Newton only) and x -> V x with orthogonal U, V do not change the path.
 RC_GTEST_PROP(ScalarHomotopy, PathDoesNotDependOnTheFrame, ()) {
   const MatrixXd U = random_rotation(2), V = random_rotation(2);
   for (const Function function : functions) {
@@ -383,8 +384,8 @@ RC_GTEST_PROP(ScalarHomotopy, PathDoesNotDependOnTheFrame, ()) {
                                 second = iterates(method, turned, V * start);
     RC_ASSERT(first.size() == second.size());
     for (std::size_t k = 0; k < first.size(); ++k) {
-      // Ten steps, on which nearby paths of this F separate by less than a factor of 10 each; roundings of
-      // |x| = 2.2.
+      // Ten steps, in which nearby paths of this F diverge by less than a factor of 10 each; rounding errors
+      // of |x| = 2.2.
       RC_ASSERT((V * first[k] - second[k]).norm() <= 1e-11);
     }
   }
@@ -415,7 +416,7 @@ TEST(ScalarHomotopy, NonFiniteValuesAreReported) {
   EXPECT_EQ(find_root(ScalarHomotopy{}, bad_slope, x).status.outcome(), Outcome::non_finite);
   x = vector({-1});
   EXPECT_EQ(find_root(ScalarHomotopy{}, steep, x).status.outcome(), Outcome::non_finite);
-  EXPECT_EQ(x[0], -1);  // the last iterate at which F exists
+  EXPECT_EQ(x[0], -1);  // the last iterate at which F is defined
 }
 
 TEST(ScalarHomotopy, StepLimitEndsTheFlow) {

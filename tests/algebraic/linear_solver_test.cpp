@@ -1,4 +1,4 @@
-/// Linear solvers: plain, shifted and bordered, dense and sparse, symmetric; the step of a trust region.
+/// Linear solvers: plain, shifted and bordered systems, dense, sparse and symmetric; the trust-region step.
 #include "nlmech/algebraic/linear_solver.hpp"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ using namespace classics;
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
-// Against a QR decomposition of the matrix put together here.
+// Reference: QR decomposition of the matrix assembled here.
 RC_GTEST_PROP(LinearSolver, SolvesPlainShiftedAndBorderedSystems, ()) {
   const auto n = *rc::gen::inRange<Eigen::Index>(1, 6);
   const MatrixXd b = random_matrix(n, n);
@@ -47,7 +47,8 @@ RC_GTEST_PROP(LinearSolver, SolvesPlainShiftedAndBorderedSystems, ()) {
     VectorXd x(n), longer(n + 1);
     const auto expect = [&](const MatrixXd& m, const VectorXd& rhs, const VectorXd& found) {
       const VectorXd exact = Eigen::ColPivHouseholderQR<MatrixXd>(m).solve(rhs);
-      RC_ASSERT((found - exact).norm() <= 1e4 * 100 * eps * exact.norm());  // condition, of n^2 roundings
+      RC_ASSERT((found - exact).norm() <=
+                1e4 * 100 * eps * exact.norm());  // condition number times n^2 rounding errors
     };
     RC_ASSERT(solver.factorise(*equations) == Outcome::success);
     RC_ASSERT(solver.solve(side.head(n), x) == Outcome::success);
@@ -61,7 +62,7 @@ RC_GTEST_PROP(LinearSolver, SolvesPlainShiftedAndBorderedSystems, ()) {
   }
 }
 
-// A pattern with empty diagonal places, as the fixed-point homotopy's tB + (1-t)I meets.
+// A sparse pattern without all diagonal entries, as for tB + (1-t)I of the fixed-point homotopy.
 TEST(LinearSolver, SparsePatternsMayLackTheDiagonal) {
   MatrixXd b = MatrixXd::Zero(3, 3);
   b(0, 2) = 2;
@@ -98,15 +99,15 @@ TEST(LinearSolver, SingularAndNonFiniteMatricesAreReported) {
   }
 }
 
-// ---- LU factors: the residual of a solution is that of elimination with partial pivoting.
+// ---- LU factors: the residual equals that of elimination with partial pivoting.
 
 using Complex = std::complex<double>;
 template <class Number>
 using Column = Eigen::Matrix<Number, Eigen::Dynamic, 1>;
 
-// |A x - b| of a solution with partial pivoting is at most some n^2 eps |A| |x| unless pivots grow, which
-// random matrices do not make them do (N. J. Higham, Accuracy and Stability of Numerical Algorithms, 9.3);
-// complex products round up to three times as much.
+// With partial pivoting |A x - b| is at most some n^2 eps |A| |x| without growth of the pivots, which random
+// matrices do not show (N. J. Higham, Accuracy and Stability of Numerical Algorithms, 9.3); complex products
+// have up to three times the rounding error.
 template <class Number>
 bool solves(Eigen::Index size, const Number& shift, const MatrixXd& j, const Column<Number>& b) {
   DenseLu<Number> factors(size);
@@ -120,7 +121,7 @@ bool solves(Eigen::Index size, const Number& shift, const MatrixXd& j, const Col
   return (a * x - b).cwiseAbs().maxCoeff() <= bound;
 }
 
-// Entries over some decades, a fifth of them 0.
+// Entries over several decades, a fifth of them 0.
 template <class Number>
 Number entry(std::mt19937_64& random) {
   std::uniform_real_distribution<double> part(-1, 1);
@@ -137,7 +138,7 @@ bool solves_at_random(std::uint64_t seed, Eigen::Index size) {
   std::mt19937_64 random(seed);
   const MatrixXd j = MatrixXd::NullaryExpr(size, size, [&] { return entry<double>(random); });
   const Column<Number> b = Column<Number>::NullaryExpr(size, [&] { return entry<Number>(random); });
-  // On the diagonal more than the 0 that an entry may be: regular with probability 1.
+  // A shift of the diagonal away from 0: the matrix is regular with probability 1.
   return solves<Number>(size, entry<Number>(random) + Number(0.37), j, b);
 }
 
@@ -148,7 +149,7 @@ RC_GTEST_PROP(DenseLu, SolveWhatTheyFactor, (std::uint64_t seed)) {
   RC_ASSERT((solves_at_random<Complex>(seed, 1)));
   RC_ASSERT((solves_at_random<Complex>(seed, 3)));
   RC_ASSERT((solves_at_random<Complex>(seed, 6)));
-  // Both sides of where Eigen takes over.
+  // Sizes below and above the one from which Eigen is used.
   const auto size = static_cast<Eigen::Index>(1 + seed % 64);
   RC_ASSERT((solves_at_random<double>(seed, size)));
   RC_ASSERT((solves_at_random<Complex>(seed, size)));
@@ -156,7 +157,7 @@ RC_GTEST_PROP(DenseLu, SolveWhatTheyFactor, (std::uint64_t seed)) {
 
 TEST(DenseLu, BringPivotsToTheDiagonal) {
   MatrixXd a(3, 3);
-  a << 0, 1, 0, 0, 0, 2, 4, 0, 0;  // takes x to (x2, 2 x3, 4 x1)
+  a << 0, 1, 0, 0, 0, 2, 4, 0, 0;  // maps x to (x2, 2 x3, 4 x1)
   DenseLu<double> factors(3);
   factors.compute(a);
   VectorXd x = Eigen::Vector3d(5, 6, 8);
@@ -164,7 +165,7 @@ TEST(DenseLu, BringPivotsToTheDiagonal) {
   EXPECT_EQ(x, Eigen::Vector3d(2, 5, 3));
 }
 
-// Squares of these entries are no doubles.
+// The squares of these entries overflow or underflow.
 TEST(DenseLu, NeitherOverflowNorUnderflow) {
   for (const double scale : {1e-300, 1e-200, 1e200, 1e300}) {
     DenseLu<Complex> factors(1);
@@ -200,7 +201,7 @@ TEST(DenseLu, ASingularMatrixHasNoSolution) {
   }
 }
 
-// ---- Factors of symmetric matrices and the step of a trust region.
+// ---- Factors of symmetric matrices, and the trust-region step.
 
 /// A banded symmetric matrix with random entries in [-1, 1] and @p shift on the diagonal.
 MatrixXd banded(Eigen::Index n, unsigned seed, double shift) {
@@ -222,7 +223,7 @@ VectorXd seeded_vector(Eigen::Index n, unsigned seed) {
   return v;
 }
 
-// Truth: Eigen's eigenvalues, and the product with the matrix.
+// Reference: Eigen's eigenvalues, and the product with the matrix.
 RC_GTEST_PROP(SymmetricSolver, CountsAndSolves, ()) {
   const Eigen::Index n = *rc::gen::inRange(1, 60);
   const auto seed = *rc::gen::inRange<unsigned>(0, 100'000);
@@ -246,7 +247,7 @@ RC_GTEST_PROP(SymmetricSolver, CountsAndSolves, ()) {
   solver.solve(right, x);
   solver.multiply(x, product);
   product += shift * x;
-  // Backward stable if definite; pivots of an indefinite matrix, not exchanged, may grow by some 1e6 here.
+  // Definite: backward stable. Indefinite without pivoting: pivots may grow by some 1e6 here.
   const double growth = inertia.negative == 0 ? 1e3 : 1e9;
   RC_ASSERT((product - right).norm() <= growth * eps * (solver.norm() + std::abs(shift)) * x.norm());
   if (inertia.negative > 0) {
@@ -271,7 +272,7 @@ TEST(SymmetricSolver, ScalesBothSides) {
   EXPECT_EQ(scale_of(VectorXd::Zero(3)), VectorXd::Ones(3));
 }
 
-// Without exchanges the first pivot of this matrix is 0; its eigenvalues are not.
+// Without pivoting the first pivot of this matrix is 0, although its eigenvalues are not.
 TEST(SymmetricSolver, APivotOfZeroIsMoved) {
   const Eigen::Index n = 20;
   Eigen::SparseMatrix<double> b(n, n);
@@ -300,12 +301,13 @@ TEST(SymmetricSolver, SeesWhatIsNotFinite) {
   EXPECT_FALSE(solver.is_finite());
 }
 
-/// The least value of g^T p + p^T B p/2 on a ball, by eigenvectors and bisection for the multiplier.
+/// The minimum of g^T p + p^T B p/2 on a ball, by eigenvectors and bisection for the multiplier.
 double least(const MatrixXd& b, const VectorXd& g, double radius) {
   const Eigen::SelfAdjointEigenSolver<MatrixXd> spectrum(b);
   const VectorXd& e = spectrum.eigenvalues();
   const VectorXd c = spectrum.eigenvectors().transpose() * g;
-  // In the hard case a multiplier may meet an eigenvalue whose part of the gradient is zero: 0/0 is no step.
+  // In the hard case a multiplier may equal an eigenvalue whose component of the gradient is zero: 0/0 gives
+  // no step.
   const auto step = [&](double multiplier) -> VectorXd {
     return c.binaryExpr(e, [multiplier](double part, double eigenvalue) {
       return part == 0 ? 0 : -part / (eigenvalue + multiplier);
@@ -324,7 +326,7 @@ double least(const MatrixXd& b, const VectorXd& g, double radius) {
   return value(p);
 }
 
-// Promised: 90 % of the best decrease, within 1.2 radii.
+// Guaranteed: 90 % of the largest decrease, within 1.2 radii.
 RC_GTEST_PROP(TrustRegionStep, IsNearlyTheBest, ()) {
   const Eigen::Index n = *rc::gen::inRange(1, 40);
   const auto seed = *rc::gen::inRange<unsigned>(0, 100'000);

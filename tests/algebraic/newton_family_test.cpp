@@ -1,5 +1,5 @@
-// Broyden, continuous Newton, least squares, Levenberg-Marquardt, dogleg and their like: what each alone
-// claims.
+// Properties of single methods: Broyden, continuous Newton, least squares, Levenberg-Marquardt, dogleg and
+// similar ones.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -21,14 +21,14 @@ using namespace classics;
 constexpr double eps = std::numeric_limits<double>::epsilon();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-// e+ = F''/(2 F') e^2 (1 + O(e)) at the root 2 of x^3 - 8, where that constant is 1/2.
+// e+ = F''/(2 F') e^2 (1 + O(e)); at the root 2 of x^3 - 8 the constant is 1/2.
 TEST(Newton, ErrorIsSquaredByTheConstantOfTheory) {
   DenseEquations equations = cube();
   const std::vector<VectorXd> path = iterates(Newton{}, equations, vector({2.1}));
   ASSERT_GE(path.size(), 4U);
   for (std::size_t k = 0; k < 2; ++k) {
     const double e = path[k][0] - 2, next = path[k + 1][0] - 2;
-    // The next terms: a few e, and the rounding of x.
+    // Tolerance: the next term, a few e, and the rounding of x.
     EXPECT_NEAR(next / (e * e), 0.5, e + 8 * eps / (e * e));
   }
 }
@@ -43,7 +43,7 @@ TEST(Broyden, IsTheSecantMethodInOneVariable) {
   for (std::size_t k = 1; k + 2 < path.size(); ++k) {
     const double a = path[k - 1][0], b = path[k][0];
     const double secant = b - f(b) * (b - a) / (f(b) - f(a));
-    // Rounding of F (8 eps 8, over its slope of 12 and the difference of a and b).
+    // Rounding error of F: 8 eps 8, over its slope of 12 and the difference of a and b.
     EXPECT_NEAR(path[k + 1][0], secant, 16 * eps * (1 + std::abs(f(b) / (f(b) - f(a)))) + 1e-15);
   }
 }
@@ -54,7 +54,7 @@ TEST(Broyden, ConvergesSuperlinearlyOnTheFactorsOfItsStart) {
   ASSERT_TRUE(find_root(Newton{}, equations, root).status.ok());
   const std::vector<VectorXd> path = iterates(Broyden{.tolerance = 1e-13}, equations, x);
   const auto error = [&](std::size_t back) { return (path[path.size() - 1 - back] - root).norm(); };
-  // Factors of convergence sink towards 0: the late ones are far below the early ones, over four steps each.
+  // Superlinear convergence: the mean factor of four late steps is far below that of the first four.
   const double early = std::pow(error(path.size() - 5) / error(path.size() - 1), 0.25);
   const double late = std::pow(error(1) / error(5), 0.25);
   EXPECT_LT(late, 0.6 * early);
@@ -71,7 +71,7 @@ TEST(Broyden, StartsAnewWhenItsMemoryIsFull) {
   EXPECT_LE(report.statistics.steps, 4 * report.statistics.factorisations);
 }
 
-// Eq. 2.3 has the exact flow F(x(t)) = F(x(0)) e^-t.
+// Eq. 2.3 has the exact solution F(x(t)) = F(x(0)) e^-t.
 TEST(ContinuousNewton, FlowFollowsTheExactOneToFirstOrder) {
   double errors[2];
   for (int k = 0; k < 2; ++k) {
@@ -97,7 +97,7 @@ TEST(ContinuousNewton, StepOfOneIsNewton) {
   }
 }
 
-// For F = D x, Euler's rule gives x_k = prod (1 - h nu d/q(t_j)) x_0.
+// For F = D x Euler's method gives x_k = prod (1 - h nu d/q(t_j)) x_0.
 RC_GTEST_PROP(FictitiousTime, IsEulersProductForDiagonalEquations, ()) {
   const double d = *rc::gen::inRange(1, 50) / 10.0, power = *rc::gen::inRange(0, 11) / 10.0;
   const double h = *rc::gen::inRange(1, 20) / 100.0;
@@ -107,7 +107,8 @@ RC_GTEST_PROP(FictitiousTime, IsEulersProductForDiagonalEquations, ()) {
       find_root(FictitiousTime{.power = power, .step = h, .tolerance = 0, .iterations = 20}, equations, x));
   double expected = 1;
   for (int j = 0; j < 20; ++j) expected *= 1 - h * d / std::pow(1 + h * j, power);
-  RC_ASSERT(std::abs(x[0] - expected) <= 200 * eps);  // twenty factors of a few roundings, each below 1
+  RC_ASSERT(std::abs(x[0] - expected) <=
+            200 * eps);  // twenty factors below 1 with a few rounding errors each
 }
 
 TEST(FictitiousTime, SignOfNuDecides) {
@@ -118,7 +119,7 @@ TEST(FictitiousTime, SignOfNuDecides) {
   EXPECT_TRUE(find_root(FictitiousTime{.nu = -1}, equations, x).status.ok());
 }
 
-// The shortest minimiser of |F + B d| is the pseudo-inverse's.
+// The shortest minimiser of |F + B d| is the step of the pseudo-inverse.
 RC_GTEST_PROP(LeastSquares, StepOfASingularMatrixIsTheShortest, ()) {
   const auto n = *rc::gen::inRange<Eigen::Index>(2, 6);
   const auto rank = *rc::gen::inRange<Eigen::Index>(1, n);
@@ -139,7 +140,7 @@ RC_GTEST_PROP(LeastSquares, StepOfASingularMatrixIsTheShortest, ()) {
     VectorXd x = VectorXd::Zero(n);
     static_cast<void>(find_root(LeastSquares{.rank = 1e-10, .iterations = 1},
                                 is_sparse ? static_cast<Equations&>(sparse) : dense, x));
-    // Conditions are below 1e3 within the range; the square for the residual's part outside of it.
+    // The condition number is below 1e3 within the range; its square applies to the residual outside of it.
     RC_ASSERT((x - expected).norm() <= 1e7 * eps * (expected.norm() + f.norm() / s[rank - 1]));
   }
 }
@@ -150,7 +151,7 @@ TEST(LeastSquares, IsNewtonWhereTheMatrixIsRegular) {
   const std::vector<VectorXd> newton = iterates(Newton{}, equations, vector({2, 1}));
   ASSERT_LE(flow.size(), newton.size());
   for (std::size_t k = 0; k < flow.size(); ++k) {
-    EXPECT_LE((flow[k] - newton[k]).norm(), 50 * eps);  // |B^-1| |B| = 2, of a few roundings a step
+    EXPECT_LE((flow[k] - newton[k]).norm(), 50 * eps);  // |B^-1| |B| = 2 times a few rounding errors a step
   }
 }
 
@@ -161,7 +162,7 @@ TEST(ResidualDescent, EndsAtThePublishedMinimumThatIsNoRoot) {
     VectorXd x = vector({0.5, -2});
     const Report report = find_root(method, equations, x);
     EXPECT_EQ(report.status.outcome(), Outcome::not_converged) << report.status.text();
-    EXPECT_GE(report.last * report.last, 48.9842);  // digits as printed, cut off and not rounded
+    EXPECT_GE(report.last * report.last, 48.9842);  // printed digits, truncated
     EXPECT_LE(report.last * report.last, 48.9843);
     EXPECT_NEAR(x[0], 11.41, 5e-3);
     EXPECT_NEAR(x[1], -0.8968, 5e-5);
@@ -199,19 +200,20 @@ RC_GTEST_PROP(Dogleg, IsNewtonWithinItsRadius, ()) {
   const Report report = find_root(Dogleg{.radius = 1e3, .tolerance = 1e-9}, equations, x);
   RC_ASSERT(report.status.ok());
   RC_ASSERT(report.statistics.steps <= 1);
-  RC_ASSERT((x - root).norm() <= 1e3 * 100 * eps * root.norm());  // condition, of n^2 roundings
+  RC_ASSERT((x - root).norm() <=
+            1e3 * 100 * eps * root.norm());  // condition number times n^2 rounding errors
 }
 
 TEST(Dogleg, NoStepIsLongerThanTheRadius) {
   DenseEquations equations = rosenbrock();
   const std::vector<VectorXd> path = iterates(Dogleg{.radius = 0.01}, equations, vector({-1.2, 1}));
   double radius = 0.01;
-  for (std::size_t k = 1; k < path.size(); ++k, radius *= 2) {  // it doubles at the most
+  for (std::size_t k = 1; k < path.size(); ++k, radius *= 2) {  // it at most doubles
     EXPECT_LE((path[k] - path[k - 1]).norm(), radius * (1 + 4 * eps));
   }
 }
 
-// Two unknowns: span{F, B^T F} is the plane, unless they are parallel.
+// For two unknowns span{F, B^T F} is the plane, unless the two are parallel.
 RC_GTEST_PROP(OptimalIterative, EndsTwoLinearEquationsInOneStep, ()) {
   const MatrixXd a = random_matrix(2, 2);
   const VectorXd root = random_vector(2), f = a * root, g = a.transpose() * f;
@@ -222,7 +224,8 @@ RC_GTEST_PROP(OptimalIterative, EndsTwoLinearEquationsInOneStep, ()) {
   DenseEquations equations = linear(a, root);
   VectorXd x = VectorXd::Zero(2);
   static_cast<void>(find_root(OptimalIterative{.gamma = 0, .tolerance = 0, .iterations = 1}, equations, x));
-  // The sine of the angle of B F and B B^T F divides twice: its rounding is in their difference and in u.
+  // The sine of the angle between B F and B B^T F is a divisor twice: its rounding error enters their
+  // difference and u.
   const double sine = std::abs(a.determinant()) * area / ((a * f).norm() * (a * g).norm());
   RC_ASSERT((x - root).norm() <= 16 * eps * condition / (sine * sine) * root.norm());
 }
@@ -237,7 +240,7 @@ RC_GTEST_PROP(OptimalIterative, IsDampedNewtonInOneVariable, ()) {
   RC_ASSERT(std::abs(x[0] - (start - step)) <= 16 * eps * (start + std::abs(step)));
 }
 
-// No other vector of the span does better for linear equations.
+// For linear equations no other vector of the span gives a smaller residual.
 RC_GTEST_PROP(OptimalIterative, FindsTheLeastResidualOfTheSpan, ()) {
   const auto n = *rc::gen::inRange<Eigen::Index>(3, 6);
   const MatrixXd a = random_matrix(n, n);
@@ -256,7 +259,7 @@ RC_GTEST_PROP(OptimalIterative, FindsTheLeastResidualOfTheSpan, ()) {
   RC_ASSERT(std::abs(report.last - least) <= 1e5 * eps * (f.norm() + a.norm() * x.norm()));
 }
 
-// Kantorovich: |F+| <= (k^2 - 1)/(k^2 + 1) |F| for Cauchy's step and linear F with condition k.
+// Kantorovich: |F+| <= (k^2 - 1)/(k^2 + 1) |F| for Cauchy's step and linear F with condition number k.
 RC_GTEST_PROP(SteepestDescent, CauchysStepKeepsKantorovichsBound, ()) {
   const auto n = *rc::gen::inRange<Eigen::Index>(2, 5);
   const MatrixXd a = random_matrix(n, n);
@@ -271,7 +274,7 @@ RC_GTEST_PROP(SteepestDescent, CauchysStepKeepsKantorovichsBound, ()) {
   const SteepestDescent method = {
       .length = SteepestDescent::Length::cauchy, .tolerance = 1e-6, .iterations = 50};
   static_cast<void>(find_root(method, equations, x, [&](const Iterate& i) {
-    RC_ASSERT(i.norm <= bound * before * (1 + 1e-9) + 1e-13);  // roundings of A x, which is below 100
+    RC_ASSERT(i.norm <= bound * before * (1 + 1e-9) + 1e-13);  // rounding errors of A x, which is below 100
     before = i.norm;
     return true;
   }));

@@ -1,4 +1,4 @@
-/// Newton's method, on workspaces and through equations.
+/// Newton's method on workspaces and on equations.
 #include "nlmech/algebraic/newton/newton.hpp"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ using Two = Workspace<Vector2d>;
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
-// The circle x^2 + y^2 = 4 meets the hyperbola x y = 1 at x^2 = 2 + sqrt(3).
+// Circle x^2 + y^2 = 4 and hyperbola x y = 1 intersect at x^2 = 2 + sqrt(3).
 const auto circle = [](const Vector2d& x, Vector2d& f) { f << x.squaredNorm() - 4, x[0] * x[1] - 1; };
 const auto circle_derivative = [](const Vector2d& x, MatrixXd& j) { j << 2 * x[0], 2 * x[1], x[1], x[0]; };
 
@@ -31,9 +31,9 @@ TEST(Newton, FindsARegularRootToRoundingQuadraticallyAndCountsItsWork) {
   Statistics cost;
   ASSERT_EQ(solve(Newton{}, circle, circle_derivative, x, w, cost), Outcome::success);
   const double exact = std::sqrt(2 + std::sqrt(3.0));
-  EXPECT_NEAR(x[0], exact, 4 * eps * exact);  // condition of this root is below 2
+  EXPECT_NEAR(x[0], exact, 4 * eps * exact);  // condition number below 2
   EXPECT_NEAR(x[1], 1 / exact, 4 * eps);
-  // The start is 0.5 away: errors 0.5, 0.1, 1e-2, 1e-4, 1e-8, 1e-16, and one update that shows it.
+  // The initial error is 0.5: errors 0.5, 0.1, 1e-2, 1e-4, 1e-8, 1e-16, and one update that confirms it.
   EXPECT_LE(cost.newton_iterations, 6);
   EXPECT_EQ(cost.jacobians, cost.newton_iterations);
   EXPECT_EQ(cost.factorisations, cost.newton_iterations);
@@ -60,7 +60,7 @@ TEST(Newton, NonFiniteFunctionIsReported) {
 
 using One = Eigen::Matrix<double, 1, 1>;
 
-// Newton's iteration on atan diverges from beyond |x| = 1.3917; with damping it converges from anywhere.
+// Newton's iteration on atan diverges for |x| > 1.3917; with damping it converges from any start.
 const auto arctangent = [](const One& x, One& f) { f[0] = std::atan(x[0]); };
 const auto arctangent_derivative = [](const One& x, MatrixXd& j) { j(0, 0) = 1 / (1 + x[0] * x[0]); };
 
@@ -78,7 +78,7 @@ RC_GTEST_PROP(DampedNewton, ConvergesWhereNewtonDiverges, ()) {
   Workspace<One> w(1);
   Statistics cost;
   RC_ASSERT(solve(DampedNewton{}, arctangent, arctangent_derivative, x, w, cost) == Outcome::success);
-  RC_ASSERT(std::abs(x[0]) <= 1e-12);  // the tolerance on the update, at a root with slope 1
+  RC_ASSERT(std::abs(x[0]) <= 1e-12);  // tolerance on the update, at a root with slope 1
 }
 
 TEST(DampedNewton, NoRootIsNotConverged) {
@@ -92,7 +92,7 @@ TEST(DampedNewton, NoRootIsNotConverged) {
 }
 
 TEST(Newton, NoiseEndsAnIterationThatCannotShrink) {
-  // A residual with an error of 1e-9 that changes sign with every call: updates stay at 1e-9.
+  // The residual has an error of 1e-9 that changes its sign in every call: updates remain at 1e-9.
   int calls = 0;
   const auto noisy = [&calls](const One& x, One& f) { f[0] = x[0] - 1 + (calls++ % 2 == 0 ? 1e-9 : -1e-9); };
   const auto slope = [](const One&, MatrixXd& j) { j(0, 0) = 1; };
@@ -108,7 +108,7 @@ TEST(Newton, NoiseEndsAnIterationThatCannotShrink) {
 
 using Eigen::VectorXd;
 
-/// Equations that offer products only.
+/// Equations that provide matrix-vector products only.
 struct Products : Equations {
   [[nodiscard]] Eigen::Index size() const override { return 1; }
   void residual(const VectorXd& x, VectorXd& f) override { f = x; }
@@ -154,12 +154,13 @@ TEST(FindRoot, NewtonAndItsDampedFormFindTheRootAndReport) {
       return true;
     });
     ASSERT_TRUE(report.status.ok()) << report.status.text();
-    EXPECT_NEAR(x[0], exact, 4 * eps * exact);  // condition of this root is below 2
+    EXPECT_NEAR(x[0], exact, 4 * eps * exact);  // condition number below 2
     EXPECT_EQ(report.first, std::hypot(1, 1));
     EXPECT_EQ(report.statistics.steps, report.statistics.newton_iterations);
     EXPECT_EQ(report.statistics.right_hand_sides, seen);
     EXPECT_EQ(report.statistics.jacobians, report.statistics.factorisations);
-    EXPECT_LT(report.last, 1e-7);  // quadratic: the last update, 1e-12 or less, was the square of this
+    EXPECT_LT(report.last, 1e-7);  // quadratic convergence: the last update, at most 1e-12, is of the size of
+                                   // this residual squared
   };
   expect(Newton{});
   expect(DampedNewton{});

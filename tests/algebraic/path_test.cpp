@@ -1,4 +1,4 @@
-/// Path following: limit points, branch points, and solvers made of it.
+/// Path following: limit points, bifurcation points, and solvers based on it.
 #include "nlmech/algebraic/paths/path.hpp"
 
 #include <gtest/gtest.h>
@@ -43,7 +43,7 @@ class OneUnknown : public Loaded {
   Function f_, slope_, along_;
   double x_ = 0, load_ = 0;
 };
-/// load = x - x^3: limit points at x = +-1/sqrt(3), where the load is +-2/(3 sqrt(3)).
+/// load = x - x^3: limit points at x = +-1/sqrt(3) with the loads +-2/(3 sqrt(3)).
 struct Cubic : OneUnknown {
   Cubic()
       : OneUnknown([](double x, double load) { return x - x * x * x - load; },
@@ -51,8 +51,7 @@ struct Cubic : OneUnknown {
 };
 const double limit_load = 2 / (3 * std::sqrt(3.0)), limit_x = 1 / std::sqrt(3.0);
 
-/// V = x^4/4 - load x^2/2 + (y - load)^2/2: the path x = 0, y = load, from which x^2 = load branches off at
-/// 0.
+/// V = x^4/4 - load x^2/2 + (y - load)^2/2: the path x = 0, y = load, with the branch x^2 = load from load 0.
 struct Pitchfork : Loaded {
   [[nodiscard]] Eigen::Index size() const override { return 2; }
   void residual(const VectorXd& x, double load, VectorXd& f) override {
@@ -75,9 +74,9 @@ struct Pitchfork : Loaded {
   double k00 = 0;
 };
 
-// A point of the path has F = 0 to rounding (corrections below 1e-8 of a step leave their square); the limit
-// load is stationary, so that it is right to rounding; the place, in the derivative of F, to the same, as
-// second derivatives are of size 1.
+// A point of the path satisfies F = 0 to rounding (corrections below 1e-8 of a step leave their square). The
+// load is stationary at a limit point, so it is accurate to rounding; x is as accurate as the derivative of
+// F, because second derivatives are of size 1.
 TEST(Path, FindsLimitPoints) {
   for (const bool symmetric : {true, false}) {
     for (const Kind kind : kinds) {
@@ -118,13 +117,13 @@ TEST(Path, CrossesALoad) {
   EXPECT_EQ(path.fold(point), Outcome::not_converged);
 }
 
-/// load = x^3 - tiny x: limit points at +-sqrt(tiny/3), as close together as tiny is small.
+/// load = x^3 - tiny x: limit points at +-sqrt(tiny/3), close together for small tiny.
 OneUnknown flat_cubic(double tiny) {
   return {[=](double x, double load) { return x * x * x - tiny * x - load; },
           [=](double x, double) { return 3 * x * x - tiny; }, [](double, double) { return -1.; }};
 }
 
-// Two limit points within one step, at whose ends the load rises: no sign shows them.
+// Two limit points within one step: the load increases at both ends of the step, so no sign reveals them.
 TEST(Path, FindsPairsOfLimitPointsWithinAStep) {
   for (const double tiny : {1e-2, 1e-4, 1e-6}) {
     for (const double from : {-1., -0.97, -0.9}) {
@@ -157,7 +156,7 @@ TEST(Path, FindsPairsOfLimitPointsWithinAStep) {
   }
 }
 
-// Quadratic convergence of the extended system, from a tenth away.
+// Quadratic convergence of the extended system, from a distance of 0.1.
 TEST(Fold, ConvergesQuadratically) {
   Cubic cubic;
   PathSystem system(cubic, VectorXd::Zero(1), 0, {});
@@ -213,8 +212,9 @@ DenseEquations cubic_equation(double load) {
           [](const VectorXd& x, MatrixXd& b) { b(0, 0) = 1 - 3 * x[0] * x[0]; }};
 }
 
-// The path from x = 0 goes up to the limit point and back: the first crossing is on the way up, however near
-// to the limit; beyond it, there is none, and the path goes away for ever.
+// The path from x = 0 ascends to the limit point and descends: the first crossing is on the ascending part,
+// however close to the limit load. Above the limit load there is no crossing, and the path continues without
+// end.
 TEST(ArcLength, TheLimitPointDecides) {
   for (const Kind kind : kinds) {
     for (const double below : {0.5, 1e-3, 1e-6, 1e-9, 1e-12}) {
@@ -223,7 +223,7 @@ TEST(ArcLength, TheLimitPointDecides) {
       const Report report = find_root(ArcLength{{.kind = kind}}, equations, x);
       ASSERT_TRUE(report.status.ok()) << report.status.text();
       EXPECT_LE(report.last, 4 * eps);
-      // The root is known to a rounding over the slope of F, 2 sqrt(below/3 ...) or so.
+      // The root has an error of rounding over the slope of F, about 2 sqrt(below/3 ...).
       EXPECT_LE(x[0], limit_x - 0.3 * std::sqrt(below * limit_load / limit_x)) << below;
     }
     DenseEquations none = cubic_equation(limit_load * (1 + 1e-9));
@@ -234,7 +234,7 @@ TEST(ArcLength, TheLimitPointDecides) {
   }
 }
 
-// Equations that are no gradient.
+// Equations without a potential.
 TEST(ArcLength, FollowsAnyEquations) {
   const double exact = std::sqrt(2 + std::sqrt(3.0));
   for (const Kind kind : kinds) {
@@ -267,9 +267,9 @@ TEST(ArcLength, SaysWhyItFails) {
   EXPECT_THROW((void)find_root(ArcLength{}, equations, x), std::invalid_argument);
 }
 
-// A walk stays on its path, and knows all limit and branch points that it passes.
+// A path stays on its branch and finds every limit and bifurcation point that it passes.
 
-/// Branches u = 0, u = gap and u = 2 gap with u = x - sin(load), the outer ones of the same stability.
+/// Branches u = 0, u = gap and u = 2 gap with u = x - sin(load); the outer ones have equal stability.
 OneUnknown parallel_branches(double gap) {
   const auto slope = [gap](double x, double load) {
     const double u = x - std::sin(load);
@@ -282,7 +282,7 @@ OneUnknown parallel_branches(double gap) {
           slope, [slope](double x, double load) { return -std::cos(load) * slope(x, load); }};
 }
 
-// However long the first step, the walk stays on its branch. F is known to eps, its slope is 2 gap^2.
+// The path stays on its branch for any first step. F has an error of eps; its slope is 2 gap^2.
 TEST(Path, StaysOnItsBranch) {
   for (const Kind kind : kinds) {
     for (const double gap : {0.05, 0.2, 0.5}) {
@@ -290,7 +290,7 @@ TEST(Path, StaysOnItsBranch) {
         OneUnknown parallel = parallel_branches(gap);
         Path path({.kind = kind, .first = first}, parallel, VectorXd::Zero(1), 0);
         ASSERT_TRUE(path.start().ok());
-        // gdc steps by displacements, and has none where x is stationary.
+        // gdc measures steps in displacements, which vanish where x is stationary.
         const double end = kind == Kind::gdc ? 1.5 : 8;
         for (int k = 0; k < 4000 && path.now().load < end; ++k) {
           const Status status = path.advance();
@@ -304,15 +304,15 @@ TEST(Path, StaysOnItsBranch) {
   }
 }
 
-/// V = x^4/4 - load x^2/2 - tiny x: from rest the path bends into one side of a pitchfork. The other one,
-/// x = -tiny/load and unstable, goes straight on.
+/// V = x^4/4 - load x^2/2 - tiny x: from rest the path bends into one side of a pitchfork. The other branch,
+/// x = -tiny/load, is unstable and continues straight.
 OneUnknown imperfect_pitchfork(double tiny) {
   return {[=](double x, double load) { return x * x * x - load * x - tiny; },
           [](double x, double load) { return 3 * x * x - load; }, [](double x, double) { return -x; }};
 }
 
-// Straight ahead lies a solution with another number of negative eigenvalues and no point between where one
-// vanishes.
+// The straight continuation is a solution with another number of negative eigenvalues, without a zero
+// eigenvalue in between.
 TEST(Path, FollowsTheBendAndNotTheBranchStraightAhead) {
   for (const double tiny : {1e-2, 1e-4, 1e-6}) {
     for (const double first : {0.1, 1., 10., 1000.}) {
@@ -329,19 +329,19 @@ TEST(Path, FollowsTheBendAndNotTheBranchStraightAhead) {
   }
 }
 
-/// F = -load x - x^3 - tiny: the path from x = tiny/(-load) has one maximum, at x^3 = tiny/2, and turns off
-/// there. Straight ahead lies the other half of the pitchfork, which is unstable throughout.
+/// F = -load x - x^3 - tiny: the path from x = tiny/(-load) has one maximum, at x^3 = tiny/2, and turns away
+/// there. Straight ahead is the other half of the pitchfork, which is unstable throughout.
 OneUnknown imperfect_subcritical(double tiny) {
   return {[=](double x, double load) { return -load * x - x * x * x - tiny; },
           [](double x, double load) { return -load - 3 * x * x; }, [](double x, double) { return -x; }};
 }
 
-// Whatever the imperfection and the first step: one maximum, in closed form, and no bifurcation.
+// For any imperfection and first step: one maximum, in closed form, and no bifurcation.
 TEST(Path, TurnsOffAtAnImperfectBifurcation) {
   for (const double tiny : {1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12}) {
     for (const double first : {0.01, 0.1, 1., 10.}) {
       OneUnknown fork = imperfect_subcritical(tiny);
-      // The load counts as much as the small displacement of the start: steps become long beside it.
+      // Load and initial displacement have equal weight: steps become long compared with the displacement.
       Path path({.first = first, .longest = 1e15}, fork, VectorXd::Constant(1, tiny), -1);
       ASSERT_TRUE(path.start().ok());
       std::vector<CriticalPoint> found;
@@ -356,8 +356,8 @@ TEST(Path, TurnsOffAtAnImperfectBifurcation) {
   }
 }
 
-/// Two unknowns that a spring of stiffness 1e14 joins: V = spring (x - y)^2/2 + (1 - load) x^2/2. In double
-/// the entry spring + 1 - load of K is rounded by 0.01, in long double of 64 bits by 1e-5.
+/// Two unknowns joined by a spring of stiffness 1e14: V = spring (x - y)^2/2 + (1 - load) x^2/2. The entry
+/// spring + 1 - load of K has a rounding error of 0.01 in double and 1e-5 in long double of 64 bits.
 struct StiffPair : Loaded {
   static constexpr double spring = 1e14;
   [[nodiscard]] Eigen::Index size() const override { return 2; }
@@ -384,7 +384,7 @@ struct StiffPair : Loaded {
   VectorXd q;
 };
 
-// The eigenvalue (1 - load)/2 beside one of 2e14 has its sign from long double.
+// Next to an eigenvalue of 2e14 the sign of the eigenvalue (1 - load)/2 needs long double.
 TEST(Path, CountsAnEigenvalueThatTheRoundingOfKHides) {
   if (std::numeric_limits<long double>::digits <= std::numeric_limits<double>::digits) GTEST_SKIP();
   StiffPair pair;
@@ -398,7 +398,8 @@ TEST(Path, CountsAnEigenvalueThatTheRoundingOfKHides) {
   }
 }
 
-/// Two pitchforks at once: V = (x^4 + z^4)/4 - load (x^2 + z^2)/2 + (y - load)^2/2.
+/// Two pitchforks at the loads 0 and `apart`: V = (x^4 + z^4)/4 - load x^2/2 - (load - apart) z^2/2 + (y -
+/// load)^2/2.
 struct TwoPitchforks : Pitchfork {
   [[nodiscard]] Eigen::Index size() const override { return 3; }
   void residual(const VectorXd& x, double load, VectorXd& f) override {
@@ -422,7 +423,8 @@ struct TwoPitchforks : Pitchfork {
   double apart = 0, k22 = 0;
 };
 
-// Along x^2 = load and through the fork, where the load has a minimum and no eigenvalue changes its sign.
+// The path x^2 = load passes the bifurcation, where the load has a minimum and no eigenvalue changes its
+// sign.
 TEST(Path, FindsAForkFromTheBranchThatLeavesIt) {
   for (const double start : {1., 0.7, 0.31}) {
     Pitchfork pitchfork;
@@ -470,8 +472,8 @@ TEST(Path, ListsCriticalPoints) {
             Outcome::step_limit);
 }
 
-// Two eigenvalues vanish in one place, or one behind the other within a step: the determinant has the same
-// sign before and behind.
+// Two eigenvalues vanish at one point, or one after the other within a step: the determinant has the same
+// sign before and after.
 TEST(Path, ListsTwoBifurcationsInOneStep) {
   for (const double apart : {0., 1e-3, 0.1}) {
     TwoPitchforks forks;
@@ -490,8 +492,8 @@ TEST(Path, ListsTwoBifurcationsInOneStep) {
     }
     EXPECT_EQ(all, 2);
     ASSERT_EQ(found.size(), apart == 0 ? 1u : 2u);
-    // One place is 1e-7 of a step. Eigenvalues that vanish 1e-3 apart are 1e-3 by themselves in between,
-    // which costs the interpolation as many digits.
+    // A double point is accurate to 1e-7 of a step. Eigenvalues that vanish 1e-3 apart are of size 1e-3 in
+    // between, which costs the interpolation as many digits.
     const double close = apart == 0 ? 1e-7 : 1e-13 / apart;
     EXPECT_NEAR(found[0].point.load, 0, close);
     EXPECT_NEAR(found.back().point.load, apart, close);
@@ -520,7 +522,7 @@ struct Window : Pitchfork {
   double half, along = 0;
 };
 
-// An eigenvalue dips below zero and returns within a step: both ends have the same signs.
+// An eigenvalue becomes negative and positive again within a step: both ends have the same signs.
 TEST(Path, ListsTwoBifurcationsThatUndoEachOtherInAStep) {
   for (const double half : {0.3, 0.03, 1e-3}) {
     for (const double from : {-1., -0.9, -1.37}) {
@@ -533,7 +535,7 @@ TEST(Path, ListsTwoBifurcationsThatUndoEachOtherInAStep) {
           path, [](const Path& p) { return p.now().load > 1; }, 50, found);
       ASSERT_TRUE(status.ok()) << half << ' ' << from << ' ' << status.text();
       ASSERT_EQ(found.size(), 2u) << half << ' ' << from;
-      EXPECT_NEAR(found[0].point.load, -half, 1e-7);  // two next to each other: 1e-7 of a step
+      EXPECT_NEAR(found[0].point.load, -half, 1e-7);  // two close points: 1e-7 of a step
       EXPECT_NEAR(found[1].point.load, half, 1e-7);
     }
   }

@@ -1,4 +1,4 @@
-// What every solver has to do, by name.
+// Requirements on every solver, by name.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -21,7 +21,7 @@ using Names = std::set<std::string_view>;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-/// Those that end at a residual.
+/// Solvers with a tolerance on the residual.
 std::vector<std::string_view> residual_solvers() {
   std::vector<std::string_view> names = solver_names();
   std::erase_if(names, [](std::string_view name) {
@@ -48,7 +48,7 @@ std::string test_name(const testing::TestParamInfo<std::string_view>& info) {
 
 INSTANTIATE_TEST_SUITE_P(Named, EverySolver, testing::ValuesIn(residual_solvers()), test_name);
 
-// A failure has its method and |F| in its sentence, and x and the norms are numbers.
+// Expects a failure whose message names the method and |F|, with finite x and norms.
 void expect_told(std::string_view name, const Report& report, const VectorXd& x) {
   EXPECT_FALSE(report.status.ok()) << name;
   EXPECT_TRUE(x.allFinite()) << name;
@@ -67,7 +67,7 @@ RC_GTEST_PROP(Solvers, FindTheRootOfDefiniteLinearEquations, ()) {
   for (double& v : m.reshaped()) v = *number;
   for (double& v : root) v = *number;
   for (double& v : start) v = *number;
-  // Eigenvalues from 1 to 5: no method is slow, and |A^-1| is 1 at most.
+  // Eigenvalues from 1 to 5: no method is slow, and |A^-1| is at most 1.
   const MatrixXd a = MatrixXd::Identity(n, n) + 4 * m * m.transpose() / (1 + m.squaredNorm());
   for (const std::string_view name : residual_solvers()) {
     DenseEquations equations = linear(a, root);
@@ -86,7 +86,7 @@ TEST_P(EverySolver, FindsTheCircleOnTheHyperbola) {
   VectorXd x = vector({2, 1}), f(2);
   const Report report = find_root(by(name()), equations, x);
   ASSERT_TRUE(report.status.ok()) << report.status.text();
-  EXPECT_LE((x - root).norm(), 1e-10);  // |B^-1| = 0.6 there, times the tolerance
+  EXPECT_LE((x - root).norm(), 1e-10);  // |B^-1| = 0.6 at the root, times the tolerance
   equations.residual(x, f);
   EXPECT_EQ(report.last, f.norm());
   EXPECT_EQ(report.first, std::hypot(1, 1));
@@ -98,8 +98,8 @@ TEST_P(EverySolver, FindsRosenbrocksRoot) {
   DenseEquations equations = rosenbrock();
   VectorXd x = vector({-1.2, 1});
   const Report report = find_root(by(name()), equations, x);
-  // The first has an eigenvalue of the wrong sign; the path of the second runs to infinity at t = 1/2, where
-  // t (1 - x) + (1 - t)(x + 1.2) loses x.
+  // fictitious-time fails because of an eigenvalue of the wrong sign; the path of chow-yorke goes to infinity
+  // at t = 1/2, where x cancels in t (1 - x) + (1 - t)(x + 1.2).
   if (is_one_of({"fictitious-time", "chow-yorke"})) {
     expect_told(name(), report, x);
     return;
@@ -114,15 +114,15 @@ TEST_P(EverySolver, FindsARootOfBrownsAlmostLinearSystem) {
   VectorXd x = VectorXd::Constant(n, 0.5);
   const Report report = find_root(by(name()), equations, x);
   ASSERT_TRUE(report.status.ok()) << report.status.text();
-  // All but the last component are equal, and a root of 5 a^5 - 6 a^4 + 1. At a = 1 its slope is 1, and both
-  // that and |B^-1| leave a few units of the tolerance; Newton's methods end far below it.
+  // All components but the last are equal to a root of 5 a^5 - 6 a^4 + 1. At a = 1 its slope is 1; this and
+  // |B^-1| give errors of a few tolerances. The errors of Newton's methods are far smaller.
   const double a = x[0];
   EXPECT_LE((x.head(n - 1).array() - a).abs().maxCoeff(), 1e-9);
   EXPECT_NEAR(x[n - 1], std::pow(a, 1.0 - n), 1e-8);
   EXPECT_NEAR(5 * std::pow(a, 5) - 6 * std::pow(a, 4) + 1, 0, 1e-8);
 }
 
-// At Powell's root B has rank 2 of 4: Newton's methods halve |x| at every step, others crawl.
+// At Powell's root B has rank 2 of 4: Newton's methods halve |x| in every step, other methods are slower.
 TEST_P(EverySolver, EndsAtPowellsSingularRootOrSaysWhyNot) {
   DenseEquations equations = powell_singular();
   VectorXd x = vector({3, -1, 0, 1});
@@ -130,7 +130,7 @@ TEST_P(EverySolver, EndsAtPowellsSingularRootOrSaysWhyNot) {
   if (is_one_of({"newton", "damped-newton", "continuous-newton", "broyden", "least-squares",
                  "levenberg-marquardt", "dogleg"})) {
     ASSERT_TRUE(report.status.ok()) << report.status.text();
-    EXPECT_LE(x.norm(), 1e-3);  // |F| falls like |x|^2: the root of 1e-8, times 10
+    EXPECT_LE(x.norm(), 1e-3);  // |F| decreases as |x|^2: the square root of 1e-8, times 10
   } else if (!report.status.ok()) {
     expect_told(name(), report, x);
   }
@@ -155,7 +155,7 @@ TEST_P(EverySolver, SaysThatAValueIsNotFinite) {
   DenseEquations bad_slope = scalar([](double v) { return v; }, [](double) { return nan; });
   const Report steep = find_root(by(name()), bad_slope, x);
   if (name() == "fictitious-time") {
-    EXPECT_TRUE(steep.status.ok());  // never asks
+    EXPECT_TRUE(steep.status.ok());  // does not use the matrix
   } else if (is_one_of({"vector-homotopy", "chow-yorke"})) {
     EXPECT_FALSE(steep.status.ok());
   } else {
@@ -163,7 +163,7 @@ TEST_P(EverySolver, SaysThatAValueIsNotFinite) {
   }
 }
 
-// sqrt does not exist left of 0, where Newton's step from 1.5 goes.
+// sqrt is undefined for negative arguments, which Newton's step from 1.5 reaches.
 TEST_P(EverySolver, ShortensStepsToWhereTheFunctionExists) {
   DenseEquations equations = scalar([](double v) { return v < 0 ? nan : std::sqrt(v) - 0.1; },
                                     [](double v) { return 0.5 / std::sqrt(v); });
@@ -180,7 +180,7 @@ TEST_P(EverySolver, ShortensStepsToWhereTheFunctionExists) {
   }
 }
 
-// B of this start is singular and B^T F is not 0; roots (1, 2) and (-2, -1).
+// At this start B is singular and B^T F is not 0; roots (1, 2) and (-2, -1).
 TEST_P(EverySolver, PassesASingularMatrixOrSaysSo) {
   DenseEquations equations(
       2, [](const VectorXd& x, VectorXd& f) { f << x[0] * x[0] + x[1] - 3, x[0] - x[1] + 1; },
@@ -190,8 +190,8 @@ TEST_P(EverySolver, PassesASingularMatrixOrSaysSo) {
   if (is_one_of({"newton", "damped-newton", "continuous-newton", "broyden"})) {
     EXPECT_EQ(report.status.outcome(), Outcome::singular_matrix) << report.status.text();
   } else if (!is_one_of({"fictitious-time", "vector-homotopy", "chow-yorke"})) {
-    // Not: the first has an eigenvalue of the wrong sign; det B < 0 at the nearer root, which the path of the
-    // others, with det dH/dx > 0 at its start, leaves for infinity.
+    // Excluded: fictitious-time has an eigenvalue of the wrong sign; the paths of the other two start with
+    // det dH/dx > 0 and go to infinity, because det B < 0 at the nearer root.
     ASSERT_TRUE(report.status.ok()) << report.status.text();
     EXPECT_LE(std::min((x - vector({1, 2})).norm(), (x - vector({-2, -1})).norm()),
               1.5e-10);  // |B^-1| = 1.03
@@ -230,7 +230,7 @@ TEST_P(EverySolver, GoesTheSameWayWithASparseMatrix) {
     const Report first = find_root(by(name()), dense[k], x);
     const Report second = find_root(by(name()), sparse, y);
     ASSERT_TRUE(first.status.ok() && second.status.ok()) << first.status.text() << second.status.text();
-    // Two roots within the tolerance, |B^-1| being below 10; roundings differ with the order of pivots.
+    // Both roots are within the tolerance, with |B^-1| below 10; rounding differs with the order of pivots.
     EXPECT_LE((x - y).norm(), 2e-9);
     EXPECT_NEAR(static_cast<double>(first.statistics.steps), static_cast<double>(second.statistics.steps), 1);
   }
@@ -253,7 +253,7 @@ TEST_P(EverySolver, RefusesAnotherSize) {
   EXPECT_THROW((void)find_root(by(name()), equations, x), std::invalid_argument);
 }
 
-// 1e20 (x^2 - 2): next to the root F is a multiple of 1e4, and no tolerance below that can be met.
+// 1e20 (x^2 - 2): near the root F is a multiple of 1e4, so no smaller tolerance can be met.
 TEST(NamedSolver, NamesTheFloorOfRounding) {
   for (const std::string_view name : {"newton", "damped-newton", "dogleg", "levenberg-marquardt", "riks"}) {
     for (const bool to_rounding : {false, true}) {
@@ -277,7 +277,7 @@ TEST(NamedSolver, NamesTheFloorOfRounding) {
   }
 }
 
-// An update that is zero, or squares that are, are no roots.
+// An update of zero, or a square that underflows, is no convergence.
 TEST(NamedSolver, AStandstillIsNoSuccess) {
   for (const std::string_view name : solver_names()) {
     if (name == "energy-trust-region") continue;

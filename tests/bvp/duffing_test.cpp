@@ -11,7 +11,7 @@ using Eigen::Vector2d;
 using Eigen::Vector4d;
 using Eigen::VectorXd;
 
-/// Extremals of least cost at T = 2, S = I: z(0) and x(T).
+/// Extremals of minimum cost at T = 2, S = I: z(0) and x(T).
 struct Reference {
   DuffingCase which;
   double cost;
@@ -55,7 +55,7 @@ TEST_P(Cases, AreSolvedFromOwnStartsToTenDigits) {
   ASSERT_FALSE(m.found.empty());
   EXPECT_EQ(m.spurious, 0);
   const Extremal& best = m.found.front().extremal;
-  // 10 digits are promised; the references have 16.
+  // 10 digits are documented; the references have 16.
   EXPECT_NEAR(best.cost, reference.cost, 1e-10 * reference.cost);
   for (int i = 0; i < 4; ++i) {
     const double value = reference.begin[static_cast<std::size_t>(i)];
@@ -123,7 +123,7 @@ TEST(Duffing, DualNumbersGiveTheEquationsAsPrinted) {
 }
 
 TEST(Duffing, ComplementaryConditionsAreThoseOfTable51) {
-  // Both cases that the text lists and never solves.
+  // Both cases that the text lists without solving them.
   for (const DuffingCase which : {DuffingCase::x2x2, DuffingCase::final_only}) {
     DuffingSettings settings;
     settings.which = which;
@@ -162,7 +162,8 @@ TEST(Duffing, PumpReachesTheLongCase) {
   EXPECT_NEAR(least, 46.608623, 1e-6);  // oracle: rbf_inverse_extremals fixed T = 5 cost
 }
 
-// beta = 100 makes 14 swings; 3 E/(2 T), what a pump costs where energy is x^4 alone, is within 5 %.
+// beta = 100 gives 14 oscillations; the estimate 3 E/(2 T), the cost of pumping with energy x^4 only, is
+// within 5 %.
 // oracle: rbf_inverse_extremals strong *
 TEST(Duffing, DescentFromPumpsReachesManySwings) {
   DuffingSettings settings;
@@ -178,13 +179,13 @@ TEST(Duffing, DescentFromPumpsReachesManySwings) {
   EXPECT_NEAR(e.solution.first()[3], 79.013716333203832, 1e-10 * 79);
   EXPECT_NEAR(e.cost, 1.5 * (2 + 12.5 + 100 * 625 / 4.) / 2, 0.05 * e.cost);
   EXPECT_LE(e.miss, 1e-9);
-  // Where T holds few swings no such starts are made.
+  // No such initial guesses are made if T contains few oscillations.
   settings.beta = 0.9;
   EXPECT_TRUE(duffing_starts(settings, starts).empty());
 }
 
-// The mean of x2^2 by which a pump is made: E for a linear spring, 4 E/3 for a cubic one. A start of strength
-// 1 therefore comes down to near rest in both.
+// The mean of x2^2 with which an oscillation is pumped: E for a linear spring, 4 E/3 for a cubic one. An
+// initial guess of strength 1 therefore ends near rest in both cases.
 TEST(Duffing, PumpBeginsNearRest) {
   for (const double beta : {0.0, 1000.0}) {
     DuffingSettings settings;
@@ -195,7 +196,7 @@ TEST(Duffing, PumpBeginsNearRest) {
     VectorXd z(4);
     start.states(0, z);
     const auto energy = [&](double x, double v) { return (x * x + v * v) / 2 + beta / 4 * x * x * x * x; };
-    // sqrt(E) falls in steps of one part in the number of swings, 6 and more.
+    // sqrt(E) decreases in steps of one over the number of oscillations, 6 or more.
     EXPECT_LE(std::sqrt(energy(z[0], z[1]) / energy(5, 2)), 0.1) << beta;
   }
 }

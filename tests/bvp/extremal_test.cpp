@@ -33,13 +33,13 @@ Start zeros(const ExtremalProblem& problem) {
   return constant_start(VectorXd::Zero(4), problem.own_parameters());
 }
 
-// Of x1' = x2, x2' = f - w^2 x1 - beta x1^3 and H = f^2/2 + lambda1 x2 + lambda2 x2', by hand.
+// Derivatives of x1' = x2, x2' = f - w^2 x1 - beta x1^3 and H = f^2/2 + lambda1 x2 + lambda2 x2', by hand.
 TEST(DualControl, DifferentiatesTheDuffingOscillator) {
   const DualControl<ControlledDuffing> model(ControlledDuffing{.frequency = 3});
   const double beta = 0.7, x1 = 1.25, x2 = -2, f = 0.5, l1 = 1.5, l2 = -0.25;
   const VectorXd x = Vector2d(x1, x2), u = VectorXd::Constant(1, f), lambda = Vector2d(l1, l2);
   const double acceleration = f - 9 * x1 - beta * x1 * x1 * x1, slope = -9 - 3 * beta * x1 * x1;
-  // A few roundings of numbers below 20.
+  // A few rounding errors of numbers below 20.
   const double few = 8 * 20 * 2.2e-16;
   LinearDynamics linear;
   model.linearise(0, x, u, beta, linear);
@@ -61,7 +61,7 @@ TEST(Extremal, OfAMassIsTheKnownParabola) {
   const ExtremalProblem problem = mass(rest_to_rest(T));
   const Extremal e = solve_extremal(problem, zeros(problem));
   ASSERT_TRUE(e.solution.status.ok()) << e.solution.status.text();
-  // Polynomials of degree 3: exact but for rounding.
+  // Polynomials of degree 3: exact up to rounding.
   EXPECT_NEAR(e.cost, 6 / (T * T * T), 1e-14);
   EXPECT_LE(e.miss, 1e-14);
   for (const double t : {0.0, 0.3, 1.1, 2.0}) {
@@ -70,7 +70,7 @@ TEST(Extremal, OfAMassIsTheKnownParabola) {
   }
   const SecondOrder second = second_order(problem, e.solution);
   EXPECT_EQ(second.kind, Kind::minimum);
-  // The cost is convex: integral |du|^2 itself, on directions that keep the end.
+  // The cost is convex: integral |du|^2 for directions that keep the end.
   EXPECT_NEAR(second.least, 1, 1e-10);
   EXPECT_THROW((void)second_order(problem, e.solution, 5), std::invalid_argument);
 }
@@ -89,7 +89,7 @@ TEST(Extremal, WithFreeFinalTimeTakesTheCheapest) {
 }
 
 TEST(Extremal, ThroughAWaypointJumpsInItsCostateOnly) {
-  // By symmetry to x(1) = 1/2 the free path already passes there: no jump. Through 0.8 there is one.
+  // By symmetry the free path passes x(1) = 1/2: no jump of the co-state. With the waypoint 0.8 there is one.
   for (const double value : {0.5, 0.8}) {
     ControlTask task = rest_to_rest(2);
     task.waypoints = {{1, 0, value}};
@@ -128,7 +128,7 @@ TEST(Extremal, BoundBelowFeasibilityIsInfeasible) {
 }
 
 TEST(Extremal, BoundedStateStaysWithinThePenaltysReach) {
-  // |v| <= 0.6 where the free path has 0.75.
+  // |v| <= 0.6, where the free path reaches 0.75.
   const ExtremalProblem problem = mass(rest_to_rest(2));
   const Extremal e = tighten(problem, zeros(problem), state_bound_path({{.component = 1, .high = 0.6}}, 1e4));
   ASSERT_TRUE(e.solution.status.ok()) << e.solution.status.text();

@@ -30,8 +30,9 @@ TEST(Ipopt, StartsTheFixedDuffingCase) {
   EXPECT_THROW((void)ipopt_start(problem, guess, {.pieces = 1}), std::invalid_argument);
 }
 
-// Another way to the six cases at T = 1 and 5: an interior-point method on the trapezoidal rule, from forces
-// and begins of its own. The extremals that it leads to cost no less than what the own starts find.
+// The six cases at T = 1 and 5 by an interior-point method on the trapezoidal rule, from other forces and
+// initial guesses. The extremals that it reaches do not cost less than those of the library's own initial
+// guesses.
 TEST(Ipopt, FindsNothingCheaper) {
   if (!ipopt_available()) GTEST_SKIP() << "no Ipopt in this build";
   using enum bvp::DuffingCase;

@@ -19,7 +19,7 @@ DuffingSettings settings_of(DuffingCase which) {
   return settings;
 }
 
-/// Errors of states and co-states at the nodes against the integrated solution, from the best extremal.
+/// Errors of states and co-states at the nodes of the best extremal, against the integrated solution.
 std::pair<double, double> errors(DuffingCase which, const GlobalMethod& given) {
   const DuffingSettings settings = settings_of(which);
   const ExtremalProblem problem = duffing_problem(settings);
@@ -34,7 +34,7 @@ std::pair<double, double> errors(DuffingCase which, const GlobalMethod& given) {
 }
 
 TEST(Printed, AccuracyIsThatOfTheShapeParameter) {
-  // With D in 60 digits: free 2.5e-5, fixed 2.0e-4 and 2.1e-3, x1x2 3.8e-5; recorded. To a fifth.
+  // Recorded with D in 60 digits: free 2.5e-5, fixed 2.0e-4 and 2.1e-3, x1x2 3.8e-5. Tolerance: a fifth.
   const GlobalMethod exact{.derivative = DerivativeMatrix::stable_gaussian};
   const double free = errors(DuffingCase::free, exact).first;
   EXPECT_NEAR(free, 2.5e-5, 5e-6);
@@ -45,8 +45,8 @@ TEST(Printed, AccuracyIsThatOfTheShapeParameter) {
   EXPECT_NEAR(fixed.first, 2.0e-4, 4e-5);
   EXPECT_NEAR(fixed.second, 2.1e-3, 4e-4);
   EXPECT_NEAR(errors(DuffingCase::x1x2, exact).first, 3.8e-5, 8e-6);
-  // As printed, D from a matrix of condition 4e17: the digits of D are lost to rounding, the error is not
-  // 1e-7.
+  // As printed, D comes from a matrix with the condition number 4e17: its digits are lost to rounding, and
+  // the error is not 1e-7.
   const double printed = errors(DuffingCase::free, {}).first;
   EXPECT_GT(printed, 1e-6);
   EXPECT_LT(printed, 1e-3);
@@ -55,7 +55,7 @@ TEST(Printed, AccuracyIsThatOfTheShapeParameter) {
 }
 
 TEST(Printed, RowsAreThoseOfTheText) {
-  // Eq. 5.25: own rows. Eq. 5.28: x2 and lambda1 at both ends.
+  // Eq. 5.25: separate rows. Eq. 5.28: x2 and lambda1 at both ends.
   const auto free = printed_rows(duffing_problem(settings_of(DuffingCase::free)));
   const auto fixed = printed_rows(duffing_problem(settings_of(DuffingCase::fixed)));
   for (int k = 0; k < 4; ++k) {
@@ -68,8 +68,8 @@ TEST(Printed, RowsAreThoseOfTheText) {
 }
 
 TEST(Printed, SpuriousRootsAreRefused) {
-  // Plain Newton at T = 2 from arbitrary guesses: 5 good, 22 spurious and 73 failures of 100 were counted for
-  // x2x1; recorded.
+  // Newton's iteration without damping at T = 2 from arbitrary guesses: recorded for x2x1 are 5 correct, 22
+  // spurious and 73 failed results of 100.
   const ExtremalProblem problem = duffing_problem(settings_of(DuffingCase::x2x1));
   const GlobalMethod method{.rows = printed_rows(problem)};
   int spurious = 0;
@@ -112,7 +112,8 @@ TEST(Printed, DerivativeOfTheEquationsMatchesDifferences) {
   EXPECT_LE((b.transpose() * v - transposed).norm(), 1e-12 * transposed.norm());
 }
 
-// x1' = x2 and lambda2' = -lambda1 are linear with constants: Newton's steps in the other unknowns stay.
+// x1' = x2 and lambda2' = -lambda1 are linear with constant coefficients: Newton's steps of the other
+// unknowns preserve them.
 TEST(Condensed, TakesTheSameStepsWithHalfTheUnknowns) {
   for (const DuffingCase which : {DuffingCase::free, DuffingCase::fixed, DuffingCase::x1x2}) {
     const ExtremalProblem problem = duffing_problem(settings_of(which));
@@ -133,7 +134,7 @@ TEST(Condensed, TakesTheSameStepsWithHalfTheUnknowns) {
       condensed.linearise(some);
       condensed.matrix(c);
       some -= c.partialPivLu().solve(g);
-      // Conditions of some 1e5 times rounding, and what iterates that wander magnify.
+      // Condition numbers of about 1e5 times rounding, and the amplification by diverging iterates.
       EXPECT_LE((condensed.expanded(some) - all).norm(), 1e-8 * (1 + all.norm()))
           << to_string(which) << ", step " << k;
     }

@@ -32,7 +32,8 @@ struct Bratu {
 
 /// theta of the lower (or upper) solution by bisection.
 inline double bratu_theta(double mu, bool upper) {
-  // theta/cosh(theta/4) rises to theta = 4.7987145..., where tanh(theta/4) theta/4 = 1, and falls beyond.
+  // theta/cosh(theta/4) increases up to theta = 4.7987145..., where tanh(theta/4) theta/4 = 1, and decreases
+  // beyond.
   constexpr double turn = 4.79871456103;
   double a = upper ? turn : 0, b = upper ? 40 : turn;
   for (int k = 0; k < 200; ++k) {
@@ -47,7 +48,7 @@ inline double bratu_exact(double t, double theta) {
   return -2 * std::log(std::cosh((t - 0.5) * theta / 2) / std::cosh(theta / 4));
 }
 
-/// A mass pushed from rest at 0 to rest at 1 with J = integral (u^2/2 + price): without bound u = 6/T^2 (1 -
+/// A mass moved from rest at 0 to rest at 1 with J = integral (u^2/2 + price): without bound u = 6/T^2 (1 -
 /// 2t/T), J = 6/T^3 + price T; the cheapest T for price 1 is 18^(1/4). |u| <= m is feasible for m >= 4/T^2.
 struct Mass {
   static constexpr int states = 2, controls = 1;

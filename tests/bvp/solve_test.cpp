@@ -14,7 +14,7 @@ using tests::Bratu;
 
 Start zeros(int n) { return constant_start(VectorXd::Zero(n)); }
 
-/// max |x1 - exact| at many times, the nodes not preferred.
+/// max |x1 - exact| at many times that are not nodes.
 double error_of(const Solution& s, double theta) {
   double worst = 0;
   for (int i = 0; i <= 50; ++i) {
@@ -33,7 +33,7 @@ TEST(Solve, FindsBratusLowerAndUpperSolution) {
   EXPECT_LE(error_of(lower, tests::bratu_theta(mu, false)), 1e-8);
   EXPECT_LE(lower.residual, 1e-9);
   EXPECT_LE(lower.integration_error,
-            1e-12);  // ends of intervals are superconvergent, the integration has 1e-13
+            1e-12);  // ends of intervals are superconvergent; the integration is accurate to 1e-13
   const Start high{[](double t, VectorXd& x) { x << 12 * t * (1 - t), 12 - 24 * t; }};
   const Solution upper = solve(problem, high);
   ASSERT_TRUE(upper.status.ok()) << upper.status.text();
@@ -71,8 +71,8 @@ double observed_order(int nodes, int intervals) {
 }
 
 TEST(Solve, HasTheOrdersOfItsScheme) {
-  // Errors of the finer mesh are above 1e-11, so rounding does not blur them; half an order for the next
-  // term.
+  // Errors of the finer mesh exceed 1e-11, so rounding does not matter; tolerance of half an order for the
+  // next term.
   EXPECT_NEAR(observed_order(3, 4), 4, 0.5);  // 2N - 2
   EXPECT_NEAR(observed_order(4, 2), 6, 0.7);
 }
@@ -154,7 +154,7 @@ TEST(Solve, TellsContradictoryFromRepeatedAndFromSingular) {
   EXPECT_NE(contradictory.sentence().find("contradict"), std::string::npos);
   const Status repeated = outcome({.a = 1, .b = 1, .both_at_begin = true});
   EXPECT_EQ(repeated.outcome(), Outcome::singular_matrix) << repeated.text();
-  // Half a period: x(pi) = -x(0) whatever the slope.
+  // Half a period: x(pi) = -x(0) for any slope.
   const Status half = outcome({.length = std::numbers::pi, .a = 0, .b = 1});
   EXPECT_EQ(half.outcome(), Outcome::singular_matrix) << half.text();
   EXPECT_TRUE(outcome({.length = 3, .a = 0, .b = 1}).ok());
@@ -171,7 +171,7 @@ RC_GTEST_PROP(SolveLinear, MatchesTheClosedForm, ()) {
 }
 
 TEST(Solve, RefusesASpuriousRoot) {
-  // Upper solution of Bratu at small mu has a peak that 4 nodes on one interval do not see.
+  // Bratu's upper solution at small mu has a peak that 4 nodes on one interval do not resolve.
   const DualProblem problem(Bratu{0.05});
   const Start high{[](double t, VectorXd& x) { x << 40 * t * (1 - t), 40 - 80 * t; }};
   const Solution s = solve(problem, high, {.nodes = 4, .intervals = 1, .refine = false});

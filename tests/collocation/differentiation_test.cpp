@@ -20,7 +20,7 @@ constexpr double period = 4.7680220291024608;  // of the free Duffing oscillator
 double exact_condition(int n, double shape) {
   const RadialBasis<Real> basis(lgl_times(n).cast<Real>(), Kernel::gaussian, Real(shape));
   const auto largest = [n](const Matrix<Real>& M) {
-    // All positive for Phi; of alternating signs, as the most oscillating eigenvector has, for its inverse.
+    // All positive for Phi; alternating signs, as of the most oscillating eigenvector, for its inverse.
     Vector<Real> v(n);
     for (int i = 0; i < n; ++i) v[i] = M(0, 1) > 0 || i % 2 == 0 ? 1 : -1;
     Real norm = 0;
@@ -34,8 +34,8 @@ double exact_condition(int n, double shape) {
   return oracle::to_double(largest(basis.values()) * largest(basis.inverse()));
 }
 
-// Reciprocals: the distance to the nearest singular matrix, as a part of the largest eigenvalue. 4e-16 as
-// promised: half an eps for the rounded entries of Phi, the rest for the computation of eigenvalues.
+// Reciprocals: the distance from the nearest singular matrix, relative to the largest eigenvalue. 4e-16 as
+// documented: half an eps for the rounded entries of Phi, the rest for the eigenvalues.
 TEST(Differentiation, KnowsItsCondition) {
   for (const auto& [n, shape] : {std::pair{2, 1e-6},
                                  {3, 0.01},
@@ -54,9 +54,9 @@ TEST(Differentiation, KnowsItsCondition) {
   }
 }
 
-// Findings of a study before this code, for the published runs: N = 7 with c = 0.77 on P/10 has 9.5e12, N =
-// 35 with c h = 8.5 has 1.3e15, N = 7 with c = 0.35 on 0.625 has 5.5e15. Half a unit of the last digit, and
-// what rounding may do to a condition number.
+// Recorded values for the published runs: N = 7 with c = 0.77 on P/10 has 9.5e12, N = 35 with c h = 8.5 has
+// 1.3e15, N = 7 with c = 0.35 on 0.625 has 5.5e15. Tolerance: half a unit of the last digit, and the effect
+// of rounding on a condition number.
 TEST(Differentiation, HasTheConditionsOfThePublishedRuns) {
   struct Published {
     int n;
@@ -72,8 +72,8 @@ TEST(Differentiation, HasTheConditionsOfThePublishedRuns) {
   }
 }
 
-// The same: "|D 1| = 5e-8 (N = 7, 0.367), 6.6e-5 (N = 35, 8.5)". Radial functions do not reproduce constants.
-// The second is the outcome of a matrix known to 20 %; rounding is left 10 %.
+// Recorded: "|D 1| = 5e-8 (N = 7, 0.367), 6.6e-5 (N = 35, 8.5)". Radial functions do not reproduce constants.
+// The second value comes from a matrix with an error of 20 %; tolerance for rounding: 10 %.
 TEST(Differentiation, OfAConstantIsNotZero) {
   const auto of_one = [](int n, double shape) {
     const Eigen::MatrixXd D = radial_differentiation(lgl_times(n), Kernel::gaussian, shape).matrix;
@@ -99,9 +99,9 @@ double arc_error(const Eigen::MatrixXd& D, double t0, double h) {
   return (D * x / h - v).cwiseAbs().maxCoeff() / v.cwiseAbs().maxCoeff();
 }
 
-// Findings of a study before this code: relative error of D x on an arc of length P/10, for N = 7. They do
-// not say where the arc begins; at 0.17 P all six numbers come out, which is one free number against six.
-// Half a unit of the last digit, and 2 % for the place.
+// Recorded: relative error of D x on an arc of length P/10, for N = 7. The start of the arc is not recorded;
+// with 0.17 P all six numbers agree, one parameter for six values. Tolerance: half a unit of the last digit,
+// and 2 % for the start.
 TEST(Differentiation, OfADuffingArcHasTheErrorsFoundBefore) {
   struct Found {
     double shape, error, half_digit;
@@ -115,14 +115,14 @@ TEST(Differentiation, OfADuffingArcHasTheErrorsFoundBefore) {
   }
 }
 
-// The same: at N = 35, c h = 6 the inverse is wrong by 240 % where the solution is to 6 digits.
+// At N = 35, c h = 6 the inverse has an error of 240 %, the solution 6 digits.
 TEST(Differentiation, ByTheInverseLosesAllDigits) {
   const auto error = [](Inversion inversion) {
     return arc_error(radial_differentiation(lgl_times(35), Kernel::gaussian, 6, inversion).matrix, 0, period);
   };
   EXPECT_LT(error(Inversion::solve), 1e-5);
   EXPECT_GT(error(Inversion::inverse), 0.1);
-  // Where the condition is moderate, both are the same but for condition * eps.
+  // For a moderate condition number both agree to condition * eps.
   const Eigen::VectorXd times = lgl_times(7);
   const Differentiation solved = radial_differentiation(times, Kernel::gaussian, 2);
   const Differentiation inverted = radial_differentiation(times, Kernel::gaussian, 2, Inversion::inverse);
@@ -130,8 +130,8 @@ TEST(Differentiation, ByTheInverseLosesAllDigits) {
   EXPECT_GT((solved.matrix - inverted.matrix).norm(), 0);
 }
 
-// The eigenvalues of wide functions fall as (c h)^(2k), times numbers that fall as well: below 1e-16 from k =
-// 2 on for c h = 1e-6, from k = 3 on for 1e-3.
+// The eigenvalues of wide functions decrease as (c h)^(2k), times decreasing numbers: below 1e-16 from k = 2
+// on for c h = 1e-6, from k = 3 on for 1e-3.
 TEST(Differentiation, CountsTheFunctionsThatCanBeToldApart) {
   const auto rank = [](int n, double shape) {
     return radial_differentiation(lgl_times(n), Kernel::gaussian, shape).rank;
@@ -157,7 +157,7 @@ TEST(Differentiation, SaysWhatIsWrongAtBothEnds) {
             "overlap: slopes are wrong by 100 %; choose a smaller shape");
   EXPECT_EQ(narrow.matrix, Eigen::MatrixXd::Zero(7, 7));
 
-  // Equal to 1 everywhere: the second pivot is zero.
+  // All functions equal 1: the second pivot is zero.
   const Differentiation flat = radial_differentiation(lgl_times(7), Kernel::gaussian, 1e-9);
   EXPECT_EQ(flat.status.outcome(), Outcome::singular_matrix);
   EXPECT_EQ(flat.matrix.size(), 0);
@@ -168,7 +168,7 @@ TEST(Differentiation, SaysWhatIsWrongAtBothEnds) {
   EXPECT_EQ(huge.matrix.size(), 0);
 }
 
-// Lost to rounding by the naive inverse alone: the advice is not to make the functions narrower still.
+// Only the explicit inverse loses its digits: the message does not advise narrower functions.
 TEST(Differentiation, TellsRoundingFromNarrowness) {
   const Differentiation d = radial_differentiation(lgl_times(35), Kernel::gaussian, 4, Inversion::inverse);
   EXPECT_GT(d.slope_error, 0.5);
@@ -181,7 +181,7 @@ double error_for_exponential(const Eigen::MatrixXd& D, const Eigen::VectorXd& ti
   return (D * x - x).cwiseAbs().maxCoeff() / x.maxCoeff();
 }
 
-// Never NaN; a success means a matrix of use, a failure has a sentence that names the shape.
+// Never NaN; after a success the matrix is usable, a failure has a message that names the shape.
 void expect_sense(int n, Kernel kernel, double shape) {
   const Eigen::VectorXd times = lgl_times(n);
   const Differentiation d = radial_differentiation(times, kernel, shape);
@@ -192,7 +192,7 @@ void expect_sense(int n, Kernel kernel, double shape) {
   EXPECT_GE(d.rank, 1) << place;
   if (d.status.ok()) {
     ASSERT_EQ(d.matrix.rows(), n) << place;
-    // The exponential is a line of slope 1 and a curved rest of the same size: half, and as much again.
+    // The exponential is a line of slope 1 and a curved remainder of the same size: errors of 0.5 to 1.5.
     EXPECT_LT(error_for_exponential(d.matrix, times), 1) << place;
   } else {
     EXPECT_TRUE(tests::holds(d.status.sentence(), "shape")) << place;
@@ -208,7 +208,7 @@ TEST(Differentiation, MakesSenseForEveryShape) {
   }
 }
 
-// The unit of time does not matter, and neither does the origin.
+// The result does not depend on the unit and the origin of time.
 TEST(Differentiation, DependsOnShapeTimesLengthAlone) {
   const Differentiation one = radial_differentiation(lgl_times(7), Kernel::inverse_quadratic, 2);
   const Differentiation scaled =
@@ -217,7 +217,7 @@ TEST(Differentiation, DependsOnShapeTimesLengthAlone) {
   EXPECT_EQ(one.condition, scaled.condition);
   const Eigen::VectorXd later = lgl_times(7).array() + 1000;
   const Differentiation shifted = radial_differentiation(later, Kernel::inverse_quadratic, 2);
-  // The nodes are rounded by 1000 eps/2.
+  // Rounding of the nodes: 1000 eps/2.
   EXPECT_LE((one.matrix - shifted.matrix).norm(), 1000 * eps * one.condition * one.matrix.norm());
   EXPECT_NEAR(one.slope_error, shifted.slope_error, 1e-6);
 }

@@ -30,7 +30,7 @@ double error_of(const Eigen::MatrixXd& S, const Matrix<Real>& exact) {
   return to_double((S.cast<Real>() - exact).cwiseAbs().maxCoeff());
 }
 
-// 1e-15 is promised.
+// Documented error bound: 1e-15.
 TEST(IntegrationMatrix, IsExactToTheLastDigits) {
   for (const int n : {2, 3, 7, 35}) {
     for (const NodeFamily family : oracle::families) {
@@ -45,8 +45,8 @@ TEST(IntegrationMatrix, IsExactToTheLastDigits) {
   EXPECT_LE(error_of(integration_matrix(many), exact_integration_matrix(many)), 1e-15);
 }
 
-// The sum of |P_k| times the promised 1e-15: at most 200 of them, in reference far fewer as |P_199| is mostly
-// small.
+// The sum of |P_k| times the documented 1e-15: at most 200 of them, in practice far fewer because |P_199| is
+// mostly small.
 TEST(IntegrationMatrix, HoldsFor200Nodes) {
   for (const NodeFamily family : oracle::families) {
     const Eigen::VectorXd tau = nodes(family, 200);
@@ -90,7 +90,7 @@ TEST(Quadrature, IsNotExactBeyondItsDegree) {
   }
 }
 
-// The quadrature formula of Radau needs no left end.
+// Radau's quadrature formula does not use the left end.
 TEST(Quadrature, OfRadauHasNoWeightAtTheLeftEnd) {
   for (const int n : {3, 7, 35, 100}) {
     const Eigen::VectorXd tau = left_end_and_radau(n);
@@ -98,7 +98,7 @@ TEST(Quadrature, OfRadauHasNoWeightAtTheLeftEnd) {
   }
 }
 
-// Differentiated and integrated again, a polynomial of degree < n is back but for its value at -1.
+// Differentiation and integration return a polynomial of degree < n, except for its value at -1.
 TEST(IntegrationMatrix, UndoesDifferentiation) {
   for (const NodeFamily family : oracle::families) {
     for (const int n : {2, 3, 7, 35, 100, 200}) {

@@ -1,4 +1,4 @@
-/// Nodes, and polynomials through them: weights, differentiation, values between.
+/// Nodes, and interpolating polynomials: weights, differentiation, values between the nodes.
 #include "nlmech/collocation/nodes.hpp"
 
 #include <gtest/gtest.h>
@@ -20,8 +20,8 @@ using namespace oracle;
 
 const std::vector<int> counts = {2, 3, 5, 7, 16, 35, 64, 100, 200};
 
-// A change of sign between x - delta and x + delta proves that a zero lies within delta of x. As the brackets
-// do not overlap, and there are as many as zeros, each node is its own zero.
+// A sign change between x - delta and x + delta proves that a zero is within delta of x. The brackets are
+// disjoint and as many as the zeros, so each node has its own zero.
 template <class T>
 void expect_zeros(const Vector<T>& zeros, double delta, const std::function<Real(const Real&)>& f) {
   for (Eigen::Index j = 0; j < zeros.size(); ++j) {
@@ -33,7 +33,7 @@ void expect_zeros(const Vector<T>& zeros, double delta, const std::function<Real
   }
 }
 
-// 2e-16: as the headers promise, one unit in the last place of numbers between 1/2 and 1.
+// 2e-16, as documented: one unit in the last place of numbers between 1/2 and 1.
 TEST(Nodes, AreTheZerosToTheLastDigit) {
   for (const int n : counts) {
     expect_zeros<double>(legendre_gauss(n), 2e-16, [n](const Real& x) { return legendre(n, x).value; });
@@ -120,15 +120,15 @@ TEST(BarycentricWeights, OfChebyshevNodesAreKnown) {
     weights /= 2 * weights[n - 1];
     for (int j = 0; j < n; ++j) {
       const double exact = ((n - 1 - j) % 2 == 0 ? 1 : -1) * (j == 0 || j == n - 1 ? 0.5 : 1.);
-      // 2 n units in the last place, for the last weight too; and nodes that are 1e-16 off, at distances of
-      // about 5/n^2 near the ends.
+      // 2 n units in the last place, also for the last weight; and errors of the nodes of 1e-16, at distances
+      // of about 5/n^2 near the ends.
       EXPECT_NEAR(weights[j], exact, 4 * n * eps + n * n * 2e-16 / 5) << j << " of " << n;
     }
   }
 }
 
-// A product of n - 1 factors with three roundings each, of which the promise is that they do not all go one
-// way.
+// A product of n - 1 factors with three rounding errors each; the documented bound assumes that they do not
+// all have the same sign.
 TEST(BarycentricWeights, KeepTheirDigits) {
   for (const NodeFamily family : oracle::families) {
     for (const int n : {2, 7, 35, 200}) {
@@ -144,7 +144,7 @@ TEST(BarycentricWeights, KeepTheirDigits) {
   }
 }
 
-// A sum of n products that are known to within 2 n units in the last place each.
+// A sum of n products, each accurate to 2 n units in the last place.
 RC_GTEST_PROP(PolynomialDifferentiation, IsExactForPolynomials, ()) {
   const NodeFamily family = *rc::gen::elementOf(oracle::families);
   const int n = *rc::gen::inRange(2, 101), k = *rc::gen::inRange(0, n);
@@ -170,8 +170,8 @@ TEST(PolynomialDifferentiation, HoldsFor200Nodes) {
   }
 }
 
-// Findings of a study before this code: |D 1| of LGL nodes on an interval of length 1. It is all rounding,
-// and depends on the order of a sum: a factor 4.
+// Recorded values of |D 1| of LGL nodes on an interval of length 1: rounding errors only, which depend on the
+// order of a sum; a factor of 4.
 TEST(PolynomialDifferentiation, OfAConstantIsZero) {
   for (const auto& [n, measured] :
        std::map<int, double>{{7, 2e-15}, {35, 6e-14}, {60, 3.5e-13}, {100, 1.9e-12}}) {
@@ -224,8 +224,8 @@ TEST(PolynomialRow, DoesNotOverflowNextToANode) {
   }
 }
 
-// Inside, sum |r_k| < 5: the Lebesgue constants of these nodes, which grow as 2/pi log n. Times n eps for
-// each entry, of 2 n roundings that do not all go one way.
+// Inside, sum |r_k| < 5: the Lebesgue constants of these nodes grow as 2/pi log n. Times n eps for each
+// entry, with 2 n rounding errors of different signs.
 RC_GTEST_PROP(PolynomialRow, ReproducesPolynomialsInside, ()) {
   const NodeFamily family = *rc::gen::elementOf(oracle::families);
   const int n = *rc::gen::inRange(2, 201), k = *rc::gen::inRange(0, n);
@@ -238,7 +238,7 @@ RC_GTEST_PROP(PolynomialRow, ReproducesPolynomialsInside, ()) {
   RC_ASSERT(std::abs(row.dot(p) - to_double(legendre(k, Real(t)).value)) <= 5 * n * eps);
 }
 
-// Outside each entry is a product of known factors, and keeps its digits however large it grows.
+// Outside, each entry is a product of accurate factors and keeps its digits for any size.
 RC_GTEST_PROP(PolynomialRow, KeepsItsDigitsOutside, ()) {
   const NodeFamily family = *rc::gen::elementOf(oracle::families);
   const int n = *rc::gen::inRange(2, 41);

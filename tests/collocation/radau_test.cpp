@@ -1,5 +1,4 @@
-// The method Radau IIA as tables: what its matrices must do, the coordinates in which it decouples, and
-// Gaussians.
+// Tables of Radau IIA: conditions on its matrices, the coordinates in which it decouples, and Gaussians.
 #include "nlmech/collocation/radau/radau.hpp"
 
 #include <gtest/gtest.h>
@@ -47,7 +46,7 @@ TYPED_TEST(Tables, IntegratePowers) {
   }
 }
 
-// Values at the start and coefficients of Legendre polynomials, of P_k itself.
+// Values at the start and Legendre coefficients of P_k.
 TYPED_TEST(Tables, KnowLegendrePolynomials) {
   constexpr int s = TypeParam::count;
   const Radau<s>& r = radau<s>();
@@ -65,8 +64,8 @@ class Transforms : public ::testing::Test {};
 using Odd = ::testing::Types<Stages<3>, Stages<5>, Stages<7>>;
 TYPED_TEST_SUITE(Transforms, Odd);
 
-// T^-1 A^-1 T is a number and blocks (alpha, -beta; beta, alpha); rounding grows with the conditions of A and
-// T.
+// T^-1 A^-1 T consists of a number and blocks (alpha, -beta; beta, alpha); the rounding error is proportional
+// to the condition numbers of A and T.
 TYPED_TEST(Transforms, DecoupleTheStages) {
   constexpr int s = TypeParam::count;
   const RadauTransform<s>& t = radau_transform<s>();
@@ -106,14 +105,14 @@ TYPED_TEST(Transforms, DefectsAreCarriedToTheEnd) {
         };
         const Complex a = integral(1024), b = integral(2048), c = integral(4096);
         const Complex ab = (4. * b - a) / 3., bc = (4. * c - b) / 3., exact = (16. * bc - ab) / 15.;
-        // As NewtonSteps forms it, for J = z and h = 1; the part of a pair is real there, its double here.
+        // As in NewtonSteps, for J = z and h = 1; the part of a pair is real there and complex here.
         Complex found = (defect.begin[0] * r(0) + defect.inner[0] * r(defect.inner_time)) / (t.real - z);
         for (int p = 0; p < RadauTransform<s>::pairs; ++p) {
           const auto k = static_cast<std::size_t>(p);
           const Complex w = (defect.begin[k + 1] * r(0) + defect.inner[k + 1] * r(defect.inner_time)) / 2.;
           found += w / (t.complex[k] - z) + std::conj(w) / (std::conj(t.complex[k]) - z);
         }
-        // The sum of fractions cancels: their weights, some hundreds, times eps.
+        // The sum of fractions cancels: tolerance eps times their weights, some hundreds.
         const double least = 1e-12;
         EXPECT_GT(std::abs(found) + least, std::abs(exact) / 4) << s << ' ' << power << ' ' << z;
         EXPECT_LT(std::abs(found), std::max(2., size / 5) * std::abs(exact) + least)
@@ -123,7 +122,8 @@ TYPED_TEST(Transforms, DefectsAreCarriedToTheEnd) {
   }
 }
 
-// Three stages have eigenvalues that are known: of s^3 - 9 s^2 + 36 s - 60 (Hairer and Wanner, section IV.8).
+// Three stages have known eigenvalues: the roots of s^3 - 9 s^2 + 36 s - 60 (Hairer and Wanner, section
+// IV.8).
 TEST(Transforms3, CharacteristicPolynomial) {
   const RadauTransform<3>& t = radau_transform<3>();
   const auto p = [](std::complex<double> z) { return ((z - 9.) * z + 36.) * z - 60.; };
@@ -136,7 +136,7 @@ TEST(Transforms3, CharacteristicPolynomial) {
 using Real = ExtendedReal<150>;
 using RealMatrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
 
-// A = (D without the start)^-1 in 150 digits, from Phi and Phi' as they are defined.
+// A = (D without the start)^-1 in 150 digits, from the definitions of Phi and Phi'.
 template <int s>
 RealMatrix integral(double shape) {
   const Radau<s>& radau_tables = radau<s>();
@@ -155,8 +155,8 @@ RealMatrix integral(double shape) {
   return derivative.bottomRightCorner(s, s).partialPivLu().inverse();
 }
 
-// D is within 1e-12 of its largest entry (StableGaussian); an inverse enlarges that by its condition, some
-// s^2.
+// D is accurate to 1e-12 of its largest entry (StableGaussian); its inverse amplifies that by its condition
+// number, about s^2.
 TEST(GaussianRadau, AgreesWithExtendedPrecision) {
   for (const double shape : {0.05, 0.5, 2.0, 6.0}) {
     Radau<8> tables;

@@ -26,7 +26,7 @@ struct Setting {
 const std::vector<Setting> settings = {{2, 1e-6}, {2, 1},  {3, 0.01}, {7, 0.5}, {7, 1},
                                        {7, 4},    {15, 4}, {35, 12},  {35, 40}};
 
-/// The residual of D Phi = Phi' in 50 digits shows that the D of 50 digits is one, whatever its algorithm.
+/// The residual of D Phi = Phi' in 50 digits verifies the D of 50 digits independently of its algorithm.
 TEST(RadialBasis, DifferentiatesItsFunctions) {
   for (const Kernel kernel : kernels) {
     const RadialBasis<Real> basis(lgl_times(7).cast<Real>(), kernel, Real(1));
@@ -44,7 +44,8 @@ TEST(RadialBasis, DifferentiatesItsFunctions) {
   }
 }
 
-// A relative error of a few condition * eps: 4, as the entries of Phi and Phi' have a few roundings each.
+// A relative error of a few condition * eps: 4, because the entries of Phi and Phi' have a few rounding
+// errors each.
 TEST(RadialBasis, LosesDigitsInProportionToTheCondition) {
   for (const Kernel kernel : kernels) {
     for (const auto& [n, shape] : settings) {
@@ -81,8 +82,8 @@ TEST(RadialBasis, RowInterpolates) {
   }
 }
 
-// By definition r Phi = phi(t): at a node a row of the unit matrix, and for the functions themselves their
-// values.
+// By definition r Phi = phi(t): at a node r is a row of the unit matrix, and r gives the values of the
+// functions.
 TEST(RadialBasis, RowMeetsTheFunctionsBetweenTheNodes) {
   const Vector<Real> times = lgl_times(7).cast<Real>();
   for (const Kernel kernel : kernels) {
@@ -155,7 +156,8 @@ RC_GTEST_PROP(Kernels, AreThoseOfEq48, ()) {
   const double r = *rc::gen::inRange(-10000, 10001) / 1000. / c, u2 = (c * r) * (c * r);
   for (const Kernel kernel : kernels) {
     const Real exact = eq_4_8(kernel, Real(c), Real(r));
-    // The promised units in the last place; the square of c r has an error of its own in the exponent.
+    // The documented units in the last place; the square of c r has a rounding error of its own in the
+    // exponent.
     const double growth = kernel == Kernel::gaussian ? 1 + u2 : 1;
     RC_ASSERT(abs(Real(phi(kernel, c, r)) - exact) <= 4 * eps * growth * abs(exact));
 
@@ -202,7 +204,7 @@ TEST(Basis, StandsOnTheUnitInterval) {
   }
 }
 
-// t^8 at nine nodes: derivative and values between come out to rounding, magnified by the norm of D (at most
+// t^8 at nine nodes: derivative and values in between are accurate to rounding, times the norm of D (at most
 // 100).
 TEST(Basis, PolynomialsAreExactUpToTheirDegree) {
   const Basis basis = Basis::polynomial(NodeFamily::left_end_and_radau, 9);
@@ -212,7 +214,7 @@ TEST(Basis, PolynomialsAreExactUpToTheirDegree) {
     EXPECT_NEAR(basis.row(tau).dot(x), std::pow(tau, 8), 10 * eps) << tau;
 }
 
-// A sum of the functions themselves is in their span: exp(-(c t)^2) about the first node.
+// A sum of the functions is in their span: exp(-(c t)^2) about the first node.
 TEST(Basis, RadialFunctionsAreExactOnTheirSpan) {
   constexpr double c = 2.5;
   const Basis basis = Basis::radial(NodeFamily::legendre_gauss_lobatto, 7, Kernel::gaussian, c);

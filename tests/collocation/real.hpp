@@ -1,5 +1,5 @@
 /// @file
-/// 50 digits for the tests of collocation, and Legendre polynomials in them by their own recurrences.
+/// 50 digits for the tests of collocation, and Legendre polynomials by separate recurrences.
 #pragma once
 
 #include <array>
@@ -45,7 +45,7 @@ inline Real legendre_integral(int k, const Real& x) {
   return (legendre(k + 1, x).value - legendre(k - 1, x).value) / Real(2 * k + 1);
 }
 
-/// f at every node, exact but for one rounding.
+/// f at every node, with one rounding error.
 template <class F>
 Eigen::VectorXd sample(const Eigen::VectorXd& nodes, F&& f) {
   Eigen::VectorXd values(nodes.size());

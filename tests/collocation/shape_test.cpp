@@ -1,4 +1,4 @@
-/// The choice of a shape: leaving one out, the rule of thumb, and the least error of a known slope.
+/// Choice of a shape parameter: leave-one-out cost, rule of thumb, and the smallest error of a known slope.
 
 #include <gtest/gtest.h>
 
@@ -13,8 +13,7 @@ namespace {
 
 using namespace oracle;
 
-// What Eqs 4.18 and 4.20 abbreviate, done at length: leave node i out, interpolate the others, look at node
-// i.
+// Eqs 4.18 and 4.20 by their definition: omit node i, interpolate at the others, evaluate at node i.
 double cost_by_leaving_out(const Eigen::VectorXd& times, Kernel kernel, double shape) {
   const RadialBasis<double> all(times, kernel, shape);
   const Eigen::MatrixXd data = all.derivatives().transpose();
@@ -36,14 +35,14 @@ TEST(LeaveOneOutCost, IsTheErrorAtTheNodesLeftOut) {
   for (const Kernel kernel : {Kernel::gaussian, Kernel::inverse_quadratic, Kernel::multiquadric}) {
     for (const double shape : {3., 10.}) {
       const double exact = cost_by_leaving_out(lgl_times(7), kernel, shape);
-      // Conditions are below 1e4 here; the cost is of the size of the data.
+      // Condition numbers are below 1e4 here; the cost is of the size of the data.
       EXPECT_NEAR(leave_one_out_cost(lgl_times(7), kernel, shape) / exact, 1, 1e4 * 10 * eps)
           << to_string(kernel) << ' ' << shape;
     }
   }
 }
 
-// Findings of a study before this code: 1e-17 for n = 7 and c h = 80, where D is 0 and the error is 100 %.
+// Recorded: 1e-17 for n = 7 and c h = 80, where D is 0 and the error is 100 %.
 TEST(LeaveOneOutCost, IsDegenerateForNarrowFunctions) {
   const double cost = leave_one_out_cost(lgl_times(7), Kernel::gaussian, 80);
   EXPECT_GT(cost, 0.5e-17);
@@ -58,7 +57,7 @@ TEST(LeaveOneOutCost, IsNeverNaN) {
       EXPECT_GE(cost, 0) << n << ' ' << exponent;
     }
   }
-  // All functions are 1: no inverse.
+  // All functions equal 1: there is no inverse.
   EXPECT_EQ(leave_one_out_cost(lgl_times(7), Kernel::gaussian, 1e-9), INFINITY);
 }
 
@@ -86,7 +85,7 @@ Sampled sampled(int n, F&& f, G&& slope) {
   return s;
 }
 
-// A Gaussian at a node is in the span for its own shape and for no other: the error vanishes there.
+// A Gaussian at a node is in the span only for its own shape: the error is zero there.
 TEST(ChooseShape, FindsTheShapeOfAGaussian) {
   const double c = 2.3, centre = lgl_times(7)[2];
   const Sampled s = sampled(
@@ -98,7 +97,7 @@ TEST(ChooseShape, FindsTheShapeOfAGaussian) {
   EXPECT_LE(choice.error, slope_error(s, 0));
 }
 
-// Polynomials of degree < n are differentiated exactly at c = 0 alone.
+// Polynomials of degree < n are differentiated exactly for c = 0 only.
 TEST(ChooseShape, PrefersPolynomialsForPolynomials) {
   const Sampled s = sampled(
       6, [](double t) { return 1 + t * t * t; }, [](double t) { return 3 * t * t; });
@@ -107,7 +106,7 @@ TEST(ChooseShape, PrefersPolynomialsForPolynomials) {
   EXPECT_LT(choice.error, 100 * eps);
 }
 
-// Never worse than any of its candidates.
+// Not worse than any of its candidates.
 TEST(ChooseShape, IsTheLeastOfItsSamples) {
   const Sampled s = sampled(
       9, [](double t) { return std::sin(5 * t + 1); }, [](double t) { return 5 * std::cos(5 * t + 1); });
@@ -133,7 +132,7 @@ TEST(ChooseShape, RefusesWhatItCannotSearch) {
   EXPECT_EQ(refusal([&] { (void)slope_error(s, 1); }), "slope_error: 5 times have 5 values and 3 slopes");
 }
 
-// The definition with 50 digits, at conditions that they bear.
+// The definition in 50 digits, for condition numbers that they allow.
 TEST(ExactLeaveOneOutCost, IsTheCostWithoutRounding) {
   for (const int n : {3, 7, 15}) {
     for (const double shape : {0.5, 2., 8.}) {

@@ -1,4 +1,4 @@
-/// Gaussians that stay well conditioned, and the numbers of wide range that they are made with.
+/// Well-conditioned Gaussians, and the numbers of wide range that they need.
 #include "nlmech/collocation/radial/stable_gaussian.hpp"
 
 #include <gtest/gtest.h>
@@ -20,8 +20,8 @@ using namespace oracle;
 
 Eigen::VectorXd times_of(NodeFamily family, int n) { return (nodes(family, n).array() + 1) / 2; }
 
-/// Rows of D at the times @p at: rows of Phi' times Phi^-1, by the factors L D L^T of Phi with so many
-/// digits, in double. Nothing if a pivot leaves fewer than 25 of the digits.
+/// Rows of D at the times @p at: rows of Phi' times Phi^-1, by the factors L D L^T of Phi in the given number
+/// of digits, rounded to double. Empty if a pivot leaves fewer than 25 digits.
 template <unsigned digits>
 std::optional<Eigen::MatrixXd> exact_rows(const Eigen::VectorXd& times, double shape,
                                           const std::vector<double>& at) {
@@ -61,7 +61,7 @@ std::optional<Eigen::MatrixXd> exact_rows(const Eigen::VectorXd& times, double s
   return rows;
 }
 
-/// As many digits as it takes.
+/// With as many digits as needed.
 Eigen::MatrixXd exact(const Eigen::VectorXd& times, double shape, const std::vector<double>& at) {
   if (const auto rows = exact_rows<60>(times, shape, at)) return *rows;
   if (const auto rows = exact_rows<150>(times, shape, at)) return *rows;
@@ -69,7 +69,7 @@ Eigen::MatrixXd exact(const Eigen::VectorXd& times, double shape, const std::vec
   return exact_rows<700>(times, shape, at).value();
 }
 
-/// Widths at which extended precision is quick enough for a unit test.
+/// Widths for which extended precision is fast enough for a unit test.
 std::vector<double> affordable(NodeFamily family, int n) {
   if (n <= 7) return {1e-6, 1e-3, 0.1, 1, 3, 6, 10, 20, 40, 100};
   if (n <= 15) return {0.1, 1, 3, 10, 100};
@@ -78,10 +78,10 @@ std::vector<double> affordable(NodeFamily family, int n) {
   return {family == NodeFamily::legendre_gauss_lobatto ? 50. : 20.};
 }
 
-/// A few rows stand for all: both ends, where D is largest, and one between.
+/// Rows that represent all: both ends, where D is largest, and one between.
 std::vector<Eigen::Index> some_rows(Eigen::Index n) { return {0, n / 3, n - 1}; }
 
-// The bounds of the header. The reference is Phi' Phi^-1 with as many digits as its pivots ask for.
+// Error bounds of the header. Reference: Phi' Phi^-1 with as many digits as its pivots need.
 TEST(StableGaussian, DifferentiatesAsExtendedPrecisionDoes) {
   for (const NodeFamily family : {NodeFamily::legendre_gauss_lobatto, NodeFamily::left_end_and_radau}) {
     for (const int n : {2, 7, 15, 35, 60, 100}) {
@@ -106,8 +106,8 @@ TEST(StableGaussian, DifferentiatesAsExtendedPrecisionDoes) {
   }
 }
 
-// D is an even function of c: its difference to polynomials falls with (c h)^2, and stays below it. This
-// covers the widths at which extended precision is too dear.
+// D is an even function of c: its difference from polynomials decreases as (c h)^2. This covers the widths
+// for which extended precision is too slow.
 TEST(StableGaussian, TendsToPolynomials) {
   for (const NodeFamily family : families) {
     for (const int n : {7, 35, 60, 100}) {
@@ -119,7 +119,7 @@ TEST(StableGaussian, TendsToPolynomials) {
       for (const double shape : {1e-6, 1e-5, 1e-4}) {
         EXPECT_LE(difference(shape), shape * shape + 20 * n * eps) << n << ' ' << shape;
       }
-      // The fourth power of 0.01 and the rounding of P, 1e-13 against 1e-8, are below a percent.
+      // The fourth power of 0.01 and the rounding of P, 1e-13 compared with 1e-8, are below a percent.
       EXPECT_NEAR(difference(1e-2) / difference(1e-3), 100, 1) << n;
     }
   }
@@ -152,7 +152,7 @@ TEST(StableGaussian, DifferentiatesItsFunctions) {
   }
 }
 
-// 1/(Phi^-1)_ii from the inverse with 50 digits, where those suffice.
+// 1/(Phi^-1)_ii from the inverse in 50 digits, where these suffice.
 TEST(StableGaussian, LastPivots) {
   for (const int n : {2, 7, 15}) {
     for (const double shape : {2., 5., 20.}) {
@@ -168,19 +168,19 @@ TEST(StableGaussian, LastPivots) {
   }
 }
 
-/// n times with gaps of unlike lengths.
+/// n times with different gaps.
 Eigen::VectorXd arbitrary_times() {
   const int n = *rc::gen::inRange(2, 13);
   Eigen::VectorXd times(n);
   double t = *rc::gen::inRange(-50, 50);
   for (double& time : times) {
     time = t;
-    t += *rc::gen::inRange(1, 64);  // whole numbers: affine images below are exact
+    t += *rc::gen::inRange(1, 64);  // integers: the affine images below are exact
   }
   return times;
 }
 
-// In units of another time, and counted from another one, nothing changes but the unit of D.
+// A change of unit and origin of time changes only the unit of D.
 RC_GTEST_PROP(StableGaussianProperty, IsInvariantUnderAffineMaps, ()) {
   const Eigen::VectorXd times = arbitrary_times();
   const double length = times[times.size() - 1] - times[0];
@@ -200,7 +200,7 @@ RC_GTEST_PROP(StableGaussianProperty, ChangesItsSignUnderReflection, ()) {
   RC_ASSERT((D + E.reverse()).cwiseAbs().maxCoeff() <= 1e-12 * D.cwiseAbs().maxCoeff());
 }
 
-// The reference is independent of the nodes' family: nodes as they come.
+// The reference does not depend on the family of nodes: arbitrary nodes.
 RC_GTEST_PROP(StableGaussianProperty, HoldsForAnyNodes, ()) {
   const Eigen::VectorXd times = arbitrary_times();
   const double length = times[times.size() - 1] - times[0];
@@ -231,7 +231,7 @@ double positive() {
   return std::ldexp(1 + *rc::gen::inRange(0, 1 << 30) * 0x1p-30, *rc::gen::inRange(-300, 300));
 }
 
-// Within the range of doubles the operations are theirs.
+// Within the range of double the operations are equal to those of double.
 RC_GTEST_PROP(Wide, RoundsAsDoublesDo, ()) {
   const double a = positive(), b = positive();
   RC_ASSERT((Wide(a) + b).value() == a + b);

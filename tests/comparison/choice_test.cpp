@@ -1,4 +1,4 @@
-// The features of a problem, the list of rules, and what it chooses.
+// Features of a problem, the rules of the choice, and the chosen methods.
 #include "nlmech/comparison/choice/choice.hpp"
 
 #include <gtest/gtest.h>
@@ -25,12 +25,12 @@ ChoiceRequest typed(const std::string& text, const ivp::State& x0, double end) {
 
 Features features(const ChoiceRequest& q) { return probe_problem(q).features; }
 
-// The fast rate is 3 mu = 3000 on the branches, and the drift along them takes 807 units of time.
+// On the slow branches the fast rate is 3 mu = 3000; the drift along them takes 807 units of time.
 TEST(Probe, SeesStiffness) {
   EXPECT_GT(features(request(problems::TextProblem("van-der-pol", {{"mu", 1000}}), 500)).stiffness, 100);
 }
 
-// Heat along a rod of 200 points: the coarse steps grow from a small first one for a long time.
+// Heat conduction in a rod of 200 points: the coarse steps start small and grow for a long time.
 TEST(Probe, SeesStiffnessOfManyComponents) {
   std::string text;
   ivp::State x0 = ivp::State::Zero(200);
@@ -48,14 +48,14 @@ TEST(Probe, ReadsVelocitiesOffTheEquations) {
   EXPECT_TRUE(features(typed("x'' = -x/sqrt(1 - x^2)", {0.95, 0}, 0.1)).velocity_free);
 }
 
-// Steps of a unit of time or so, at any frequency.
+// Steps of about one unit of time, at any frequency.
 TEST(Probe, AnOscillatorIsNotStiff) {
   for (const double k : {1., 1e6})
     EXPECT_LT(features(typed("x'' = -" + std::to_string(k) + " x", {1, 0}, 50 / std::sqrt(k))).stiffness, 10)
         << k;
 }
 
-// With more than 32 components by powers of the Jacobian: 20 oscillators of one frequency.
+// Above 32 components the fastest rate comes from powers of the Jacobian: 17 oscillators of equal frequency.
 TEST(Probe, SeesTheFastestMotionOfManyComponents) {
   std::string text = "x0'' = -x0";
   for (const char* i :
@@ -94,8 +94,8 @@ TEST(Rules, TheFirstThatHoldsDecides) {
   EXPECT_EQ(first({.velocity_free = true, .operations = 3, .stiffness = 31}, 9), "adaptive-collocation");
 }
 
-// Each chooses its steps, by an estimate that sees forces of the time alone; one of each rule is for any
-// problem.
+// Each method is adaptive, with an estimate that includes forces of time alone; each rule has one method for
+// any problem.
 TEST(Rules, NameMethodsThatAreFit) {
   for (const Rule& rule : choice_rules()) {
     for (const std::string_view name : rule.methods) {
@@ -136,7 +136,7 @@ TEST(Choice, KeepsToTheMethodsThatMayBeChosen) {
   EXPECT_EQ(method_for(q, 1e-9), "");
 }
 
-// A series has no first step at a branch point; the next of the rule takes it.
+// A series has no first step at a branch point; the next method of the rule is chosen.
 TEST(Choice, PassesOverMethodsThatFail) {
   const auto q = typed("x' = sqrt(t)", ivp::State(ivp::State::Zero(1)), 1);
   EXPECT_EQ(choice_rule(features(q), 9).methods.front(), "series");
@@ -155,8 +155,8 @@ TEST(Choice, MoreDigitsTakeTighterTolerances) {
   }
 }
 
-// Along x' = x an error grows by e^t; relative to x, which grows as well, it keeps its size. x'' = x from (1,
-// -1) decays, and an error grows by e^t.
+// For x' = x an error grows as e^t like x itself: its relative size is constant. For x'' = x from (1, -1) the
+// solution decays and an error grows as e^t.
 TEST(Condition, IsTheGrowthOfErrors) {
   const MethodChoice c = examine(typed("x'' = x", {1, -1}, 5));
   EXPECT_EQ(c.growth.covered, 1);

@@ -1,4 +1,4 @@
-/// Curves of digits against cost: what is run, when a curve ends, and what is said of runs that fail.
+/// Curves of digits against cost: settings that are run, the end of a curve, and the record of failed runs.
 #include "nlmech/comparison/cost/cost_curves.hpp"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ Example saddle(double end) {
           }};
 }
 
-// It has a pole at t = 1.
+// The solution has a pole at t = 1.
 Example pole() {
   return {.name = "pole",
           .system = ivp::testing::typed("x' = x^2; y' = 0"),
@@ -52,12 +52,13 @@ TEST(CostCurves, RunEverySettingOfEveryMethod) {
     const scene::Attempt& cost = curves[0].attempts[i];
     EXPECT_EQ(cost.setting, both[0].settings[i].text);
     EXPECT_EQ(cost.status, "success");
-    EXPECT_EQ(std::get<std::int64_t>(cost.work[0]), 16 << i);  // four a step, of a half and less, to t = 2
+    EXPECT_EQ(std::get<std::int64_t>(cost.work[0]),
+              16 << i);  // four evaluations a step of rk4, with steps of 0.5 and less to t = 2
     EXPECT_GE(cost.time.largest, cost.time.smallest);
     EXPECT_GT(cost.time.smallest, 0);
     if (i == 0) continue;
-    // Order four: each halving of the step takes a sixteenth of the error, within a factor of two, as the
-    // last ends of so few steps do not lie at the same times.
+    // Order 4: halving the step divides the error by 16, within a factor of two, because the step ends differ
+    // for so few steps.
     const double gain = *curves[0].attempts[i - 1].error / *cost.error;
     EXPECT_GT(gain, 8) << cost.setting;
     EXPECT_LT(gain, 32) << cost.setting;
@@ -66,7 +67,7 @@ TEST(CostCurves, RunEverySettingOfEveryMethod) {
   EXPECT_EQ(curves[0].best(), &curves[0].attempts.back());
 }
 
-// The first run already takes more right-hand sides than a curve goes on after.
+// The first run takes more right-hand sides than the limit after which a curve ends.
 TEST(CostCurves, EndAfterADearRunButNotBeforeThreePoints) {
   const double dear = 1.0 / (1.1 * static_cast<double>(enough_right_hand_sides));
   const std::vector<MethodSweep> euler = {by_steps("euler", {}, Kind::classical, dear, halves, false)};
@@ -75,7 +76,8 @@ TEST(CostCurves, EndAfterADearRunButNotBeforeThreePoints) {
   const double enough = 1.0 / (1.1 * static_cast<double>(enough_for_a_look));
   const std::vector<MethodSweep> seen = {by_steps("euler", {}, Kind::classical, 2.2 * enough, halves, true)};
   EXPECT_EQ(cost_curves(saddle(1), seen, true).front().attempts.size(), 2u) << "a half of that, then twice";
-  // Runs of a tenth of that at first, doubled: the fifth is the first dear one, and all are wanted.
+  // The first run takes a tenth of the limit, doubled by each halving: the fifth is the first above it, and
+  // all are kept.
   const std::vector<MethodSweep> cheap = {by_steps("euler", {}, Kind::classical, 10 * dear, halves, false)};
   EXPECT_EQ(cost_curves(saddle(1), cheap, false).front().attempts.size(), 5u);
 }
@@ -91,9 +93,8 @@ TEST(CostCurves, KeepRunsThatFailWithoutAnError) {
   EXPECT_EQ(curves.front().best(), nullptr);
 }
 
-// The flow of the saddle is linear: x(3) is e^3 times x(0), so the quotient of differences has no error but
-// rounding. That is the integrator's, some ten eps of e^3 in either end state, over the change of 1e-6 at the
-// begin.
+// The flow of the saddle is linear: x(3) is e^3 times x(0), so the difference quotient has rounding errors
+// only: some ten eps of e^3 in each end state, over the initial change of 1e-6.
 TEST(Condition, IsTheGrowthOfADifference) {
   const auto series = ivp::named_integrator("series", {.tolerance = 1e-16});
   Example c = saddle(3);

@@ -1,5 +1,4 @@
-/// Does an equation depend on the time? And the method that is taken by default, on random equations with
-/// such forces.
+/// Dependence of an equation on time, and the default method on random equations with forces of time.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -25,18 +24,18 @@ TEST(DependsOnTime, BySymbolsAndByClocks) {
   };
   EXPECT_TRUE(depends("x'' = cos(10 t)"));
   EXPECT_TRUE(depends("x'' + x = 1e-300 t"));
-  EXPECT_TRUE(depends("x'' = exp(-((t-50)/0.5)^2)"));    // whose derivative at 0 is 0 in doubles
-  EXPECT_TRUE(depends("x' = cos(10 s); s' = 1"));        // a component in the place of the time
-  EXPECT_TRUE(depends("x' = max(sin(t), 0); y' = -y"));  // where it switches
+  EXPECT_TRUE(depends("x'' = exp(-((t-50)/0.5)^2)"));    // its derivative at 0 is 0 in doubles
+  EXPECT_TRUE(depends("x' = cos(10 s); s' = 1"));        // a component acts as the time
+  EXPECT_TRUE(depends("x' = max(sin(t), 0); y' = -y"));  // it switches at known times
   EXPECT_FALSE(depends("x'' + 0.1 x' + x + x^3 = 0"));
-  EXPECT_FALSE(depends("x' = k x; k' = 0"));  // a constant unknown is no clock
+  EXPECT_FALSE(depends("x' = k x; k' = 0"));  // a constant unknown does not depend on time
   EXPECT_FALSE(depends("x'' = -sin(x) + 2"));
 }
 
-/// Numbers that are the same everywhere: distributions of the library differ between its implementations.
+/// Random numbers that do not depend on the standard library: its distributions are implementation-defined.
 class Random {
  public:
-  /// From least to most, equally likely in the logarithm.
+  /// Uniformly distributed in the logarithm between @p least and @p most.
   [[nodiscard]] double size(double least, double most) {
     const double share = static_cast<double>(engine_() >> 11) * 0x1p-53;
     return least * std::pow(most / least, share);
@@ -46,13 +45,14 @@ class Random {
   std::mt19937_64 engine_{20261127};
 };
 
-/// A random equation with its solution at an end.
+/// A random equation and its exact solution at the end.
 struct Forced {
   std::string text;
   double end, exact;
 };
 
-// a cos(w t) over a rest, over a decay, over an oscillator, and three smooth quadratures: closed forms.
+// Force a cos(w t) alone (first and second order), with decay, and on a damped oscillator; two smooth
+// quadratures: closed forms.
 Forced forced(Random& random, int kind) {
   using Complex = std::complex<double>;
   const double a = random.size(0.1, 10), w = random.size(0.5, 50), end = random.size(0.5, 10),
@@ -81,7 +81,7 @@ Forced forced(Random& random, int kind) {
   }
 }
 
-// Right within what verification allows, a hundred tolerances of 1e-9, and never refused.
+// Within the bound of the verification, a hundred tolerances of 1e-9, without failures and remarks.
 TEST(DefaultMethod, AnswersWhatIsForced) {
   Random random;
   for (int i = 0; i < 60; ++i) {
@@ -108,7 +108,7 @@ TEST(DefaultMethod, AnswersWhatIsForced) {
   }
 }
 
-/// The end of a run from 0 by the usual method, or another one where that is wrong.
+/// Integration from @p x0 by the default method, or by another one if its result is wrong.
 Trajectory usual_run(const std::string& text, double x0, double end) {
   const auto problem = typed_problem(program::SourceText("equation", text), {});
   const RunOptions options{.x0 = State::Constant(1, x0),
@@ -122,8 +122,8 @@ Trajectory usual_run(const std::string& text, double x0, double end) {
   return usual_trajectory(problem, options, usual_method(problem, options));
 }
 
-// What steps by a series or a pair leap across: a switch so steep that its derivatives underflow, a pulse
-// after a long rest; and slopes that are constant between the zeros of a force.
+// Cases where long steps may miss a feature: a switch so steep that its derivatives underflow, a pulse after
+// a long rest, and slopes that are constant between switches.
 TEST(DefaultMethod, MissesNoSwitchAndNoPulse) {
   struct Leap {
     std::string text;

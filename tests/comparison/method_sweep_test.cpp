@@ -1,4 +1,4 @@
-/// Sweeps of steps and tolerances: which settings, in which order, under which name.
+/// Sweeps of step sizes and tolerances: their settings, order and names.
 #include "nlmech/comparison/cost/method_sweep.hpp"
 
 #include <gtest/gtest.h>
@@ -35,7 +35,8 @@ TEST(MethodSweep, SweepStepsAsMultiplesOfAScale) {
             (std::vector<std::string>{"step 0.2", "step 0.05"}));
 }
 
-// c T is what decides how flat a radial function is over a step, so it stays the same down the sweep.
+// The product of shape parameter and step size is constant in a sweep, because it determines the flatness of
+// the radial functions over a step.
 TEST(MethodSweep, KeepTheShapeOfRadialFunctionsAStep) {
   const MethodSweep c = by_steps("rbf-coll", 9, Kind::source, 2, std::vector<double>{1, 0.125}, false, 3);
   for (const Setting& s : c.settings) EXPECT_DOUBLE_EQ(s.settings.shape.value() * s.settings.step.value(), 3);

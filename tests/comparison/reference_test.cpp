@@ -1,4 +1,5 @@
-/// References against closed forms and stored digits: what they know, and that they say no more.
+/// Reference solutions against closed forms and published digits: their accuracy, and their stated
+/// uncertainty.
 #include "nlmech/comparison/reference/reference_of.hpp"
 
 #include <gtest/gtest.h>
@@ -13,7 +14,7 @@
 namespace nlmech::comparison::reference_test {
 namespace {
 
-/// A computation that gives these states, or none.
+/// A candidate that returns constant states, or a failure.
 Candidate giving(const std::string& name, double value, bool arrives = true) {
   return {name, false, [=](const ReferenceRequest& way, double, StatesAt& states) {
             states = StatesAt::Constant(way.x0.size(), static_cast<Eigen::Index>(way.times.size()), value);
@@ -23,7 +24,7 @@ Candidate giving(const std::string& name, double value, bool arrives = true) {
 
 const ReferenceRequest one_step = {ExtendedState::Constant(1, 1.0L), 0, {1}};
 
-// In whichever component it stands: those after it must not hide it.
+// A NaN in any component is reported; later components must not hide it.
 TEST(RelativeError, KeepsWhatIsNoNumber) {
   const Vector<double, 3> size(1, 1, 1);
   const Vector<long double, 3> exact(1, 2, 4);
@@ -38,7 +39,7 @@ TEST(RelativeError, KeepsWhatIsNoNumber) {
 TEST(Agree, KnowsNoMoreThanTheTwoHaveInCommon) {
   const Reference r = agree({giving("a", 1), giving("b", 1 + 1e-5)}, one_step, {}, 1);
   ASSERT_TRUE(r.status.ok());
-  EXPECT_NEAR(r.uncertainty() / 1e-5, 1, 1e-9);  // rounding of 1 + 1e-5 is 1e-16
+  EXPECT_NEAR(r.uncertainty() / 1e-5, 1, 1e-9);  // rounding error of 1 + 1e-5 is 1e-16
   EXPECT_EQ(r.text(), "a and b agree to 5.0 digits");
 }
 
@@ -66,7 +67,8 @@ TEST(Agree, SaysWhyThereIsNone) {
   EXPECT_NE(alone.text().find("b (step_limit)"), std::string::npos) << alone.text();
 }
 
-// cn and sn dn in 50 digits at 16 times, forwards and backwards. A double of the oracle rounds by 1e-16.
+// Reference: cn and sn dn in 50 digits at 16 times, in both directions of time. The oracle's doubles have
+// rounding errors of 1e-16.
 TEST(ReferenceOf, TheDuffingOscillatorByTaylorSeries) {
   for (const double end : {20.0, -20.0}) {
     const std::vector<double> times = look_at(0, end, 16);
@@ -84,8 +86,8 @@ TEST(ReferenceOf, TheDuffingOscillatorByTaylorSeries) {
   }
 }
 
-// At t = 0 the derivatives of the switch underflow in any precision, and all that the pulse's coefficients
-// tell is that it is far. (log cosh(675) - log cosh(475))/100 = 2 to 400 digits; sqrt(pi)/2 to 1e-4343.
+// At t = 0 the derivatives of the switch underflow in any precision, and the Taylor coefficients of the pulse
+// show only that it is far. (log cosh(675) - log cosh(475))/100 = 2 to 400 digits; sqrt(pi)/2 to 1e-4343.
 TEST(ReferenceOf, SeriesDoNotLeapAcrossWhatTheirCoefficientsDoNotShow) {
   const auto end_of = [](const std::string& equation, double end) {
     const WorkLimit effort{.largest_step = watchful_step(0, end, 1e9)};
@@ -98,13 +100,13 @@ TEST(ReferenceOf, SeriesDoNotLeapAcrossWhatTheirCoefficientsDoNotShow) {
   EXPECT_NEAR(end_of("x' = exp(-((t - 50)/0.5)^2)", 100), std::sqrt(std::acos(-1.0)) / 2, 1e-15);
 }
 
-// Two that agree to what is needed need not agree relative to what they are by chance at these times.
+// Agreement to the required absolute accuracy suffices, also where the state is nearly zero.
 TEST(Agree, OnWhatIsNearlyZero) {
   EXPECT_TRUE(agree({giving("a", 1e-14), giving("b", 2e-14)}, one_step, {1e-9, 1e-9}, 1).status.ok());
 }
 
-// The test set's digits at 1e11 (E. Hairer, G. Wanner, Solving Ordinary Differential Equations II, IV.10),
-// which no series reaches.
+// Published digits of the test set at 1e11 (E. Hairer, G. Wanner, Solving Ordinary Differential Equations II,
+// IV.10); a Taylor series cannot reach that time.
 TEST(ReferenceOf, RobertsonByTwoMethods) {
   const Reference r = reference_of(problems::TextProblem("robertson"), {1, 0, 0}, 0, {1e11},
                                    {.relative = 1e-9, .absolute = 1e-18}, {});
@@ -113,14 +115,16 @@ TEST(ReferenceOf, RobertsonByTwoMethods) {
   const Vector<double, 3> exact = {0.2083340149701255e-7, 0.8333360770334713e-13, 0.9999999791665050};
   for (int i = 0; i < 3; ++i) {
     const double error = std::abs(static_cast<double>(r.states(i, 0)) - exact[i]);
-    // The two may err in the same direction, each by a few times what they differ by; 16 digits are stored.
+    // Both methods may have errors in the same direction, a few times as large as their difference; 16 digits
+    // are published.
     EXPECT_LE(error, 10 * r.difference(i, 0) + 1e-15 * exact[i]) << i;
     EXPECT_LT(r.difference(i, 0), 1e-7 * exact[i]) << i;
   }
 }
 
-// The test set's digits for eps = 1e-6 at tau = 2 (E. Hairer, G. Wanner, Solving Ordinary Differential
-// Equations II, IV.10): mu = 1000, t = mu tau, v = (dx/dtau)/mu. Two leaps lie on the way.
+// Published digits of the test set for eps = 1e-6 at tau = 2 (E. Hairer, G. Wanner, Solving Ordinary
+// Differential Equations II, IV.10): mu = 1000, t = mu tau, v = (dx/dtau)/mu. The interval contains two fast
+// transitions.
 TEST(ReferenceOf, StiffVanDerPolByTwoMethods) {
   const Reference r = reference_of(problems::TextProblem("van-der-pol", {{"mu", 1000}}), {2, 0}, 0,
                                    look_at(0, 2000, 8), {}, {});

@@ -1,4 +1,4 @@
-/// What a picture keeps of a run.
+/// Trajectory samples for plotting.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,7 +11,7 @@ namespace {
 
 using State = Eigen::Vector2d;
 
-// A short run is kept whole.
+// All states of a short run are kept.
 TEST(SampledPath, KeepAShortRun) {
   SampledPath samples(0, 10);
   for (int k = 0; k <= 100; ++k) samples.add(0.1 * k, State{k, -k});
@@ -20,8 +20,8 @@ TEST(SampledPath, KeepAShortRun) {
   for (std::size_t k = 0; k < t.size(); ++k) EXPECT_EQ(x[k], -static_cast<double>(k));
 }
 
-// Of a million states the picture has a few thousand, in the order of time, and a peak of a single one of
-// them, wherever it is.
+// Of a million states a few thousand are kept in the order of time, including a peak of a single state at any
+// place.
 TEST(SampledPath, KeepEveryPeakOfALongRun) {
   constexpr int count = 1'000'000;
   for (const int peak : {0, 1, 4000, 4001, 123'456, 999'998, 999'999}) {

@@ -1,6 +1,6 @@
-/// Ten typed equations in every method that chooses its steps, ours and peers: an end state to nine digits,
-/// or a status. References are Taylor series in 40 digits. That typed equations are those of the same formula
-/// in C++: tests/program/equations_test.cpp.
+/// Typed equations in every adaptive method, nlmech methods and peers: an end state to nine digits, or a
+/// failure status. References are Taylor series in 40 digits. Typed equations against the same formulas in
+/// C++: tests/program/equations_test.cpp.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -34,12 +34,12 @@ Vector<Real, Eigen::Dynamic> reference(const Typed& problem, const State& x0, do
   return states.at(0);
 }
 
-/// An equation with an end.
+/// An equation, its initial state, its end and, optionally, its exact end state.
 struct Case {
   std::string name, text;
   State x0;
   double end;
-  std::optional<State> known = std::nullopt;  ///< where Taylor series do not go: by hand
+  std::optional<State> known = std::nullopt;  ///< exact end state where Taylor series fail
 };
 
 State state(std::initializer_list<double> values) {
@@ -48,13 +48,12 @@ State state(std::initializer_list<double> values) {
   return x;
 }
 
-// Of all features of the language; to ends at which a change of the initial state has grown 300 times at
-// most.
+// Cases with all features of the language; the condition numbers are at most about 300.
 std::vector<Case> cases() {
   const double pi = std::numbers::pi;
-  // Half a swing at the frequency 1, half of one at 2, and the start of the next.
+  // Half a period at frequency 1, half a period at frequency 2, and the start of the next.
   const double period = pi + pi / 2, late = 3 * period + 0.4;
-  // Friction takes 2 mu from each half swing: 1, -0.7, 0.4, then rest at -0.1.
+  // Friction reduces each half swing by 2 mu: 1, -0.7, 0.4, then rest at -0.1.
   return {{"duffing", "x'' + k x' + x^3 = B cos(t); k = 0.05; B = 7.5", state({3, 4}), 6},
           {"lorenz", "u' = sigma (v - u); v' = r u - v - u w; w' = u v - b w; sigma = 10; r = 28; b = 8/3",
            state({1, 1, 1}), 3},
@@ -84,7 +83,7 @@ std::vector<Case> cases() {
           {"dry friction", "x'' + x + mu sign(x') = 0; mu = 0.15", state({1, 0}), 12, state({-0.1, 0})}};
 }
 
-/// Where a case ends, and how many times a change of the initial state has grown there.
+/// The exact end state and the condition number of the initial value problem.
 struct Truth {
   State end;
   double condition;
@@ -99,13 +98,13 @@ Truth truth_of(const Case& c, const Equations& equations) {
   return {exact.cast<double>(), static_cast<double>((near - exact).norm()) / move};
 }
 
-// Their tolerance is that of a step, and they make many: errors add up to less than nine digits at 1e-12.
+// Methods with a local tolerance and many steps: at 1e-12 the errors add up to less than nine digits.
 const std::set<std::string> of_short_steps = {"laier",     "argyris",     "cvode-adams",
                                               "cvode-bdf", "gsl-msadams", "gsl-msbdf"};
-// Of second order: nine digits are some million steps away.
+// Methods of order 2: nine digits would take some million steps.
 const std::set<std::string> of_second_order = {"hoff", "bazzi"};
 
-// Nine digits at a tolerance of 1e-12 leave a factor of a thousand for errors of steps that add up and grow.
+// A tolerance of 1e-12 for nine digits leaves a factor of a thousand for the sum and growth of local errors.
 TEST(TypedEquations, EndInNineDigitsOrWithAStatus) {
   constexpr double digits = 1e-9;
   int ends = 0;
@@ -124,11 +123,11 @@ TEST(TypedEquations, EndInNineDigitsOrWithAStatus) {
       try {
         end = method.with({.tolerance = tolerance})(system, c.x0, 0, c.end, {}, {.steps = 3'000'000});
       } catch (const std::invalid_argument& error) {
-        // It is for accelerations that do not depend on velocities.
+        // rkn1210 refuses velocity-dependent forces.
         EXPECT_EQ(name, "rkn1210") << error.what();
         continue;
       }
-      // None of these is beyond any method: a status would be news.
+      // Every method can solve every case.
       EXPECT_TRUE(end->status.ok()) << c.name << ", " << name << ": " << end->status.text();
       ++ends;
       const double error = (end->x - expected.end).cwiseAbs().maxCoeff() / scale;
@@ -138,7 +137,7 @@ TEST(TypedEquations, EndInNineDigitsOrWithAStatus) {
   EXPECT_GT(ends, 100);
 }
 
-// Robertson's reaction to t = 40: stiff methods arrive, and what cannot says so in time.
+// Robertson's reaction to t = 40: stiff methods reach t1; other methods fail within the step limit.
 TEST(TypedEquations, StiffOnesEndOrSaySo) {
   const Equations equations(SourceText(
       "test",
@@ -163,7 +162,7 @@ TEST(TypedEquations, StiffOnesEndOrSaySo) {
   for (const char* name : {"adaptive-collocation", "cvode-bdf"}) EXPECT_TRUE(arrived.contains(name)) << name;
 }
 
-// x = 1 - t leaves its bound at t = 1, on the one side of a surface that it never meets.
+// x = 1 - t leaves its bound at t = 1; the switching surface x = -10 is not reached.
 TEST(TypedEquations, BoundsHoldWhereEquationsSwitchToo) {
   const Equations equations(SourceText("test", "x' = -sign(x + 10); x >= 0"));
   const ivp::System system{Typed(equations)};

@@ -1,4 +1,4 @@
-/// Verdicts on runs, against problems whose condition has a closed form.
+/// Verification of runs, for problems whose condition number has a closed form.
 #include "nlmech/comparison/reference/verification.hpp"
 
 #include <gtest/gtest.h>
@@ -16,10 +16,10 @@ namespace {
 
 using Verdict = Verification::Verdict;
 
-/// From (1, -1) it decays as exp(-t), and every error grows as exp(t).
+/// From (1, -1) the solution decays as exp(-t), and every error grows as exp(t).
 program::Problem saddle() { return ivp::testing::typed_problem("x'' = x"); }
 
-/// A run of a problem that is off by @p error in its first component at the end.
+/// Verifies a run whose first component has an error of @p error at the end.
 template <class Problem>
 Verification verdict(const Problem& problem, const problems::StateOf<double, Problem>& x0, double end,
                      double error, const Tolerance& tolerance, const WorkLimit& effort = {}) {
@@ -44,7 +44,7 @@ TEST(Verify, CountsTolerances) {
   EXPECT_EQ(off.t, 3);
   EXPECT_NEAR(off.tolerances, 1000, 0.1);
   EXPECT_NEAR(off.digits, -std::log10(1000 * unit / std::abs(end[0])), 1e-3);
-  // Half of nine digits are enough.
+  // Half of the nine digits are required.
   const double edge = std::pow(10, -4.5) * std::abs(end[0]);
   EXPECT_EQ(verdict(problems::TextProblem("duffing"), {1, 0}, 3, 0.9 * edge, tolerance).verdict,
             Verdict::inexact);
@@ -60,14 +60,15 @@ TEST(Verify, EnoughAreHalfOfTheDigitsAndThree) {
   EXPECT_EQ(enough_digits(10), 3);
 }
 
-// 1 decays to 8e-7: an error of 200 absolute tolerances there is no loss of digits.
+// The component decays from 1 to 8e-7: an error of 200 absolute tolerances is small relative to the initial
+// size.
 TEST(Verify, DigitsOfWhatDecaysAreRelativeToItsSize) {
   const Verification v = verdict(saddle(), {1, -1}, 14, 2e-7, {1e-9, 1e-9});
   EXPECT_EQ(v.verdict, Verdict::inexact);
   EXPECT_NEAR(v.digits, 6.7, 0.01);
 }
 
-// An error of the size a in x and v, made at the start, becomes a (cosh t + sinh t) = a exp(t).
+// An initial error a in x and v becomes a (cosh t + sinh t) = a exp(t).
 TEST(Amplification, OfTheSaddleIsTheExponential) {
   const double a = 1e-9;
   const std::vector<double> times = look_at(0, 5, 16);
@@ -83,8 +84,8 @@ TEST(Amplification, OfTheSaddleIsTheExponential) {
   }
 }
 
-// Along x'' + x + x^3 = 0 the phase shears: the frequency depends on the amplitude, and an error e of it
-// moves the phase by omega'(A) e t. Products of sixteen matrices must not make more of it than a factor.
+// x'' + x + x^3 = 0: the frequency depends on the amplitude, so an error e of the amplitude shifts the phase
+// by omega'(A) e t. The products of sixteen matrices may overestimate it only by a factor.
 TEST(Amplification, OfAnOscillatorGrowsWithTimeAlone) {
   for (const double end : {100.0, 1600.0}) {
     const std::vector<double> times = look_at(0, end, 16);
@@ -101,14 +102,14 @@ TEST(Amplification, OfAnOscillatorGrowsWithTimeAlone) {
 }
 
 TEST(Verify, AllowsWhatTheProblemMakesOfErrors) {
-  // At t = 8 one tolerance of the start has become 3000.
+  // At t = 8 the initial tolerance has grown 3000 times.
   const Tolerance tolerance{1e-12, 1e-12};
   const Verification v = verdict(saddle(), {1, -1}, 8, 2000 * 1e-12, tolerance);
   EXPECT_EQ(v.verdict, Verdict::inexact);
   EXPECT_GT(v.tolerances, 1000);
-  EXPECT_NEAR(v.growth / std::exp(8.0), 1, 2);  // weights fall by some half on the way
+  EXPECT_NEAR(v.growth / std::exp(8.0), 1, 2);  // weights decrease by about half over the interval
   EXPECT_EQ(verdict(saddle(), {1, -1}, 8, 3e6 * 1e-12, tolerance).verdict, Verdict::wrong);
-  // At t = 14 one of 1e-9 has become 1e-3, so that few digits are no fault.
+  // At t = 14 an initial error of 1e-9 has grown to 1e-3: few digits are acceptable.
   EXPECT_EQ(verdict(saddle(), {1, -1}, 14, 1e-3, {1e-9, 1e-9}).verdict, Verdict::inexact);
 }
 
@@ -119,13 +120,13 @@ TEST(Verify, SaysThatNothingIsDetermined) {
             Verdict::undetermined);
 }
 
-// A motion far below the tolerance is not chaos: what is far above it is wrong.
+// A motion far below the tolerance is not chaotic: an error far above the tolerance is wrong.
 TEST(Verify, ACoarseToleranceIsNoExcuse) {
   EXPECT_EQ(verdict(problems::TextProblem("duffing"), {1e-7, 0}, 3, 5, {1e-6, 1e-6}).verdict, Verdict::wrong);
   EXPECT_EQ(verdict(problems::TextProblem("duffing"), {1e-7, 0}, 3, 1e-5, {1e-6, 1e-6}).verdict,
             Verdict::right);
   const Verification off = verdict(problems::TextProblem("duffing"), {1e-7, 0}, 3, 2e-4, {1e-6, 1e-6});
-  EXPECT_EQ(off.verdict, Verdict::inexact);  // a digit of what is below the absolute tolerance means nothing
+  EXPECT_EQ(off.verdict, Verdict::inexact);  // digits below the absolute tolerance are not required
   EXPECT_NEAR(off.digits, -std::log10(2e-4), 0.01);
 }
 
@@ -136,7 +137,7 @@ TEST(Verify, SaysThatItDoesNotKnow) {
   EXPECT_NE(v.reason.find("step_limit"), std::string::npos) << v.reason;
 }
 
-// y' = -1/(2 y) ends at t = 1 with an infinite slope; before it, all is as ever.
+// y' = -1/(2 y) ends at t = 1 with an infinite slope; before that time verification works as usual.
 TEST(Verify, SaysThatTheSolutionEnds) {
   const program::Problem problem = problems::TextProblem("dead-end");
   const Verification v = verdict(problem, ivp::State{1}, 2, 0, {1e-3, 1e-3});
@@ -145,7 +146,7 @@ TEST(Verify, SaysThatTheSolutionEnds) {
   EXPECT_EQ(verdict(problem, ivp::State{1}, 0.9, 0, {1e-3, 1e-3}).verdict, Verdict::right);
 }
 
-// A reference that knows eight digits does not find a run wrong that is off by as much.
+// An error below the uncertainty of the reference does not give the verdict wrong.
 TEST(Verify, TakesTheUncertaintyOfTheReferenceIntoAccount) {
   const std::vector<double> times = {1};
   Reference expected = reference_of(problems::TextProblem("duffing"), {1, 0}, 0, times, {}, {});
@@ -158,9 +159,8 @@ TEST(Verify, TakesTheUncertaintyOfTheReferenceIntoAccount) {
   EXPECT_EQ(verify(system, {1, 0}, 0, run, expected, {}).verdict, Verdict::wrong);
 }
 
-// What a user reads: method, place, how far off, what the tolerance holds, what to change.
-// A run of a Duffing oscillator by its elliptic functions, off by some tolerances at the end, beside a method
-// that shares nothing with them; and one that does not arrive.
+// Exact solution of a Duffing oscillator (elliptic functions) with an error of some tolerances at the end,
+// against another method; and a method that does not reach the end.
 TEST(Verify, AgreesWithAnotherMethod) {
   const ivp::System system{problems::TextProblem("duffing")};
   const std::vector<double> times = {1, 2, 3};
@@ -169,7 +169,7 @@ TEST(Verify, AgreesWithAnotherMethod) {
     Verified run{times, Eigen::MatrixXd(2, 3), {1e-9, 1e-9}};
     for (Eigen::Index k = 0; k < 3; ++k)
       run.states.col(k) = oracle::duffing(times[static_cast<std::size_t>(k)]);
-    run.states.col(1).setConstant(std::nan(""));  // where it was not asked
+    run.states.col(1).setConstant(std::nan(""));  // not requested at this time
     run.states(0, 2) += error * 1e-9 * (1 + std::abs(run.states(0, 2)));
     return agrees(system, {1, 0}, 0, run, other, limits);
   };
@@ -193,7 +193,7 @@ TEST(Remark, NamesWhatToChange) {
       return "FAILED " + std::string(failure.what());
     }
   };
-  // 3e4 tolerances where 100 are let pass: 300 times less, and 3 for safety, is 1e-12.
+  // 3e4 tolerances where 100 are allowed: a factor of 300, and 3 for safety, gives 1e-12.
   for (const char* word : {"FAILED", "ode45", "x1 at t = 20", "3e-05", "3e+04 times", "1e-09",
                            "the error of each step", "--tolerance 1e-12", "--no-verify"})
     EXPECT_NE(text_of().find(word), std::string::npos) << word << " is not in " << text_of();
@@ -217,7 +217,7 @@ TEST(Remark, NamesWhatToChange) {
   EXPECT_EQ(text_of(),
             "verified: 4.5 digits at the end; x1 is off by 3e-05 there, 2e+03 tolerances; the problem "
             "multiplies errors by up to 1e+12");
-  v.growth = 0;  // not known
+  v.growth = 0;  // growth unknown
   v.t = 19;
   EXPECT_EQ(text_of(), "verified: 4.5 digits at t = 19; x1 is off by 3e-05 there, 2e+03 tolerances");
 }

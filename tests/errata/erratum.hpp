@@ -1,6 +1,6 @@
 /// @file
-/// How a test proves an entry of `tables/errata/<chapter>.csv`: the printed and the corrected form, both as
-/// numbers, beside an oracle that uses neither.
+/// Evidence for an entry of `tables/errata/<chapter>.csv`: the printed and the corrected form as numbers,
+/// against an oracle that uses neither.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -11,16 +11,16 @@
 
 namespace nlmech::tests {
 
-/// Three numbers for the same thing.
+/// Three numbers for the same quantity.
 struct Evidence {
-  double printed = 0;    ///< the printed form, taken literally; may be not a number, where that is its fault
+  double printed = 0;    ///< the printed form, taken literally; may be NaN if that is its error
   double corrected = 0;  ///< the corrected form
-  double oracle = 0;     ///< the same by other means: closed form, extended precision, other equations
-  double tolerance = 0;  ///< how far the corrected form may be from the oracle, in units of `scale`
-  double scale = 0;      ///< what distances are measured by; 0: the oracle's magnitude, or 1 if that is zero
+  double oracle = 0;  ///< the same quantity by other means: closed form, extended precision, other equations
+  double tolerance = 0;  ///< tolerance of the corrected form from the oracle, in units of `scale`
+  double scale = 0;      ///< unit of distances; 0: the oracle's magnitude, or 1 if that is zero
 };
 
-/// How many times its tolerance a printed form must miss the oracle by: it is no matter of rounding.
+/// Smallest error of a printed form in tolerances: excludes rounding errors.
 inline constexpr double clearly = 10;
 
 /// Expects the corrected form within the tolerance and the printed one at least ten tolerances away, and says

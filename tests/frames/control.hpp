@@ -1,5 +1,6 @@
 /// @file
-/// Displacement control for tests: the load at which one displacement has a given value, and the slope there.
+/// Displacement control for tests: the load for a prescribed value of one displacement, and the slope of the
+/// load path there.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -11,15 +12,16 @@
 
 namespace nlmech::frames {
 
-/// A point of a load path.
+/// A point of the load path.
 struct PathPoint {
   Eigen::VectorXd x;  ///< displacements
-  double load;        ///< factor of the load vector
-  double slope;       ///< its derivative by the controlled displacement
+  double load;        ///< load factor
+  double slope;       ///< derivative of the load factor by the controlled displacement
 };
 
-/// Newton's iteration for f(x) = W load, x_i = value, dense.
-/// @param rounding of its steps, relative, at most: more where the tangent is nearly singular
+/// Newton's iteration for f(x) = W load, x_i = value, with dense matrices.
+/// @param rounding largest relative step at which stagnation counts as convergence: more where the tangent is
+/// nearly singular
 inline PathPoint control(const Frame& frame, const Eigen::VectorXd& load, Eigen::Index i, double value,
                          PathPoint at, double rounding = 1e-9) {
   const Eigen::Index n = frame.size();
@@ -39,7 +41,7 @@ inline PathPoint control(const Frame& frame, const Eigen::VectorXd& load, Eigen:
     at.x -= step.head(n);
     at.load -= step[n];
     const double length = step.head(n).norm() / (1 + at.x.norm());
-    if (length < rounding && length >= before / 4) {  // it no longer shrinks: rounding
+    if (length < rounding && length >= before / 4) {  // stagnation at rounding errors
       at.slope = lu.solve(Eigen::VectorXd::Unit(n + 1, n))[n];
       return at;
     }

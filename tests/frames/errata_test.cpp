@@ -13,7 +13,7 @@ using tests::expect_erratum;
 using D = Dual<double, 7>;
 using DD = Dual<D, 7>;
 
-/// A member along z = x with N as a variable of its own: Pi and all its derivatives to the second.
+/// A member along z = x with N as an independent variable: Pi with its first and second derivatives.
 struct Exact {
   double pi;
   Vector<double, 7> first;   ///< by (w_1, u_1, theta_1, w_2, u_2, theta_2, N): B_d and B_n
@@ -58,14 +58,14 @@ const MemberState<double>& state() {
 }
 
 TEST(Errata, MomentsAreMadeDimensionlessByTheLength) {  // 2.26
-  // theta_a = h_a m_a with h_a(0) = 1/12, both ends turned by 1: 6 EI/l at each, so that m_a = 12.
+  // theta_a = h_a m_a with h_a(0) = 1/12 and both end rotations 1: moments 6 EI/l, so that m_a = 12.
   Vector<double, 6> d = Vector<double, 6>::Zero();
   d[2] = d[5] = 1e-6;
   const Vector<double, 6> f = member_force(member_state<double>(member, d));
   const double moments = f[2] + f[5];
   const double inertia = 1;  // I; E is then 2
   const Textbook<double> t = {4, 2};
-  // The second order of the angle is 1e-12, over it 1e-6 of the stretch's eps: 1e-10.
+  // The second order of the angle is 1e-12, and eps of the stretch over 1e-6: 1e-10.
   expect_erratum("homotopy-2.26", {.printed = moments * inertia / ei / 1e-6,
                                    .corrected = moments * length / ei / 1e-6,
                                    .oracle = 2 * (t.s + t.sc),
@@ -77,7 +77,7 @@ TEST(Errata, FlexibilityInTension) {  // 2.29
   const double reference = static_cast<double>(Real(1 / exact(Real(n)).antisymmetric.value));
   EXPECT_NEAR(-1 / n - coth / (2 * root), -0.47712, 5e-6);
   EXPECT_NEAR(reference, 0.0771238508, 5e-11);
-  // Rounding of 1/n and of the quotient, each three times the difference.
+  // Rounding errors of 1/n and of the quotient, each at most three times the difference.
   expect_erratum("homotopy-2.29", {.printed = -1 / n - coth / (2 * root),
                                    .corrected = -1 / n + coth / (2 * root),
                                    .oracle = reference,
@@ -99,7 +99,7 @@ TEST(Errata, ForceOffTheBalance) {  // 2.33
       EXPECT_NEAR(before / correct, 100, 10);  // second order
     }
     before = correct;
-    // The gradient at the balance; what is left is of second order in the distance from it.
+    // The gradient at equilibrium; the remainder is of second order in the distance from it.
     expect_erratum("homotopy-2.33", {.printed = b[4] - a[4] / e.second(6, 6),
                                      .corrected = b[4] - e.first[6] / e.second(6, 6) * a[4],
                                      .oracle = exact_at(bent(), force).first[4],
@@ -123,8 +123,8 @@ TEST(Errata, BlocksOfDisplacements) {  // 2.34
   const double uu = block(c * c / chord, 2 * c * q / (chord * chord), au);
   EXPECT_NEAR(ww, e.second(3, 3), 1e-12);
   EXPECT_NEAR(uu, e.second(4, 4), 1e-12);
-  EXPECT_GT(std::abs(ww - e.second(4, 4)), 0.1);  // the block (u, u) with derivatives by w
-  // Rounding of a dozen products of numbers up to 50.
+  EXPECT_GT(std::abs(ww - e.second(4, 4)), 0.1);  // the block (u, u) differentiated by w
+  // Rounding errors of a dozen products of numbers up to 50.
   expect_erratum("homotopy-2.34-wu", {.printed = curved,
                                       .corrected = curved + ei / length * g * aw * au,
                                       .oracle = e.second(3, 4),
@@ -153,7 +153,7 @@ TEST(Errata, CouplingOfForceAndDisplacements) {  // 2.35
   row(w + a * aw, w + length * a * aw, 3);
   row((a + b) / 2, length / 2 * (a + b), 2);
   row((a - b) / 2, length / 2 * (a - b), 5);
-  // So the tangent as printed is no derivative, and the consistent one is.
+  // Hence the printed tangent is no derivative; the consistent tangent is.
   const Vector<double, 6> column = e.second.col(6).head<6>();
   const Matrix<double, 6> k = e.second.topLeftCorner<6, 6>() - column * column.transpose() / e.second(6, 6);
   EXPECT_LT((member_tangent(member, s) - k).cwiseAbs().maxCoeff(), 1e-11);
@@ -163,7 +163,7 @@ TEST(Errata, CouplingOfForceAndDisplacements) {  // 2.35
 TEST(Errata, MomentOfTheSecondEnd) {  // 2.37, row 6
   const MemberState<double>& s = state();
   const Exact e = exact_at(bent(), s.axial_force);
-  EXPECT_NEAR(e.first[6], 0, 1e-14);  // 2.38: balanced
+  EXPECT_NEAR(e.first[6], 0, 1e-14);  // 2.38: equilibrium
   EXPECT_GT(std::abs((s.moment_s - s.moment_a) / 2 - e.first[5]), 0.1);
   expect_erratum("homotopy-2.37", {.printed = (s.moment_s - s.moment_a) / 2,
                                    .corrected = (s.moment_a - s.moment_s) / 2,

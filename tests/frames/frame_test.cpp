@@ -1,4 +1,4 @@
-/// Frames: assembly, several turns, refusals; the toggle as a frame, and by Williams' equation.
+/// Frames: assembly, several full rotations, refusals; the toggle as a frame and by Williams' equation.
 #include "nlmech/frames/frame.hpp"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ namespace {
 using namespace oracle;
 using Eigen::VectorXd;
 
-/// A cantilever along x of members of length 1.
+/// A cantilever along x of @p members members of length 1.
 Frame cantilever(int members, double ea, double ei) {
   std::vector<Node> nodes{{0, 0}};
   std::vector<Member> parts;
@@ -30,10 +30,9 @@ Frame cantilever(int members, double ea, double ei) {
   return {nodes, parts, {{0, Motion::x}, {0, Motion::y}, {0, Motion::rotation}}};
 }
 
-// Under an end moment M there is no axial force, every member turns by phi = M l/EI, and its chord is shorter
-// by phi^2/24 (n = 0 in Eq. 2.28): a regular polygon, rolled up several times. Only this state has the forces
-// 0,
-// ..., 0, M; a rotation taken modulo a turn anywhere would show as a moment of order EI.
+// Under an end moment M the axial force is zero, every member rotates by phi = M l/EI, and its chord shortens
+// by phi^2/24 (n = 0 in Eq. 2.28): a regular polygon, rolled up several times. The forces of this state are
+// 0, ..., 0, M; a rotation reduced modulo 2 pi would give a moment of order EI.
 TEST(Frame, RollsUpUnderAnEndMoment) {
   const int members = 60;
   const double ea = 1e4, ei = 7;
@@ -47,10 +46,10 @@ TEST(Frame, RollsUpUnderAnEndMoment) {
       py += chord * std::sin((i - 0.5) * phi);
       x.segment<3>(Eigen::Index{3} * (i - 1)) << px - i, py, i * phi;
     }
-    EXPECT_NEAR(px, 0, 1e-13);  // closed
+    EXPECT_NEAR(px, 0, 1e-13);  // the polygon is closed
     ASSERT_TRUE(frame.force<double>(x, f).ok());
-    // Places of size up to 60 are rounded: forces are wrong by EA times some eps of that, moments by EI g_s'
-    // theta_s/2 times the error of n, 60 eps EA/EI.
+    // Positions of size up to 60 are rounded: the errors of forces are EA times some eps of that, the errors
+    // of moments EI g_s' theta_s/2 times the error of n, 60 eps EA/EI.
     EXPECT_NEAR(f[frame.size() - 1], ei * phi, 1e-11 * ei);
     f[frame.size() - 1] = 0;
     EXPECT_LT(f.cwiseAbs().maxCoeff(), 60 * 8 * eps * ea);
@@ -81,7 +80,7 @@ TEST(Frame, TangentIsTheHessianOfTheEnergy) {
   }
   const double* const values = k.valuePtr();
   ASSERT_TRUE(frame.tangent<double>(x, k).ok());
-  EXPECT_EQ(k.valuePtr(), values);  // filled again in place
+  EXPECT_EQ(k.valuePtr(), values);  // the storage is reused
 }
 
 TEST(Frame, TellsWhichMemberFails) {
@@ -115,7 +114,7 @@ TEST(Frame, RefusesWhatItCannotUse) {
 
 PathPoint at_rest(const ToggleFrame& t) { return {VectorXd::Zero(t.frame.size()), 0, 1}; }
 
-/// The load path by drops, in steps short enough for Newton.
+/// The load path under displacement control of the apex, in steps short enough for Newton's iteration.
 PathPoint dropped(const ToggleFrame& t, double drop) {
   PathPoint at = at_rest(t);
   for (int i = 1; i <= 20; ++i) at = control(t.frame, t.load, t.apex, -drop * i / 20, at);
@@ -134,14 +133,16 @@ TEST(Toggle, TheFullModelIsTheHalfOne) {
 }
 
 TEST(Toggle, PublishedLoadsLieBeyondTheLimit) {
-  // 1e-9: half a unit of the reference's last digit times the stiffness, with room for the residual's floor.
+  // 1e-9: half a unit of the reference's last digit times the stiffness, and the rounding error of the
+  // residual.
   const ToggleFrame t = make_frame({.height = 0.44}), low = make_frame({});
   EXPECT_NEAR(dropped(t, 0.621922545486).load, 43.79, 1e-9);
   EXPECT_NEAR(dropped(t, 0.623070489).load, 44, 1e-7);
   EXPECT_NEAR(dropped(low, 0.265167973289).load, 27.11, 1e-9);
 }
 
-// Near rest the toggle of one element and Williams' equation agree to first order, up to cos(beta) = 1.
+// For small loads the toggle of one element and Williams' equation agree to first order, except for cos(beta)
+// = 1.
 TEST(Toggle, AtRestItIsWilliams) {
   const double height = 0.44, square = std::pow(height / 12.94, 2);
   const ToggleFrame t = make_frame({.height = height});
@@ -150,9 +151,9 @@ TEST(Toggle, AtRestItIsWilliams) {
       1, 2 * square);
 }
 
-// A member of one element, with EA a thousand times that of Table 2.1, is past its clamped buckling load: the
-// frame says so, and gives the load of the straight branch (79.286, and 81.1062 where a
-// solver stops at the pole). oracle: homotopy_williams element 0.44 with 1000 EA*
+// A member of one element, with EA a thousand times that of Table 2.1, exceeds its clamped buckling load: the
+// status reports it, and the load is that of the straight branch (79.286, and 81.1062 where a solver stops at
+// the pole). oracle: homotopy_williams element 0.44 with 1000 EA*
 TEST(Toggle, TheStraightBranchIsReported) {
   const ToggleFrame t = make_frame({.height = 0.44, .ea = 1.885e9});
   VectorXd x(1), f(1);
@@ -187,10 +188,10 @@ TEST(Williams, TheChainIsTheStabilityFunctions) {
   const Real pi_squared = FourPiSquared<Real>{}.high / 4;
   for (const double rho : {-20., -1., -0.01, 0.01, 0.5, 1., 2., 3.9}) {
     const Real n = -pi_squared * rho;
-    // The chain divides by 1 - w, of size rho: two digits.
+    // The chain divides by 1 - w, which is of size rho: two digits are lost.
     EXPECT_LT(abs(Real(stability_functions(n).antisymmetric.value + n - 6 * chain(rho))), Real(1e-45)) << rho;
   }
-  // As printed, rho = pi^2 EI/l^2 would be a constant that no structure has.
+  // The printed rho = pi^2 EI/l^2 would be a constant, independent of the load.
   const Williams w;
   const Real printed = pi_squared * w.ei / (w.length * w.length);
   EXPECT_NEAR(static_cast<double>(printed), 546.4, 0.05);
@@ -219,7 +220,7 @@ TEST(Williams, SubstitutionGivesMinus) {  // 2.21
     const auto half =
         static_cast<double>(Real(6 * w.ei * chain(rho) * delta / (Real(l) * l * l) + wide * w.height / l));
     const double beta = std::asin(sine), literal = w.ea * (std::sin(beta * beta) - sine * sine) / l * delta;
-    // Terms up to ten times their sum, each rounded a few times.
+    // Terms up to ten times their sum, each with a few rounding errors.
     const double tolerance = 128 * eps;
     expect_erratum(
         "homotopy-2.21-sign",
@@ -262,7 +263,7 @@ TEST(Williams, PublishedLoadsHaveOneEquilibrium) {
   EXPECT_NEAR(high.load(0.635331561089), 43.79, 2e-10);
   EXPECT_NEAR(high.load(0.636310193301), 44, 2e-10);
   EXPECT_NEAR(low.load(0.266690787315), 27.11, 1e-10);
-  EXPECT_LT(high.load(0.22818821400337), 43.79);  // none before the limit point
+  EXPECT_LT(high.load(0.22818821400337), 43.79);  // no equilibrium at 43.79 before the limit point
 }
 
 TEST(Williams, PastThePole) {

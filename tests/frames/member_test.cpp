@@ -1,4 +1,4 @@
-/// A member: its stability functions, its axial force, its energy with both derivatives.
+/// A member: stability functions, axial force, energy and both derivatives.
 #include "nlmech/frames/stability_functions.hpp"
 
 #include <gtest/gtest.h>
@@ -21,8 +21,8 @@ void expect_close(const StabilityFunction<double>& mine, const StabilityFunction
   EXPECT_LE(error(mine.curvature, reference.curvature), 128) << n;
 }
 
-// Bounds as the header promises them. g_s crosses 0 at n = -pi^2 and g_a at -4 pi^2: values below 1 are as
-// good as 1.
+// Error bounds stated in the header. g_s is 0 at n = -pi^2 and g_a at -4 pi^2: for values below 1 the bound
+// is absolute.
 TEST(StabilityFunctions, KeepTheirDigits) {
   for (const double n :
        {-39.4, -35., -30., -20., -9.9,   -9.8, -6.,    -4.0001, -4., -3.9999, -1.,   -1e-2, -1e-4,
@@ -44,8 +44,8 @@ TEST(StabilityFunctions, AtNothingTheyAreTheBeams) {
   EXPECT_NEAR(g.symmetric.curvature, -1. / 90, eps);       // c = 1 + y/3 - y^2/45
 }
 
-// From the series to the closed forms at |n| = 4, for g_a at 16: neighbours differ by no more than both are
-// wrong.
+// Continuity between series and closed forms at |n| = 4, for g_a at 16: neighbours differ by at most the sum
+// of both errors.
 TEST(StabilityFunctions, AreContinuousAtTheSeams) {
   for (const double seam : {-16., -4., 4., 16.}) {
     const auto in = stability_functions(std::nextafter(seam, 0.)), out = stability_functions(seam);
@@ -62,7 +62,7 @@ TEST(StabilityFunctions, InFiftyDigits) {
   for (const double n : {-30., -4.5, -3.5, -1., 0.5, 3.9, 5., 100.}) {
     const auto mine = stability_functions(Real(n)), reference = exact(Real(n));
     for (const auto part : {&StabilityFunctions<Real>::antisymmetric, &StabilityFunctions<Real>::symmetric}) {
-      // The oracle cancels like n^-3 in the second derivative.
+      // The second derivative of the oracle loses digits as n^-3.
       EXPECT_LT(abs(Real((mine.*part).value / (reference.*part).value - 1)), Real(1e-45)) << n;
       EXPECT_LT(abs(Real((mine.*part).slope / (reference.*part).slope - 1)), Real(1e-43)) << n;
       EXPECT_LT(abs(Real((mine.*part).curvature / (reference.*part).curvature - 1)), Real(1e-41)) << n;
@@ -70,14 +70,15 @@ TEST(StabilityFunctions, InFiftyDigits) {
   }
 }
 
-// Next to Euler's load of clamped ends, in the distance from it.
+// Near Euler's load of clamped ends, as a function of the distance from it.
 TEST(StabilityFunctions, AboveThePole) {
   const Real pole = FourPiSquared<Real>{}.high;
   for (const double p : {1e-100, 1e-16, 1e-10, 1e-3, 1., 20., 35.}) {
     const auto mine = stability_functions_above_pole(p);
     StabilityFunctions<Real> reference = stability_functions_above_pole(Real(p));
     if (p >= 1e-3)
-      reference = exact(Real(Real(p) - pole));  // nearer, 50 digits of the textbook's form are too few
+      reference =
+          exact(Real(Real(p) - pole));  // closer to the pole 50 digits of the textbook's form do not suffice
     for (const auto& [a, b] : {std::pair{mine.symmetric.value, reference.symmetric.value},
                                {mine.symmetric.slope, reference.symmetric.slope},
                                {mine.symmetric.curvature, reference.symmetric.curvature},
@@ -86,14 +87,14 @@ TEST(StabilityFunctions, AboveThePole) {
                                {mine.antisymmetric.curvature, reference.antisymmetric.curvature}}) {
       EXPECT_LE(error(a, b) * eps, 1e-13) << p;
     }
-    // The leading term, -8 pole/p.
+    // The leading term is -8 pole/p.
     if (p < 1e-9) {
       EXPECT_NEAR(mine.symmetric.value * p / (-8 * static_cast<double>(pole)), 1, 1e-9);
     }
   }
 }
 
-// n = -4 pi^2 rounded is not the pole: the function knows the remainder.
+// n = -4 pi^2 rounded to double differs from the pole; the function uses the remainder.
 TEST(StabilityFunctions, NeighboursOfThePoleAreTheirOwn) {
   const double pole = -FourPiSquared<double>{}.high;
   for (const double n : {pole, std::nextafter(pole, 0.), std::nextafter(pole, -100.)})
@@ -125,7 +126,7 @@ Real balance(const AxialBalance<double>& b, const Real& n) {
          b.softness * n;
 }
 
-// The root's own condition: an error of eps in each datum moves n by its term over |db/dn|.
+// Condition of the root: an error of eps in each datum changes n by the corresponding term over |db/dn|.
 RC_GTEST_PROP(AxialForce, BalancesTheStretch, ()) {
   const double a = *between(-0.7, 0.7), s = *between(-0.7, 0.7);
   const AxialBalance<double> b{*between(-0.1, 0.1), a * a / 2, s * s / 2, std::pow(10, *between(-8, -1))};
@@ -137,7 +138,7 @@ RC_GTEST_PROP(AxialForce, BalancesTheStretch, ()) {
                       static_cast<double>(Real(b.antisymmetric * abs(g.antisymmetric.slope) +
                                                b.symmetric * abs(g.symmetric.slope))) +
                       std::abs(b.softness * force.n);
-  // n itself, rounded, leaves eps |n db/dn|.
+  // The rounding of n leaves a residual of eps |n db/dn|.
   const double rounding = std::abs(force.n * b.slope(force.g));
   RC_ASSERT(std::abs(static_cast<double>(balance(b, force.n))) <= 64 * eps * (size + rounding));
   RC_ASSERT(force.evaluations <= 40);
@@ -150,8 +151,8 @@ TEST(AxialForce, OfAStraightMemberIsHookes) {
   EXPECT_NEAR(axial_force(AxialBalance<double>{-1e-4, 0, 0, 1e-5}).n, -10, 1e-13);
 }
 
-// Symmetric rotations of any size keep the force above the pole, and the moment EI g_s theta_s/l keeps its
-// digits: for small theta_s it is what the shortening demands, 8 pole^2/p^2 theta_s^2/2 = rest.
+// With a symmetric rotation of any size the force stays above the pole, and the moment EI g_s theta_s/l keeps
+// its digits: for small theta_s the shortening determines it by 8 pole^2/p^2 theta_s^2/2 = rest.
 TEST(AxialForce, KeepsItsDistanceFromThePole) {
   const double pole = FourPiSquared<double>{}.high;
   for (const double theta : {1e-1, 1e-5, 1e-10, 1e-50}) {
@@ -168,8 +169,8 @@ TEST(AxialForce, KeepsItsDistanceFromThePole) {
   }
 }
 
-// Without symmetric rotation the member goes on past its clamped buckling load, and says so. Truth: b at that
-// root is 0 in 50 digits, and at -4 pi^2, where a solver that stops there would stay, it is not.
+// Without symmetric rotation the member exceeds its clamped buckling load, and the status reports it. At that
+// root b is 0 in 50 digits; at -4 pi^2, where a solver might stop, it is not.
 TEST(AxialForce, ThePastOfTheClampedBucklingLoadIsAnotherBranch) {
   const AxialBalance<double> b{-0.02, 0.1 * 0.1 / 2, 0, 1e-5};
   const auto force = axial_force(b);
@@ -183,13 +184,13 @@ TEST(AxialForce, ThePastOfTheClampedBucklingLoadIsAnotherBranch) {
   // 64 eps of the largest term, 0.02.
   EXPECT_LE(std::abs(at(Real(force.n))), 64 * eps * 0.02);
   EXPECT_LT(at(Real(-39.5)), -0.01);
-  // A symmetric rotation, however small, brings it back.
+  // With any symmetric rotation the force stays below the buckling load.
   EXPECT_EQ(axial_force(AxialBalance<double>{-0.02, 0.005, 1e-40, 1e-5}).outcome, Outcome::success);
   for (const double tiny : {1e-189, 1e-191, 1e-300, 5e-324}) {
     const auto next = axial_force(AxialBalance<double>{-0.02, 0.005, tiny, 1e-5});
     EXPECT_TRUE(std::isfinite(next.n) && std::isfinite(next.g.symmetric.curvature)) << tiny;
   }
-  // A straight strut has only its shortening.
+  // In a straight strut the axial strain is the only term.
   const auto strut = axial_force(AxialBalance<double>{-0.02, 0, 0, 1e-5});
   EXPECT_EQ(strut.outcome, Outcome::wrong_branch);
   EXPECT_NEAR(strut.n, -2000, 1e-11);
@@ -203,7 +204,7 @@ TEST(AxialForce, AtThePoleAndWithoutNumbers) {
   EXPECT_EQ(axial_force(AxialBalance<double>{HUGE_VAL, 0, 0, 1e-5}).outcome, Outcome::non_finite);
 }
 
-// ---- The beam-column: derivatives, rigid motions, the straight beam's matrix.
+// ---- The beam-column: derivatives, rigid-body motions, the matrix of the straight beam.
 
 using D = Dual<double, 6>;
 using DD = Dual<D, 6>;
@@ -230,15 +231,15 @@ RC_GTEST_PROP(BeamColumn, ForceIsTheGradientAndTangentTheHessian, ()) {
     gradient[i] = u.partial[row].value;
     for (int j = 0; j < 6; ++j) hessian(i, j) = u.partial[row].partial[static_cast<std::size_t>(j)];
   }
-  // 1e-10 of the largest entry: what is asked of this element; rounding alone would do with less.
+  // 1e-10 of the largest entry is the required accuracy; rounding errors are smaller.
   RC_ASSERT((gradient - f).cwiseAbs().maxCoeff() <= 1e-10 * f.cwiseAbs().maxCoeff());
   RC_ASSERT((by_force - k).cwiseAbs().maxCoeff() <= 1e-10 * k.cwiseAbs().maxCoeff());
   RC_ASSERT((hessian - k).cwiseAbs().maxCoeff() <= 1e-10 * k.cwiseAbs().maxCoeff());
   RC_ASSERT((k - k.transpose()).cwiseAbs().maxCoeff() == 0);
 }
 
-// The member turned and moved as a whole, by several turns too. The stretch is rounded by some eps of the
-// places, of size up to 10, hence forces by 1e-13 EA at most.
+// A rigid-body rotation by up to 15 rad and a translation. The stretch has rounding errors of some eps of
+// positions up to 10, hence forces of at most 1e-13 EA.
 RC_GTEST_PROP(BeamColumn, RigidMotionsCostNothing, ()) {
   const BeamColumn m = random_member();
   const Vector<double, 6> d = random_displacements(m, 1);
@@ -265,13 +266,13 @@ TEST(BeamColumn, ARigidMotionAloneLeavesItUnloaded) {
     Vector<double, 6> d;
     d << 1, 2, angle, 1 + (c - 1) * 3 - s * 4, 2 + s * 3 + (c - 1) * 4, angle;
     const auto state = member_state<double>(m, d);
-    // A few eps of the places over the length times EA; the angle's own rounding times EI/l.
+    // A few eps of the positions over the length times EA; rounding of the angle times EI/l.
     EXPECT_LE(member_force(state).cwiseAbs().maxCoeff(), 16 * eps * (m.ea + std::abs(angle) * m.ei)) << angle;
   }
 }
 
-// Straight, under an axial force: the textbook's beam-column matrix with N/l on the chord. At n = 0 it is
-// that of Euler and Bernoulli.
+// Straight member under an axial force: the textbook's beam-column matrix with N/l on the chord. At n = 0 it
+// is the matrix of Euler and Bernoulli.
 TEST(BeamColumn, StraightItIsTheTextbooks) {
   const double l = 2, ei = 3, ea = 500;
   for (const double n : {-30., -5., -1e-3, 0., 1e-3, 6., 200.}) {
@@ -283,7 +284,7 @@ TEST(BeamColumn, StraightItIsTheTextbooks) {
     const Matrix<double, 6> k = member_tangent(m, state);
     const Textbook<Real> t = n == 0 ? Textbook<Real>{4, 2} : textbook(Real(n));
     const double s = static_cast<double>(t.s), sc = static_cast<double>(t.sc), stretched = l + d[3];
-    // The chord has become longer: lever arms are of the stretched length.
+    // The chord is stretched: lever arms have the stretched length.
     const double shear = ei / l * (s + sc) / stretched, turn = 2 * shear / stretched + force / stretched;
     const double tolerance = 64 * eps * (ea / l + 4 * k3 * l * l + std::abs(turn));
     EXPECT_NEAR(state.axial.n, n, 16 * eps * std::abs(n) + 1e-15);
@@ -299,8 +300,8 @@ TEST(BeamColumn, StraightItIsTheTextbooks) {
   }
 }
 
-// The whole element in 50 digits, against itself in double: rounding of the data by eps over the conditions
-// of the axial force.
+// The element in 50 digits against the element in double: eps of the data over the condition of the axial
+// force.
 RC_GTEST_PROP(BeamColumn, AgreesWithFiftyDigits, ()) {
   const BeamColumn m = random_member();
   const Vector<double, 6> d = random_displacements(m, 3);
@@ -308,7 +309,7 @@ RC_GTEST_PROP(BeamColumn, AgreesWithFiftyDigits, ()) {
   const auto wide = member_state<Real>(m, d.cast<Real>());
   const Vector<double, 6> f = member_force(wide).cast<double>();
   RC_ASSERT((member_force(state) - f).cwiseAbs().maxCoeff() <= 1e-13 * m.ea);
-  // The wide element has balanced its stretch to its own precision.
+  // The axial equilibrium in 50 digits holds to that precision.
   const Real rest = AxialBalance<Real>{Real(wide.stretch / wide.rest_length),
                                        Real(wide.antisymmetric * wide.antisymmetric / 2),
                                        Real(wide.symmetric * wide.symmetric / 2),

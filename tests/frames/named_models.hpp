@@ -1,5 +1,5 @@
 /// @file
-/// Frames described by names on which tests agree, their paths, and what tests look up on these.
+/// Models of frames for tests, their equilibrium paths, and functions that select unknowns and points.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -15,13 +15,13 @@
 
 namespace nlmech::frames::models {
 
-/// Holds a node's place.
+/// Supports both displacements of a node.
 inline void pin(FrameModel& m, const std::string& node) {
   m.supports.push_back({node, Motion::x});
   m.supports.push_back({node, Motion::y});
 }
 
-/// Holds all of it.
+/// Supports both displacements and the rotation of a node.
 inline void clamp(FrameModel& m, const std::string& node) {
   pin(m, node);
   m.supports.push_back({node, Motion::rotation});
@@ -33,8 +33,7 @@ inline NamedMember bar(const std::string& first, const std::string& second) {
       .first = first, .second = second, .ea = 1, .ei = 1, .is_first_pinned = true, .is_second_pinned = true};
 }
 
-/// A beam of length 1, EI = 1 and EA = 1e4 between clamps, its ends pinned to these or not, loaded in the
-/// middle.
+/// A beam of length 1, EI = 1 and EA = 1e4, each end clamped or pinned, loaded at its middle.
 inline FrameModel beam(bool is_left_pinned, bool is_right_pinned) {
   FrameModel m;
   m.nodes = {{"left", 0, 0}, {"middle", 0.5, 0}, {"right", 1, 0}};
@@ -47,7 +46,7 @@ inline FrameModel beam(bool is_left_pinned, bool is_right_pinned) {
   return m;
 }
 
-/// Two pinned bars over a half span of 1, the apex at 0.5.
+/// Two pinned bars over half spans of 1, with the apex at height 0.5.
 inline FrameModel truss() {
   FrameModel m;
   m.nodes = {{"left", -1, 0}, {"apex", 0, 0.5}, {"right", 1, 0}};
@@ -58,8 +57,8 @@ inline FrameModel truss() {
   return m;
 }
 
-/// A column of length 1 and EI = 1 with one node in its middle, pinned below and guided above, in units of
-/// its buckling load pi^2.
+/// A column of length 1 and EI = 1 with one node at its middle, pinned at its base and guided at its top; the
+/// load is in units of the buckling load pi^2.
 inline FrameModel column(double ea) {
   FrameModel m;
   m.nodes = {{"base", 0, 0}, {"middle", 0, 0.5}, {"top", 0, 1}};
@@ -71,7 +70,7 @@ inline FrameModel column(double ea) {
   return m;
 }
 
-/// A cantilever of length 1 and EI = 1 whose moment at a load factor of 1 rolls it up to a circle.
+/// A cantilever of length 1 and EI = 1 that a moment at the load factor 1 rolls up to a full circle.
 inline FrameModel cantilever(double ea) {
   FrameModel m;
   m.nodes = {{"base", 0, 0}, {"tip", 1, 0}};
@@ -96,20 +95,19 @@ inline FrameModel lee() {
 
 /// A circular arch loaded at the crown downwards.
 struct Arch {
-  double radius, half_angle;  ///< half the angle in degrees
+  double radius, half_angle;  ///< half the opening angle in degrees
   double ea, ei;
-  bool is_right_clamped = true;  ///< else pinned
-  /// The left half only, its crown held against moving sideways and turning; the load is still that on the
-  /// whole.
+  bool is_right_clamped = true;  ///< otherwise pinned
+  /// Model the left half only, with symmetry conditions at the crown; the load is that of the whole arch.
   bool is_half = false;
 };
 /// The arch of 215 degrees, clamped left and pinned right, of DaDeppo and Schmidt (1975).
 inline constexpr Arch deep_arch{100, 107.5, 1e8, 1e6, false};
-/// The clamped shallow arch of Gjelsvik and Bodner (1962), 3/16 thick: it snaps through, and branches into an
-/// antisymmetric shape.
+/// The clamped shallow arch of Gjelsvik and Bodner (1962), thickness 3/16: it snaps through, with a
+/// bifurcation to an antisymmetric branch.
 inline constexpr Arch shallow_arch{133.114, 7.3397, 1e7 * 3 / 16, 1e7 * (27. / 4096) / 12};
 
-/// An arch of two arcs, or of one to the crown.
+/// Two circular members, or one from the support to the crown.
 inline FrameModel arch(const Arch& a) {
   FrameModel m;
   const double angle = a.half_angle * std::numbers::pi / 180, half = std::sin(angle / 2),
@@ -147,15 +145,14 @@ inline std::vector<FramePoint> only(const FramePaths& paths, Kind kind, int bran
   return some;
 }
 
-/// The paths, which have to come to their ends.
+/// The equilibrium paths; expects success.
 inline FramePaths paths_of(const NamedFrame& f, const PathOptions& walk = {}) {
   FramePaths paths = equilibrium_paths(f, walk);
   EXPECT_TRUE(paths.status.ok()) << paths.status.text();
   return paths;
 }
 
-/// Columns of column() side by side, which nothing joins, the first of stiffness 1 and others of
-/// more.
+/// Unconnected columns of column(): the first with stiffness 1, the others with @p stiffnesses.
 inline FrameModel columns(const std::vector<double>& stiffnesses) {
   FrameModel m = column(1e6);
   const FrameModel one = m;

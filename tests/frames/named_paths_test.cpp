@@ -1,4 +1,4 @@
-/// Paths of frames described by names, with their limit and branch points and the branches that leave them.
+/// Equilibrium paths of named frames: limit points, bifurcation points and branches.
 #include <gtest/gtest.h>
 #include <Eigen/Eigenvalues>
 
@@ -25,7 +25,7 @@ namespace {
 using namespace models;
 constexpr double pi = std::numbers::pi;
 
-/// The loads of the first limit points.
+/// The loads of the limit points.
 std::vector<double> limits_of(const FrameModel& model, int elements) {
   const FramePaths paths = paths_of(build(model, elements));
   std::vector<double> loads;
@@ -37,7 +37,7 @@ std::vector<double> limits_of(const FrameModel& model, int elements) {
   return loads;
 }
 
-// Half a unit of the last digit and the rounding floor of 1e-10 for 20 elements.
+// Tolerance: half a unit of the last digit, and rounding errors of 1e-10 for 20 elements.
 // oracle: homotopy_frames Lee's frame of * limit, Lee's frame of * lower limit
 TEST(NamedPaths, LeesFrameSnapsThroughAndBack) {
   for (const auto& [share, high, low] :
@@ -47,7 +47,7 @@ TEST(NamedPaths, LeesFrameSnapsThroughAndBack) {
     EXPECT_NEAR(loads[0], high, 2e-10);
     EXPECT_NEAR(loads[1], low, 2e-10);
   }
-  // The displacement of the load grows to some 61, comes back to below 51, and grows again.
+  // The displacement of the load increases to about 61, decreases below 51, and increases again.
   const NamedFrame f = build(models::lee(), 4);
   const Eigen::Index at = unknown_of(f, "load.y");
   double farthest = 0, back = HUGE_VAL, last = 0;
@@ -56,17 +56,17 @@ TEST(NamedPaths, LeesFrameSnapsThroughAndBack) {
     if (last > 55 && back == HUGE_VAL) farthest = std::max(farthest, last);
     if (farthest > 60 && last < 55) back = std::min(back, last);
   }
-  EXPECT_NEAR(farthest, 60.99, 0.3);  // places of steps, not refined
+  EXPECT_NEAR(farthest, 60.99, 0.3);  // from steps of the path, not refined
   EXPECT_NEAR(back, 50.8, 0.3);
   EXPECT_GT(last, 90);
 }
 
-/// Is it an equilibrium, with a vanishing eigenvalue by Eigen's dense solver? Then its vector.
+/// Expects equilibrium and a zero eigenvalue by Eigen's dense solver. @returns its eigenvector
 Eigen::VectorXd singular_shape(const NamedFrame& f, const FramePoint& p) {
   LoadedFrame equations(f.frame, f.load);
   Eigen::VectorXd r(f.frame.size());
   equations.residual(p.x, p.load, r);
-  EXPECT_LT(r.cwiseAbs().maxCoeff(), 1e-6);  // of forces of 30
+  EXPECT_LT(r.cwiseAbs().maxCoeff(), 1e-6);  // forces are up to 30
   equations.linearise(p.x, p.load);
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> spectrum(Eigen::MatrixXd(*equations.sparse()));
   Eigen::Index at = 0;
@@ -75,7 +75,7 @@ Eigen::VectorXd singular_shape(const NamedFrame& f, const FramePoint& p) {
 }
 
 // The branch leaves the symmetric path near 27.0, is antisymmetric, and returns to it at the second
-// bifurcation; both halves are mirror images.
+// bifurcation; its two halves are mirror images.
 TEST(NamedPaths, TheAntisymmetricBranchOfTheShallowArch) {
   const NamedFrame f = build(models::arch(models::shallow_arch), 16);
   const FramePaths paths = paths_of(f, {.branches = 8});
@@ -83,7 +83,7 @@ TEST(NamedPaths, TheAntisymmetricBranchOfTheShallowArch) {
   EXPECT_EQ(paths.unfollowed, 0);
   const std::vector<FramePoint> forks = only(paths, Kind::bifurcation);
   ASSERT_EQ(forks.size(), 2u);
-  EXPECT_NEAR(forks[0].load, 27.0, 0.15);  // between two places of a walk with v = 0.74 and 0.76
+  EXPECT_NEAR(forks[0].load, 27.0, 0.15);  // between two steps of the path with v = 0.74 and 0.76
   const Eigen::Index down = unknown_of(f, "crown.y"), sideways = unknown_of(f, "crown.x");
   EXPECT_NEAR(-forks[0].x[down], 0.75, 0.01);
   EXPECT_LT(-forks[1].x[down], 0.96);
@@ -110,7 +110,7 @@ TEST(NamedPaths, TheAntisymmetricBranchOfTheShallowArch) {
   EXPECT_LT(sums[1] * sums[2], 0);
 }
 
-// W = 2 EA (1/l - 1/L) (h - d): its limit is 2 EA (1 - (b/L)^(2/3))^(3/2), at l = (b^2 L)^(1/3).
+// W = 2 EA (1/l - 1/L) (h - d) has the limit load 2 EA (1 - (b/L)^(2/3))^(3/2), at l = (b^2 L)^(1/3).
 TEST(NamedPaths, TrussOfTwoBars) {
   const NamedFrame f = build(models::truss(), 1);
   const FramePaths paths = paths_of(f);
@@ -130,14 +130,14 @@ TEST(NamedPaths, TrussOfTwoBars) {
   EXPECT_NEAR(top[0].x[at], rise - h, 1e-9);
 }
 
-// A bar that stretches while it bends buckles where P (1 - P/EA) = pi^2 EI/l^2.
+// Buckling of a bar with axial strain: P (1 - P/EA) = pi^2 EI/l^2.
 TEST(NamedPaths, EulersLoads) {
   for (const double ea : {1e4, 1e6, 1e9}) {
     const auto expected = [&](int mode) {
       const double euler = pi * pi * mode * mode;
       return 2 * euler / (1 + std::sqrt(1 - 4 * euler / ea)) / (pi * pi);
     };
-    // Elements are exact but for what the compression changes: errors of P/EA m^-2, the next ones m^-4.
+    // The discretisation error of the elements is due to the axial strain: P/EA m^-2, next term m^-4.
     std::vector<FramePoint> forks[2];
     for (const int k : {0, 1}) {
       forks[k] = only(paths_of(build(models::column(ea), 16 << k), {.until = 10}), Kind::bifurcation);
@@ -153,7 +153,7 @@ TEST(NamedPaths, EulersLoads) {
   }
 }
 
-// Behind the bifurcation: P/P_1 = (2 K(sin(a/2))/pi)^2 with the rotation a of the ends (Euler 1744).
+// Postbuckling: P/P_1 = (2 K(sin(a/2))/pi)^2 with the rotation a of the ends (Euler 1744).
 TEST(NamedPaths, TheBentColumnIsEulersElastica) {
   double errors[2] = {};
   for (const int k : {0, 1}) {
@@ -173,8 +173,9 @@ TEST(NamedPaths, TheBentColumnIsEulersElastica) {
   EXPECT_LT(errors[1], 0.3 * errors[0] + 2e-6);  // m^-2, and P/EA
 }
 
-// Every element bends to the same arc, and rotations and the closed polygon of chords are exact: 1e-12. Half
-// rolled up, the tip is a diameter 2/pi from the base; chords are too long by m^-4 of that.
+// Every element bends to the same arc; rotations and the closed polygon of chords are exact: 1e-12. At half
+// the moment the distance of the tip from the base is a diameter 2/pi; the chords are too long by m^-4 of
+// that.
 TEST(NamedPaths, TheCantileverRollsUpToACircle) {
   for (const int elements : {5, 20}) {
     const NamedFrame f = build(models::cantilever(1e6), elements);
@@ -190,7 +191,8 @@ TEST(NamedPaths, TheCantileverRollsUpToACircle) {
   EXPECT_NEAR(half.x[unknown_of(f, "tip.y")], 2 / pi, 1e-8);
 }
 
-// Sway of a portal with clamped columns and a beam, all of one stiffness and length: k cot k = -6, P = k^2.
+// Sway buckling of a portal with clamped columns and a beam, all of equal stiffness and length: k cot k = -6,
+// P = k^2.
 TEST(NamedPaths, ThePortalSways) {
   const auto portal = [](double ea) {
     FrameModel m;
@@ -217,7 +219,7 @@ TEST(NamedPaths, ThePortalSways) {
   EXPECT_GT(std::abs(bent.back().x[unknown_of(soft, "b.x")]), 0.1);
 }
 
-// The same frame with nodes, members, and the ends of members in another order.
+// The same frame with another order of nodes, members, and ends of members.
 TEST(NamedPaths, NumberingDoesNotMatter) {
   std::mt19937 random(7);
   for (const FrameModel& model : {models::lee(), models::arch(models::shallow_arch)}) {
@@ -245,8 +247,9 @@ TEST(NamedPaths, NumberingDoesNotMatter) {
   }
 }
 
-// 5000 unknowns. Errors of Lee's frame fall like m^-4: the limit is that of 10 and of 20 elements
-// extrapolated, the next order 1e-7. oracle: homotopy_frames Lee's frame of 10 limit
+// 5000 unknowns. Errors of Lee's frame decrease as m^-4: the reference is extrapolated from 10 and 20
+// elements, next order 1e-7.
+// oracle: homotopy_frames Lee's frame of 10 limit
 TEST(NamedPaths, FiveThousandUnknowns) {
   const NamedFrame f = build(models::lee(), 167);
   EXPECT_GT(f.frame.size(), 5000);
@@ -273,11 +276,10 @@ TEST(NamedPaths, EndWhereTheyAreTold) {
   EXPECT_THROW((void)equilibrium_paths(f, {.until = 0}), std::invalid_argument);
 }
 
-// ---- Branch points of frames described by names: where they are, what is counted there, and where branches
-// end.
+// ---- Bifurcation points of named frames: places, counts of negative eigenvalues, and ends of branches.
 
-// Straight, the column has a negative eigenvalue for each of Euler's loads k^2 (1 + k^2 pi^2/EA) below its
-// own, also where a walk ends within a step that goes on past the next of them.
+// The straight column has one negative eigenvalue for each Euler load k^2 (1 + k^2 pi^2/EA) below its load,
+// also if the path ends within a step that passes a further Euler load.
 TEST(NamedForks, TheEndCountsItsOwnNegativeEigenvalues) {
   const NamedFrame f = build(models::column(1e6), 4);
   for (const auto& [until, below] : {std::pair{1.5, 1}, {2., 1}, {3., 1}, {3.99, 1}, {6., 2}, {9.5, 3}}) {
@@ -287,7 +289,7 @@ TEST(NamedForks, TheEndCountsItsOwnNegativeEigenvalues) {
   }
 }
 
-// Two equal columns side by side, which nothing joins: both buckle at once.
+// Two equal unconnected columns buckle at the same load.
 TEST(NamedForks, AtADoubleBifurcationTwoEigenvaluesVanishAndNoBranchIsFollowed) {
   const FramePaths paths = paths_of(build(columns({1}), 4), {.until = 2, .branches = 4});
   const auto forks = only(paths, Kind::bifurcation);
@@ -300,8 +302,8 @@ TEST(NamedForks, AtADoubleBifurcationTwoEigenvaluesVanishAndNoBranchIsFollowed) 
   EXPECT_EQ(paths.unfollowed, 0);
 }
 
-// A rigid column on a foot that a level spring of stiffness 1 holds: leaning at an angle a it bears cos a.
-// Its branch goes all the way round, through the fork of the column that hangs, and ends where it began.
+// A rigid column whose foot is held by a horizontal spring of stiffness 1: at the angle a it carries cos a.
+// Its branch passes the bifurcation of the hanging column and returns to its start.
 TEST(NamedForks, ABranchThatReturnsFindsTheForksOnItsWay) {
   FrameModel m;
   m.nodes = {{"foot", 0, 0}, {"top", 0, 1}, {"anchor", 2, 0}};
@@ -316,31 +318,32 @@ TEST(NamedForks, ABranchThatReturnsFindsTheForksOnItsWay) {
   ASSERT_EQ(paths.branches, 1);
   const auto forks = only(paths, Kind::bifurcation, 1);
   ASSERT_EQ(forks.size(), 3u);
-  const double limit = (1 - 1e-6);  // cos a but for the column's compression, P/EA
+  const double limit = (1 - 1e-6);  // cos a, reduced by the axial strain P/EA of the column
   for (const std::size_t i : {0u, 1u, 2u}) {
-    EXPECT_NEAR(forks[i].load, i == 1 ? -limit : limit, 1e-9);  // rounding of EA
+    EXPECT_NEAR(forks[i].load, i == 1 ? -limit : limit, 1e-9);  // rounding error of EA
     EXPECT_EQ(forks[i].negative, 0);
     EXPECT_EQ(forks[i].vanishing, 1);
   }
   EXPECT_NEAR(forks[1].x[unknown_of(f, "top.y")], -2, 2e-6);
-  EXPECT_EQ(paths.unfollowed, 2);  // both ways of the column that hangs
+  EXPECT_EQ(paths.unfollowed, 2);  // both directions at the hanging column
   EXPECT_TRUE(only(paths, Kind::maximum, 1).empty());
   EXPECT_TRUE(only(paths, Kind::minimum, 1).empty());
   for (const FramePoint& p : only(paths, Kind::step, 1))
     EXPECT_NEAR(p.load, 1 + p.x[unknown_of(f, "top.y")], 3e-6);
 }
 
-// Columns of 1, 1.9, 3.6 and 6.9 times the stiffness that nothing joins buckle one after the other, each
-// before twice the load of the one before: the end is that of the second, the last within twice the first.
+// Unconnected columns of stiffness 1, 1.9, 3.6 and 6.9 buckle one after the other, each before twice the load
+// of the one before. The path ends at twice the second load; the last bifurcation within twice the first load
+// is the second.
 TEST(NamedForks, TheEndIsNotPutOffByEachFurtherFork) {
   const FramePaths paths = paths_of(build(columns({1.9, 3.6, 6.9}), 2));
   EXPECT_NEAR(paths.points.back().load, 3.8, 1e-2);  // pi^2/EA and m^-2
   EXPECT_EQ(paths.points.back().negative, 3);
 }
 
-// A clamped column of one element buckles at (pi/2)^2 and (3 pi/2)^2, by stability functions exactly. At (2
-// pi)^2 its element buckles between its ends, which has a pole of the stiffness there and no fork of the
-// frame.
+// A clamped column of one element buckles at (pi/2)^2 and (3 pi/2)^2, exactly by stability functions. At (2
+// pi)^2 its element buckles between its ends: the stiffness has a pole there, and the frame has no
+// bifurcation.
 TEST(NamedForks, TheBucklingOfAnElementIsNoFork) {
   FrameModel m;
   m.nodes = {{"base", 0, 0}, {"top", 0, 1}};
@@ -359,8 +362,8 @@ TEST(NamedForks, TheBucklingOfAnElementIsNoFork) {
   EXPECT_EQ(paths.points.back().negative, 2);
 }
 
-// A clamped column that stands askew, so that its straight path is straight but for rounding: EA eps over the
-// soft stiffness sideways is as long as a hundredth of a step.
+// A clamped inclined column, whose path is straight up to rounding errors: EA eps over the lateral stiffness
+// is as long as a hundredth of a step.
 TEST(NamedForks, ASlenderColumnAskewBucklesAsUpright) {
   for (const double angle : {0., 0.3, 0.52, 1.2, 2.9}) {
     for (const double ea : {1e5, 1e6, 1e7}) {
@@ -378,8 +381,8 @@ TEST(NamedForks, ASlenderColumnAskewBucklesAsUpright) {
   }
 }
 
-// Two columns side by side, one stiffer by 1e-5: while the first bends, the other one buckles at its own
-// load, which the first has reached before it has bent by a hundredth.
+// Two unconnected columns, one stiffer by 1e-5: on the branch of the first the other one buckles at its own
+// load, which is reached before the first has bent by a hundredth.
 TEST(NamedForks, ABranchPointNextToTheBeginningOfABranch) {
   const FramePaths paths = paths_of(build(columns({1 + 1e-5}), 4), {.until = 1.01, .branches = 2});
   ASSERT_EQ(paths.branches, 2);
@@ -395,11 +398,12 @@ TEST(NamedForks, ABranchPointNextToTheBeginningOfABranch) {
   }
 }
 
-// ---- Columns that tip over against a spring, and toggles and arches whose apex stands beside the middle.
+// ---- Columns that buckle against a spring, and toggles and arches with an asymmetric apex.
 
-/// A column on a hinge, its top held by a long bar as by a spring.
+/// A hinged column whose top is held by a long bar that acts as a spring.
 struct Sprung {
-  double length, spring, ea, ei, far;  ///< of the column; stiffness; of the column; length of the bar
+  double length, spring, ea, ei,
+      far;  ///< length of the column; stiffness of the spring; EA and EI of the column; length of the bar
   double bar_ei = 1e9;
 
   [[nodiscard]] FrameModel model() const {
@@ -417,9 +421,9 @@ struct Sprung {
     m.loads = {{"top", Motion::y, -1}};
     return m;
   }
-  /// P = k l (1 - P/EA): the moment of the load about the base is that of the spring. The bar, inclined as
-  /// the column shortens, pulls with an extension v^2/(2 far), which takes Koiter's share 3/2 e^(2/3) from
-  /// it.
+  /// P = k l (1 - P/EA): moment equilibrium of load and spring about the base. The bar is inclined by the
+  /// shortening of the column and extended by v^2/(2 far), which reduces P by Koiter's factor 1 - 3/2
+  /// e^(2/3).
   [[nodiscard]] double critical() const {
     const double load = spring * length / (1 + spring * length / ea), drop = load * length / ea;
     const double imperfection = drop * drop / (2 * far * length);
@@ -427,7 +431,7 @@ struct Sprung {
   }
 };
 
-/// Points of a path within a tenth of a load that are no steps.
+/// Points of a path, except steps, within a tenth of the load @p around.
 std::vector<FramePoint> criticals(const NamedFrame& frame, const PathOptions& walk, double around) {
   std::vector<FramePoint> some;
   for (const FramePoint& p : equilibrium_paths(frame, walk).points) {
@@ -440,13 +444,13 @@ void expect_one_point(const Sprung& sprung, int elements, const PathOptions& wal
   const auto points = criticals(build(sprung.model(), elements), walk, sprung.critical());
   ASSERT_EQ(points.size(), 1u) << sprung.ei << ' ' << sprung.far << ' ' << elements;
   EXPECT_NE(points[0].kind, Kind::minimum);
-  // Koiter's next term, and the digits of a bifurcation that an imperfection of 1e-16 parts.
+  // Koiter's next term, and the digits lost at a bifurcation that an imperfection of 1e-16 splits.
   EXPECT_NEAR(points[0].load, sprung.critical(), 1e-6 * sprung.critical())
       << sprung.ei << ' ' << sprung.far << ' ' << elements;
 }
 
-// Of the eigenvalues of its stiffness, up to 1e10, one of some 100 changes its sign: it is seen in every
-// mesh, from every first step, and once.
+// The stiffness has eigenvalues up to 1e10, and one of about 100 changes its sign: it is found once, with
+// every mesh and every first step.
 TEST(SprungColumns, TipOverOnceWhateverTheStiffnessesAndTheMesh) {
   for (const double ei : {1e6, 1e8, 1e9}) {
     for (const double far : {60., 600., 6e4}) {
@@ -466,36 +470,36 @@ TEST(SprungColumns, TheEndDoesNotMatter) {
   }
 }
 
-// Members of EA = EI = 1e10 and more beside a spring of 10: double does not tell the eigenvalue that changes
-// its sign to seven digits.
+// Members with EA = EI = 1e10 and more and a spring of 10: double precision gives the eigenvalue that changes
+// its sign to less than seven digits.
 TEST(SprungColumns, TipOverOnceWhereDoubleDoesNotTellTheSpring) {
   if (std::numeric_limits<long double>::digits <= std::numeric_limits<double>::digits) GTEST_SKIP();
   for (const double stiff : {1e10, 1e11}) {
     for (const double far : {6., 60., 6e3}) {
       for (const int elements : {1, 3, 4, 8}) {
-        if (stiff > 1e10 && elements > 4) continue;  // may end with a status: KNOWN_ISSUES.md
+        if (stiff > 1e10 && elements > 4) continue;  // may fail: KNOWN_ISSUES.md
         expect_one_point({6, 10, stiff, stiff, far}, elements, {.until = 75});
       }
     }
   }
 }
 
-// The bar buckles where it is shortened by pi^2 EI/far, and straightens again. References: two straight bars,
-// Newton's iteration in 34 digits for the equilibrium with that shortening, and for the limit load.
+// The bar buckles when it is shortened by pi^2 EI/far, and becomes straight again. References: two straight
+// bars, Newton's iteration in 34 digits for the equilibrium with that shortening and for the limit load.
 TEST(SprungColumns, BuckleTheBarAndHangFromItsLimitLoad) {
   const Sprung sprung{10, 120, 2.9e7, 2.9e10, 1e5, 1e12};
   const FramePaths paths = paths_of(build(sprung.model(), 1), {.until = 1300});
   const auto forks = only(paths, Kind::bifurcation), minima = only(paths, Kind::minimum);
   ASSERT_EQ(forks.size(), 3u);
   ASSERT_EQ(minima.size(), 1u);
-  // A load is converged to 1e-6 of the greatest one.
+  // A load is converged to 1e-6 of the largest load.
   EXPECT_NEAR(forks[0].load, sprung.critical(), 1e-6 * 1300);
   EXPECT_NEAR(forks[1].load, 682.42161433067, 1e-6 * 1300);
   EXPECT_NEAR(forks[2].load, -682.32727680827, 1e-6 * 1300);
   EXPECT_NEAR(minima[0].load, -1193.8210755524, 1e-6 * 1300);
 }
 
-/// A frame with one node moved.
+/// A frame in which one node is moved to (x, y), with four elements per member.
 NamedFrame moved(FrameModel m, const std::string& node, double x, double y) {
   for (NamedNode& n : m.nodes) {
     if (n.name == node) n.x = x, n.y = y;
@@ -503,7 +507,7 @@ NamedFrame moved(FrameModel m, const std::string& node, double x, double y) {
   return build(m, 4);
 }
 
-/// The whole of a toggle.
+/// The whole toggle as a model.
 FrameModel toggle_model(const Toggle& t) {
   const double half = std::sqrt(t.length * t.length - t.height * t.height);
   FrameModel m;
@@ -516,8 +520,8 @@ FrameModel toggle_model(const Toggle& t) {
   return m;
 }
 
-// Beside the bifurcation of the symmetric toggle the maximum falls with the 2/3 power of the imperfection
-// (Koiter), from its load; the share of the next term is that of the 4/3 power.
+// Near the bifurcation of the symmetric toggle the maximum decreases with the 2/3 power of the imperfection
+// (Koiter); the next term has the 4/3 power.
 TEST(ImperfectToggles, LoseByTwoThirdsFromTheBifurcation) {
   const Toggle steep{.height = 0.9, .length = std::hypot(12.932517156377562, 0.9)};
   const auto perfect = criticals(moved(toggle_model(steep), "apex", 0, 0.9), {}, 141);
@@ -545,7 +549,7 @@ constexpr double no_limit = std::numeric_limits<double>::infinity();
 struct Estimated {
   FramePaths paths;
   std::vector<std::optional<double>> errors;
-  /// Of the first point of a kind.
+  /// Estimated error of the first point of a kind.
   [[nodiscard]] double of(FramePoint::Kind kind) const {
     for (std::size_t i = 0; i < errors.size(); ++i) {
       if (paths.points[i].kind == kind) return errors[i].value_or(NAN);
@@ -564,14 +568,14 @@ Estimated estimated(const FrameModel& model, int elements, const PathOptions& wa
   return e;
 }
 
-/// Is an estimate that of a relative error, within a factor of 2?
+/// Expects that the estimate of a relative error is within a factor of 2.
 void expect_error(double estimate, double value, double exact) {
   const double error = std::abs(value / exact - 1);
   EXPECT_GE(estimate, error / 2) << value;
   EXPECT_LE(estimate, error * 2) << value;
 }
 
-/// A quarter of a ring of radius 1 between its symmetry planes, pinched by a force of 2: each half bears 1.
+/// A quarter of a ring of radius 1 with symmetry conditions, pinched by a force of 2: each half carries 1.
 FrameModel quarter_ring() {
   FrameModel m;
   m.nodes = {{"top", 0, 1}, {"side", 1, 0}};
@@ -582,8 +586,8 @@ FrameModel quarter_ring() {
   return m;
 }
 
-// Timoshenko, Strength of Materials: both points approach each other by P R^3/EI (pi/4 - 2/pi), each by half
-// of that. Under a load of 1e-6 the ring is linear to 1e-6.
+// Timoshenko, Strength of Materials: the two loaded points approach each other by P R^3/EI (pi/4 - 2/pi),
+// each by half of that. Under a load of 1e-6 the ring is linear to 1e-6.
 TEST(MeshError, OfAPinchedRing) {
   for (const int elements : {2, 3, 4, 8, 16}) {
     const Estimated e = estimated(quarter_ring(), elements, {.until = 1e-6});
@@ -605,7 +609,7 @@ TEST(MeshError, OfAToggle) {
   }
 }
 
-// Bars that only stretch are exact: what is left is rounding.
+// Bars without bending are exact: only rounding errors remain.
 TEST(MeshError, OfATrussIsRounding) {
   const Estimated e = estimated(models::truss(), 1, {});
   for (const auto& error : e.errors) {
@@ -614,8 +618,8 @@ TEST(MeshError, OfATrussIsRounding) {
   }
 }
 
-// A column so soft that it shortens by half before it buckles: EA < 4 pi^2 EI/l^2, and P (1 - P/EA) has no
-// value of pi^2. Eight elements find two bifurcations, which twelve do not have.
+// A column so soft that it would shorten by half before it buckles: EA < 4 pi^2 EI/l^2, so P (1 - P/EA) =
+// pi^2 has no solution. Eight elements give two spurious bifurcations, twelve give none.
 TEST(MeshError, OfPointsThatAnotherMeshDoesNotHaveIsAll) {
   FrameModel m;
   m.nodes = {{"base", 0, 0}, {"top", 0, 1}};

@@ -1,5 +1,4 @@
-/// Frames described by names: what they are refused for, arcs, pinned ends, loads; given displacements,
-/// imperfections, motion in time.
+/// Named frames: refusals, arcs, pinned ends, loads, prescribed displacements, imperfections, motion in time.
 #include <gtest/gtest.h>
 #include <Eigen/Eigenvalues>
 
@@ -49,9 +48,9 @@ TEST(NamedFrames, MirroredArcsAreExactMirrorImages) {
         std::any_of(all.begin(), all.end(), [&](const Node& m) { return m.x == -n.x && m.y == n.y; }));
 }
 
-// Linear theory: the deflection under a load P at the middle of a beam is P l^3/(192 EI) if it is clamped at
-// both ends, 7/768 of P l^3/EI if one of them is pinned, 1/48 if both are. Loads are so small that the rest
-// is 1e-12.
+// Linear theory: the deflection under a load P at the middle of a beam is P l^3/(192 EI) with clamped ends,
+// 7/768 of P l^3/EI with one pinned end, 1/48 with both ends pinned. The load is so small that nonlinear
+// terms are 1e-12.
 TEST(NamedFrames, PinnedEndsOfABeam) {
   const auto deflection = [](bool left, bool right) {
     FrameModel m = models::beam(left, right);
@@ -68,13 +67,13 @@ TEST(NamedFrames, PinnedEndsOfABeam) {
   EXPECT_NEAR(deflection(true, true), 1. / 48, 1e-10);
 }
 
-// A node between pinned ends has no rotation, and no load can turn it.
+// A node that joins pinned ends only has no rotation and cannot carry a moment.
 TEST(NamedFrames, ANodeOfPinnedEndsHasNoRotation) {
   FrameModel m = models::truss();
   const NamedFrame f = build(m, 1);
   EXPECT_EQ(f.frame.unknown(1, Motion::rotation), -1);
   EXPECT_EQ(f.motions.size(), 2u);
-  EXPECT_EQ(f.frame.size(), 6);  // and four rotations of ends
+  EXPECT_EQ(f.frame.size(), 6);  // plus four rotations of member ends
   m.loads.push_back({"apex", Motion::rotation, 1});
   EXPECT_THROW((void)build(m, 1), ModelError);
 }
@@ -129,7 +128,7 @@ TEST(NamedFrames, RefuseWhatMakesNoFrame) {
   expect_refused(with([](M& m) { m.loads[0].node = "left"; }), ModelPart::loads, 0, "left.y, which is held");
 }
 
-// Frames that can move without a strain, and the node that is named.
+// Mechanisms, and the node that the message names.
 TEST(NamedFrames, RefuseMechanisms) {
   FrameModel free = models::beam(false, false);
   free.supports.clear();
@@ -143,7 +142,7 @@ TEST(NamedFrames, RefuseMechanisms) {
   apart.members.push_back({"p", "q", 1, 1});
   EXPECT_GE(refusal_of(apart).index(), 3u);
   EXPECT_LE(refusal_of(apart).index(), 4u);
-  // Two bars in a line, pinned: the middle can move across by as little as nothing.
+  // Two collinear pinned bars: the middle node can move transversely without strain to first order.
   FrameModel line = models::truss();
   line.nodes[1].y = 0;
   expect_refused(line, ModelPart::nodes, 1, "apex can move along y");
@@ -159,8 +158,8 @@ TEST(NamedFrames, RefuseMechanisms) {
   (void)build(square, 1);
 }
 
-// Soft is not loose: a cantilever of a thousand members, whose softest shape has 1e-12 of the energy of a
-// node by itself, and one whose members stretch by a millionth of what they bend.
+// Soft frames are no mechanisms: a cantilever of a thousand members, whose softest mode has 1e-12 of the
+// energy of a single node's displacement, and one with a ratio of 1e-12 between bending and axial stiffness.
 TEST(NamedFrames, SoftFramesAreAccepted) {
   FrameModel m;
   constexpr int members = 1000;
@@ -176,13 +175,13 @@ TEST(NamedFrames, SoftFramesAreAccepted) {
   (void)build(stiff, 4);
 }
 
-// ---- Frames some of whose motions are given, and frames with imperfections.
+// ---- Frames with prescribed displacements, and frames with imperfections.
 
 using Eigen::MatrixXd;
 using Kind = FramePoint::Kind;
 using models::unknown_of;
 
-/// The model with the displacement of its first load given, instead of the load.
+/// The model with a prescribed displacement instead of its first load.
 FrameModel driven(FrameModel m, double value) {
   m.displacements = {{m.loads[0].node, m.loads[0].motion, value}};
   m.loads.clear();
@@ -195,8 +194,7 @@ double force_at(const NamedFrame& f, const FramePoint& p, Eigen::Index at) {
   return forces[at];
 }
 
-// W = 2 EA (1/l - 1/L) (h - d) all the way through both limit points of the load, without one of the
-// displacement.
+// W = 2 EA (1/l - 1/L) (h - d) through both limit points of the load; the displacement has none.
 TEST(GivenDisplacements, TheTrussNeedsTheForceOfItsClosedForm) {
   const NamedFrame f = build(driven(models::truss(), -1), 1);
   const FramePaths paths = equilibrium_paths(f, {.until = 1.2});
@@ -213,10 +211,9 @@ TEST(GivenDisplacements, TheTrussNeedsTheForceOfItsClosedForm) {
   }
 }
 
-// Lee's frame under a given displacement of its load stops where that displacement turns back: at a limit
-// point of its own, with the load of the path under the load there. Both are found to rounding, and the
-// displacement there is stationary along the path of the load: the least of both paths' distances is that of
-// their steps squared.
+// Lee's frame with a prescribed displacement at its load has a limit point of that displacement, at the same
+// load as on the path under load control. Both are found to rounding. On the latter path the displacement is
+// stationary there, so the largest displacement of its steps has an error of second order in the step.
 TEST(GivenDisplacements, LeesFrameSnapsBackAtALimitPointOfTheDisplacement) {
   const NamedFrame by_load = build(models::lee(), 1), by_motion = build(driven(models::lee(), -1), 1);
   const FramePaths forces = equilibrium_paths(by_load, {.steps = 2000, .until = 2, .turn = 0.01}),
@@ -235,7 +232,7 @@ TEST(GivenDisplacements, LeesFrameSnapsBackAtALimitPointOfTheDisplacement) {
   EXPECT_GE(limit->load, farthest - 1e-9);
   EXPECT_NEAR(limit->load, farthest, 0.01);
   EXPECT_NEAR(-force_at(by_motion, *limit, at), load, 0.05);
-  // Before it the paths are the same: at the displacement 20, by interpolation between steps of either.
+  // Before the limit point both paths agree: at the displacement 20, by interpolation between steps.
   const auto at_twenty = [](const std::vector<FramePoint>& points, const auto& place, const auto& value) {
     for (std::size_t i = 1; i < points.size(); ++i) {
       const double a = place(points[i - 1]), b = place(points[i]);
@@ -278,7 +275,7 @@ TEST(GivenDisplacements, DerivativesAreThoseOfTheResidual) {
   equations.residual(x, load + h, plus);
   equations.residual(x, load - h, minus);
   EXPECT_LT(((plus - minus) / (2 * h) - column).cwiseAbs().maxCoeff(), 1e-8 * size);
-  // Given motions are at their places.
+  // Prescribed displacements have their values.
   const VectorXd all = equations.whole(x, load);
   EXPECT_EQ(all[unknown_of(f, "corner.rotation")], load * 0.3);
   EXPECT_EQ(equations.free(all), x);
@@ -306,7 +303,8 @@ TEST(GivenDisplacements, AreRefusedWhereTheyContradict) {
   m = good;
   m.loads = {{"apex", Motion::y, 1}};
   expect(m, ModelPart::loads, "whose displacement is given");
-  // What is given is held: a bar that could swing stands, and a load elsewhere is borne.
+  // A prescribed displacement acts as a support: a hinged bar is no mechanism, and a load elsewhere is
+  // carried.
   m = {};
   m.nodes = {{"a", 0, 0}, {"b", 1, 0}};
   m.members = {{.first = "a", .second = "b", .ea = 1, .ei = 1}};
@@ -318,7 +316,7 @@ TEST(GivenDisplacements, AreRefusedWhereTheyContradict) {
   EXPECT_THROW((void)build(m, 1), ModelError);
 }
 
-/// A rigid column whose foot slides and is held by a brace to an anchor.
+/// A rigid column with a sliding foot that a brace holds to an anchor.
 FrameModel braced(double x, double y) {
   FrameModel m;
   m.nodes = {{"foot", 0, 0}, {"top", 0, 1}, {"anchor", x, y}};
@@ -337,8 +335,8 @@ FramePoint first_limit(const NamedFrame& f) {
   return paths.points.back();
 }
 
-// A level brace: P = k L' cos(a) (1 - sin(a0)/sin(a)), greatest at (1 - sin(a0)^(2/3))^(3/2). The column
-// shortens by P/EA = 1e-6.
+// A horizontal brace: P = k L' cos(a) (1 - sin(a0)/sin(a)), with maximum at (1 - sin(a0)^(2/3))^(3/2). The
+// column shortens by P/EA = 1e-6.
 TEST(Imperfections, ALevelBraceLosesByTwoThirds) {
   const NamedFrame perfect = build(braced(1, 0), 1);
   for (const double e : {0.1, 0.01, -0.01, 1e-4}) {
@@ -354,7 +352,7 @@ TEST(Imperfections, ALevelBraceLosesByTwoThirds) {
   }
 }
 
-// 45 degrees: 1 - P/P_c = 2 sqrt(0.75 e), the next term e (Koiter).
+// Brace at 45 degrees: 1 - P/P_c = 2 sqrt(0.75 e), next term e (Koiter).
 TEST(Imperfections, AnInclinedBraceLosesByTheRoot) {
   const NamedFrame perfect = build(braced(1, -1), 1);
   for (const double e : {1e-3, 1e-4, 1e-5}) {
@@ -363,14 +361,14 @@ TEST(Imperfections, AnInclinedBraceLosesByTheRoot) {
     EXPECT_NEAR(f.buckled.load, std::sqrt(0.125), 1e-6);
     EXPECT_NEAR(1 - first_limit(f.frame).load / f.buckled.load, 2 * std::sqrt(0.75 * e), 3 * e);
   }
-  // The other way there is no limit point at that load.
+  // For the opposite sign there is no limit point at that load.
   const Imperfect other = imperfect(perfect, {.mode = 1, .amplitude = -0.01});
   const FramePaths paths = equilibrium_paths(other.frame, {.until = 0.38});
   EXPECT_TRUE(std::none_of(paths.points.begin(), paths.points.end(),
                            [](const FramePoint& p) { return p.kind != Kind::step; }));
 }
 
-// The modes of Euler's column are sines, and the second has its node in the middle.
+// The buckling modes of Euler's column are sines; the second has its node at the middle.
 TEST(Imperfections, ModesOfAColumn) {
   const NamedFrame perfect = build(models::column(1e6), 4);
   for (const int mode : {1, 2}) {
@@ -393,12 +391,11 @@ TEST(Imperfections, ModesOfAColumn) {
   EXPECT_TRUE(tests::holds(none.status.sentence(), "0 limit and branch points in 5 steps"));
 }
 
-// ---- The motion of frames in time: frequencies, energies, and loads that cannot make them buckle.
+// ---- Motion of frames in time: frequencies, energies, and loads without buckling.
 
 constexpr double pi = std::numbers::pi;
 
-/// A beam with a mass of 1 per length and EI = 1, clamped at its left end alone if it is a cantilever, else
-/// pinned at both.
+/// A beam with mass 1 per length and EI = 1: a cantilever clamped at its left end, or pinned at both ends.
 FrameModel heavy_beam(bool is_cantilever) {
   FrameModel m;
   m.nodes = {{"a", 0, 0}, {"b", 1, 0}};
@@ -414,7 +411,7 @@ FrameModel heavy_beam(bool is_cantilever) {
   return m;
 }
 
-/// Frequencies of small motions by the Jacobian, rising.
+/// Frequencies of small motions from the Jacobian, ascending.
 VectorXd frequencies(const FrameMotion& motion) {
   const int n = motion.size() / 2;
   MatrixXd j;
@@ -425,15 +422,15 @@ VectorXd frequencies(const FrameMotion& motion) {
   return Eigen::SelfAdjointEigenSolver<MatrixXd>(symmetric).eigenvalues().cwiseMax(0).cwiseSqrt();
 }
 
-/// The one nearest to a known frequency.
+/// The frequency nearest to a known one.
 double nearest(const VectorXd& all, double known) {
   Eigen::Index at = 0;
   (all.array() - known).abs().minCoeff(&at);
   return all[at];
 }
 
-// Euler and Bernoulli: beta^2 with cos(beta) cosh(beta) = -1 for the cantilever, (k pi)^2 between pins; along
-// the axis the cantilever has pi/2 sqrt(EA/m). Lumped masses err by m^-2.
+// Euler and Bernoulli: beta^2 with cos(beta) cosh(beta) = -1 for the cantilever, (k pi)^2 for pinned ends;
+// axially the cantilever has pi/2 sqrt(EA/m). Lumped masses have errors of m^-2.
 TEST(FrameMotions, FrequenciesOfBeams) {
   const auto worst = [](int elements) {
     const NamedFrame cantilever = build(heavy_beam(true), elements),
@@ -461,7 +458,7 @@ TEST(FrameMotions, MassesAddUp) {
     const Eigen::Index at = f.frame.unknown(static_cast<int>(i), Motion::y);
     if (at >= 0) along += f.mass[at];
   }
-  // 240 of members, less what the supports carry: half an element at each end.
+  // The mass of the members is 240, minus the share of the supports: half an element at each end.
   EXPECT_NEAR(along, 3 + 0.5 * (240 - 12), 1e-12);
   FrameModel without = m;
   without.masses.clear();
@@ -530,14 +527,14 @@ TEST(FrameMotions, NeedMassesAndNoGivenDisplacements) {
   EXPECT_THROW(FrameMotion(f, {}), ModelError);
 }
 
-/// A step of which FrameEnergies asks: a line in the state.
+/// A step for FrameEnergies: the state is linear in time.
 struct Line {
   double t0, t1;
   VectorXd x0, x1;
   [[nodiscard]] VectorXd at(double t) const { return x0 + (t - t0) / (t1 - t0) * (x1 - x0); }
 };
 
-// On a line all integrals are of polynomials of low degree, which Gauss' rule has exactly.
+// With a linear state all integrands are polynomials of low degree, for which Gauss quadrature is exact.
 TEST(FrameEnergies, WorkAndDissipationOfALine) {
   FrameModel m = heavy_beam(true);
   m.damping.mass = 0.5;
@@ -545,8 +542,8 @@ TEST(FrameEnergies, WorkAndDissipationOfALine) {
   const FrameMotion motion(f, {LoadHistory::Kind::ramp, 3, 2});
   const Eigen::Index n = f.frame.size(), down = f.frame.unknown(1, Motion::y);
   Line line{0, 1, motion.rest(), motion.rest()};
-  line.x1[down] = -0.4;      // with a load of -1 times 1.5 t
-  line.x1[n + down] = -0.4;  // velocities are what the line says, not its slope
+  line.x1[down] = -0.4;      // the load is -1 times 1.5 t
+  line.x1[n + down] = -0.4;  // the velocity of the state, not the slope of the displacement
   FrameEnergies energies(motion);
   energies.take(line);
   EXPECT_NEAR(energies.work, 1.5 * 0.4 / 2, 1e-14);  // 1.5 t times 0.4 dt

@@ -1,5 +1,5 @@
 /// @file
-/// What the tests of frames judge by: the textbook's stability functions in 50 digits, and random members.
+/// References for the tests of frames: the textbook's stability functions in 50 digits, and random members.
 #pragma once
 
 #include <cmath>
@@ -22,8 +22,8 @@ inline const double pi = std::acos(-1.0);
 /// s and s c of Livesley and Chandler, from the general solution of EI w'''' = N w'', as functions of n.
 template <class T>
 struct Textbook {
-  T s;   ///< near moment of a unit rotation, over EI/l
-  T sc;  ///< far moment
+  T s;   ///< moment at the rotated end for a unit rotation, over EI/l
+  T sc;  ///< moment at the other end
 };
 
 template <class T>
@@ -41,8 +41,8 @@ template <class T>
   return {x * (x * cosh(x) - sinh(x)) / below, x * (sinh(x) - x) / below};
 }
 
-/// g_a = 2 s (1 + c), g_s = 2 s (1 - c) with two derivatives by dual numbers. Of 50 digits at least 25 are
-/// left for |n| >= 1e-4.
+/// g_a = 2 s (1 + c), g_s = 2 s (1 - c) with two derivatives by dual numbers. At least 25 of 50 digits remain
+/// for |n| >= 1e-4.
 [[nodiscard]] inline StabilityFunctions<Real> exact(const Real& n) {
   using D = Dual<Dual<Real, 1>, 1>;
   const D variable = D::variable(Dual<Real, 1>::variable(n, 0), 0);
@@ -66,7 +66,8 @@ using tests::between;
   return {length * std::cos(direction), length * std::sin(direction), 1, std::pow(10, *between(-6, -2))};
 }
 
-/// Displacements that strain it by some percent, bend it by some tenths, and turn it by up to @p turn.
+/// Random displacements with strains of some percent, bending of some tenths, and a rotation of up to @p
+/// turn.
 [[nodiscard]] inline Vector<double, 6> random_displacements(const BeamColumn& m, double turn) {
   const double angle = *between(-turn, turn), stretch = 1 + *between(-0.05, 0.05);
   const double c = std::cos(angle) * stretch, s = std::sin(angle) * stretch;

@@ -1,6 +1,5 @@
 /// @file
-/// Random toggles from random starts, and what an equilibrium must stand: shared by the quick and the long
-/// test.
+/// Random toggles with random initial guesses, and checks of an equilibrium, for the short and the long test.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -20,17 +19,17 @@
 
 namespace nlmech::frames {
 
-/// A toggle, a load and a start.
+/// A toggle, a load and an initial guess.
 struct RandomCase {
   Toggle toggle;
   double load;
   Eigen::VectorXd start;
-  bool is_thrown;  ///< do nodes and rotations start anywhere near, or smoothly dropped?
+  bool is_thrown;  ///< are nodes and rotations displaced at random, in addition to a smooth deflection?
 };
 
-/// Heights from 0.1 to 0.6, loads from -100 to 100, 1 to 64 elements a member, half or full. The start is the
-/// toggle with its apex dropped by up to one inch; half of all have nodes thrown about by up to 0.3 lengths
-/// of an element and turned by up to half a radian.
+/// Heights from 0.1 to 0.6, loads from -100 to 100, 1 to 64 elements per member, half or full model. The
+/// initial guess lowers the apex by -0.3 to 1 inch; half of all cases also displace nodes at random by up to
+/// 0.3 element lengths and rotate them by up to half a radian.
 inline RandomCase random_case(std::mt19937_64& random) {
   const auto uniform = [&](double low, double high) {
     return std::uniform_real_distribution<double>(low, high)(random);
@@ -59,9 +58,9 @@ inline RandomCase random_case(std::mt19937_64& random) {
   return c;
 }
 
-/// Is x an equilibrium to the last digits? F in double and, if wanted, in 50 digits is no more than some
-/// times what a change of every unknown, and of every axial force, by a unit in its last place makes; and K,
-/// factorised by Cholesky's method, is positive definite if that is wanted.
+/// Expects that x is an equilibrium to rounding: F in double and, if @p wide, in 50 digits is at most 64
+/// times the effect of a change of every unknown and every axial force in its last place. If @p is_stable,
+/// the Cholesky factorisation of K must exist.
 inline void expect_equilibrium(Equilibrium& equations, const Eigen::VectorXd& x, bool is_stable, bool wide) {
   const double eps = std::numeric_limits<double>::epsilon();
   Eigen::VectorXd f(x.size());
@@ -85,7 +84,7 @@ inline void expect_equilibrium(Equilibrium& equations, const Eigen::VectorXd& x,
   EXPECT_LE(exact.cast<double>().norm(), 64 * floor);
 }
 
-/// Minimises the energy of random toggles, and follows their paths from rest; expects verified equilibria.
+/// Minimises the energy of random toggles and follows their paths from rest; expects verified equilibria.
 inline void expect_equilibria_of_random_toggles(int cases, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   for (int i = 0; i < cases; ++i) {

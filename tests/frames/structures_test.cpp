@@ -25,13 +25,13 @@ using algebraic::PathMethod;
 using Eigen::VectorXd;
 using Kind = PathMethod::Kind;
 
-/// What a path has.
+/// Critical points of a path.
 struct Found {
   std::vector<algebraic::PathPoint> folds;
   std::vector<algebraic::PathPoint> branches;
 };
 
-/// Follows the path from rest through a number of limit points.
+/// Follows the path from rest through @p folds limit points.
 Found follow(algebraic::Loaded& equations, Kind kind, double first, std::size_t folds) {
   Found found;
   Path path({.kind = kind, .first = first}, equations, VectorXd::Zero(equations.size()), 0);
@@ -50,7 +50,7 @@ Found follow(algebraic::Loaded& equations, Kind kind, double first, std::size_t 
     }
     if (path.has_passed_fold()) {
       EXPECT_EQ(path.fold(point), Outcome::success);
-      // A limit point turns one eigenvalue, and no more.
+      // At a limit point exactly one eigenvalue changes its sign.
       EXPECT_EQ(std::abs(path.now().negative - path.before().negative), 1);
       found.folds.push_back(point);
     }
@@ -69,8 +69,8 @@ std::string name_of(const testing::TestParamInfo<Kind>& kind) {
 
 INSTANTIATE_TEST_SUITE_P(By, Structures, testing::Values(Kind::riks, Kind::crisfield, Kind::gdc), name_of);
 
-// Tolerances are half a unit of the last digit and the rounding floor, which is 1e-10 of the load for 20
-// elements. oracle: homotopy_frames Lee's frame of 5 *, Lee's frame of 10 *
+// Tolerances: half a unit of the last digit, and rounding errors of 1e-10 of the load for 20 elements.
+// oracle: homotopy_frames Lee's frame of 5 *, Lee's frame of 10 *
 TEST_P(Structures, LeesFrame) {
   const auto expect = [](int elements, double high, double low) {
     const NamedFrame f = build(models::lee(), elements / 5);
@@ -107,7 +107,7 @@ TEST_P(Structures, ShallowArch) {
     EXPECT_NEAR(found->folds[0].load, 34.0917939208, 1e-9);
     EXPECT_NEAR(found->folds[1].load, 14.2528558990, 1e-9);
   }
-  // Only the whole arch has antisymmetric motions.
+  // The half arch excludes antisymmetric motions.
   EXPECT_TRUE(part.branches.empty());
   ASSERT_EQ(whole.branches.size(), 2u);
   const Eigen::Index down = models::unknown_of(full, "crown.y");
@@ -126,7 +126,8 @@ TEST_P(Structures, TogglesOfAnyNumberOfElements) {
     EXPECT_NEAR(found.folds[0].load, high, 2e-10) << elements;
     EXPECT_NEAR(found.folds[1].load, low, 2e-10) << elements;
   };
-  expect(0.44, 2, 42.435492120383, 32.124218754757);  // as one element: an S is its own mirror image
+  expect(0.44, 2, 42.435492120383,
+         32.124218754757);  // as for one element: an S shape is its own mirror image
   expect(0.44, 4, 42.4387099966, 32.1222520061);
   expect(0.44, 8, 42.4395092247, 32.1221881014);
   expect(0.44, 16, 42.4397089470, 32.1221702414);
@@ -164,7 +165,7 @@ TEST_P(Structures, WilliamsEquation) {
   expect(0.38, 0.23287115497799, 33.278532607761, 0.3935882935498, 30.588387926087);
 }
 
-// At a height of 0.32 the load only grows: slope and eigenvalues are positive all the way.
+// At a height of 0.32 the load increases monotonically: slope and eigenvalues stay positive.
 TEST_P(Structures, TheLowToggleHasNoLimitPoint) {
   for (const int elements : {1, 8}) {
     const ToggleFrame t = make_frame({.height = 0.32, .elements = elements});
@@ -217,14 +218,14 @@ std::vector<ToggleEvent> events_of(const Toggle& toggle) {
   return path.events;
 }
 
-/// Its first limit point; NaN if there is none.
+/// The first limit load; NaN if there is none.
 double first_maximum(const std::vector<ToggleEvent>& events) {
   const auto at = std::find_if(events.begin(), events.end(),
                                [](const ToggleEvent& e) { return e.kind == Critical::maximum; });
   return at == events.end() ? std::nan("") : at->load;
 }
 
-/// The whole toggle under displacement control of its apex, and its tangent's negative eigenvalues.
+/// The whole toggle under displacement control of its apex, with the negative eigenvalues of its tangent.
 struct Controlled {
   explicit Controlled(Toggle toggle)
       : frame(make_frame((toggle.full = true, toggle))), at{VectorXd::Zero(frame.frame.size()), 0, 1} {}
@@ -233,7 +234,7 @@ struct Controlled {
     for (int i = 1; i <= steps; ++i)
       at = control(frame.frame, frame.load, frame.apex, -(from + (drop - from) * i / steps), at, rounding);
   }
-  /// Eigenvalues of the tangent, rising.
+  /// Eigenvalues of the tangent, ascending.
   [[nodiscard]] VectorXd spectrum() const {
     Eigen::SparseMatrix<double> k;
     EXPECT_TRUE(frame.frame.tangent<double>(at.x, k).ok());
@@ -245,8 +246,8 @@ struct Controlled {
   PathPoint at;
 };
 
-// Recorded: 642.99 and 964.03, 258.7 and 266.7 of the half toggle. Half a toggle does not show that the apex
-// turns before. EventsAreWhereDenseEigenvaluesVanish judges such points.
+// Recorded: 642.99 and 964.03; 258.7 and 266.7 for the half toggle, which excludes the antisymmetric
+// bifurcation before them. Reference for such points: EventsAreWhereDenseEigenvaluesVanish.
 TEST(TogglePath, HighTogglesBifurcateBeforeTheirLimit) {
   for (const auto& [height, bow, limit] : {std::array{2., 642.99, 964.03}, std::array{1., 258.7, 266.68}}) {
     const std::vector<ToggleEvent> events = events_of({.height = height, .elements = 8});
@@ -260,8 +261,8 @@ TEST(TogglePath, HighTogglesBifurcateBeforeTheirLimit) {
   }
 }
 
-// At each point one eigenvalue of the dense tangent changes its sign, or the slope under displacement control
-// does; between them none. Displacements are controlled to 1e-9, loads follow by slopes of 4000 lb/in.
+// At each point one eigenvalue of the dense tangent or the slope under displacement control changes its sign;
+// between the points none does. Displacements are controlled to 1e-9, loads follow with slopes of 4000 lb/in.
 TEST(TogglePath, EventsAreWhereDenseEigenvaluesVanish) {
   for (const double height : {0.44, 1., 2.}) {
     const Toggle toggle{.height = height, .elements = 4};
@@ -269,7 +270,7 @@ TEST(TogglePath, EventsAreWhereDenseEigenvaluesVanish) {
     long negative = 0;
     double last = 0;
     for (const ToggleEvent& e : events_of(toggle)) {
-      ASSERT_GT(e.drop, last);  // no drop twice at these heights
+      ASSERT_GT(e.drop, last);  // at these heights no two events have the same drop
       walk.go_to(last + (e.drop - last) * 0.5, 20);
       EXPECT_EQ(walk.negative(), negative) << e.drop;
       walk.go_to(e.drop * (1 - 1e-5), 20);
@@ -286,28 +287,29 @@ TEST(TogglePath, EventsAreWhereDenseEigenvaluesVanish) {
   }
 }
 
-/// Two bifurcations that come into being at a height, both at a drop.
+/// Two bifurcations that appear together at a certain height and apex displacement.
 struct Pair {
   double height, drop;
   bool is_symmetric;
 };
 
-/// Loads of a pair: of the roots of the eigenvalue of the dense tangent that vanishes at their drop; none if
-/// it does not come down to zero.
+/// Loads of a pair: zeros of the eigenvalue of the dense tangent that vanishes at @p pair; empty if the
+/// eigenvalue does not reach zero.
 std::vector<double> pair_by_eigenvalues(const Toggle& toggle, const Pair& pair) {
-  constexpr double wide = 0.01;  // of the drop: twice as far as the roots of these tests are apart, at least
+  constexpr double wide = 0.01;  // in the drop: at least twice the distance of the zeros in these tests
   Controlled walk(toggle);
   walk.go_to(pair.drop, 200);
   Eigen::Index which = 0;
   walk.spectrum().cwiseAbs().minCoeff(&which);
   const auto value = [&](double drop) {
-    // Along the vanishing direction alone, on which the eigenvalue depends by its square.
+    // The tolerance applies to the direction of the zero eigenvalue, on which the eigenvalue depends
+    // quadratically.
     walk.go_to(drop, 1, 1e-5);
     return walk.spectrum()[which];
   };
   const double sign = value(pair.drop - wide) > 0 ? 1 : -1;
   double least = pair.drop;
-  for (double step = wide / 2; step > 1e-5; step /= 3) {  // the vertex of a parabola through three places
+  for (double step = wide / 2; step > 1e-5; step /= 3) {  // the vertex of a parabola through three points
     const double a = value(least - step), b = value(least), c = value(least + step);
     least += step * (a - c) / (2 * (a - 2 * b + c));
   }
@@ -316,17 +318,16 @@ std::vector<double> pair_by_eigenvalues(const Toggle& toggle, const Pair& pair) 
   for (const double outside : {least - wide, least + wide}) {
     double in = least, out = outside;
     for (int i = 0; i < 16; ++i) (sign * value((in + out) / 2) > 0 ? out : in) = (in + out) / 2;
-    // By a chord: at the root itself displacements along the other branch are not determined.
+    // By linear interpolation: at the zero itself displacements along the other branch are undetermined.
     const double inner = value(in), load = walk.at.load, outer = value(out);
     loads.push_back(load + (walk.at.load - load) * inner / (inner - outer));
   }
   return loads;
 }
 
-// Near the height where a pair of bifurcations begins its roots are close together, at a distance that grows
-// like the root of the height beyond. Rounding of the nodes' places, 13 eps, changes a member's force by 2e-9
-// lb, and its eigenvalues like a height that is up to 1e-9 in another one: by so much less or more the roots
-// are apart.
+// Just above the height at which a pair of bifurcations appears, the distance of the two grows as the square
+// root of the excess height. Rounding of the node positions, 13 eps, changes a member's force by 2e-9 lb and
+// its eigenvalues like a change of the height by up to 1e-9; the distance changes accordingly.
 TEST(TogglePath, PairsOfBifurcationsFromWhereTheyBegin) {
   for (const Pair& pair : {Pair{0.762947553, 0.50896, true}, Pair{1.2335566333, 0.47466, false}}) {
     for (const double beyond : {-1e-5, -1e-6, -1e-7, 0., 1e-8, 3e-8, 1e-7, 3e-7, 6.4e-7, 1e-6, 2e-6, 1e-5}) {
@@ -340,7 +341,7 @@ TEST(TogglePath, PairsOfBifurcationsFromWhereTheyBegin) {
             std::abs(e.drop - pair.drop) < 0.01)
           found.push_back(e.load);
       }
-      if (beyond == 0) continue;  // one place but for rounding
+      if (beyond == 0) continue;  // one point up to rounding
       const std::vector<double> expected = pair_by_eigenvalues(toggle, pair);
       ASSERT_EQ(expected.size(), beyond > 0 ? 2U : 0U) << beyond;
       ASSERT_EQ(found.size(), expected.size()) << toggle.height;
@@ -352,8 +353,8 @@ TEST(TogglePath, PairsOfBifurcationsFromWhereTheyBegin) {
   }
 }
 
-// Where a symmetric bifurcation passes the maximum, near a height of 0.8973 in. Loads and drops of both are
-// those of beam-columns written anew in long double, by the inertia of their stiffness; printed there to
+// A symmetric bifurcation passes the maximum near a height of 0.8973 in. Reference loads and drops: an
+// independent implementation of beam-columns in long double, by the inertia of the stiffness; printed to
 // 1e-12.
 TEST(TogglePath, ABifurcationPassesTheMaximum) {
   struct Neighbours {
@@ -372,15 +373,15 @@ TEST(TogglePath, ABifurcationPassesTheMaximum) {
     EXPECT_EQ(limit.kind, Critical::maximum);
     EXPECT_EQ(branch.kind, Critical::bifurcation);
     EXPECT_TRUE(branch.is_symmetric);
-    // Path: next to another point a branch point is right to 1e-7 of a step, of 0.05 in here.
+    // Path: near another critical point a bifurcation point is accurate to 1e-7 of a step, here of 0.05 in.
     EXPECT_NEAR(branch.drop, n.branch_drop, 5e-9) << n.height;
     EXPECT_NEAR(branch.load, n.branch, 5e-9) << n.height;
     EXPECT_NEAR(limit.load, n.limit, 1e-10 * n.limit) << n.height;
   }
 }
 
-// The first step from rest may be three hundred times too long; the first fold of four elements a member is
-// where the slope under displacement control changes its sign.
+// The first step from rest may be three hundred times too long. With four elements per member the slope under
+// displacement control changes its sign at the first limit point.
 TEST(TogglePath, VeryHighTogglesStayOnTheirPath) {
   const Toggle toggle{.height = 10, .elements = 4};
   const std::vector<ToggleEvent> events = events_of(toggle);
@@ -390,13 +391,13 @@ TEST(TogglePath, VeryHighTogglesStayOnTheirPath) {
             1);
   Controlled walk(toggle);
   walk.go_to(0.0510, 51);
-  EXPECT_LT(walk.at.slope, 0);  // by the displacement upwards
+  EXPECT_LT(walk.at.slope, 0);  // derivative by the upward displacement
   walk.go_to(0.0520, 1);
   EXPECT_GT(walk.at.slope, 0);
   EXPECT_NEAR(walk.at.load, first_maximum(events), 0.5);
 }
 
-// Any number of elements from two finds the way through; limit loads converge, differences falling by more
+// The path succeeds for two or more elements; limit loads converge, and their differences decrease by more
 // than half.
 TEST(TogglePath, EveryNumberOfElementsGetsThrough) {
   for (const double height : {5., 12.5}) {
@@ -418,26 +419,26 @@ TEST(TogglePath, TheFirstPointBeforeALoad) {
     ASSERT_EQ(path.events.size(), 1u) << load;
     EXPECT_EQ(path.events[0].load, events_of(toggle)[0].load);
   }
-  // Under 300 lb the drop is that of the shape of least energy.
+  // At 300 lb the drop equals that of the minimum of the energy.
   const ToggleFrame half = make_frame(toggle);
   Equilibrium equations(half.frame, half.load, 300);
   VectorXd x = VectorXd::Zero(half.frame.size());
   ASSERT_TRUE(find_root(algebraic::EnergyTrustRegion{}, equations, x).status.ok());
   EXPECT_NEAR(first_critical_point(toggle, 300).drop, -x[half.apex], 1e-12);
   EXPECT_EQ(unstable_motions(toggle, x), 0);
-  // Just below the limit load of a low toggle the step that reaches it has passed the limit point.
+  // Just below the limit load of a low toggle the last step passes the limit point.
   const TogglePath near = first_critical_point(Toggle{.height = 0.44}, 42.435492120383 * (1 - 1e-9));
   EXPECT_TRUE(near.events.empty());
   EXPECT_NEAR(near.drop, 0.22710546333003, 2e-5);
   EXPECT_LT(near.drop, 0.22710546333003);
-  equations.set_load(500);  // past the antisymmetric bifurcation, before the symmetric one
+  equations.set_load(500);  // above the antisymmetric bifurcation, below the symmetric one
   ASSERT_TRUE(find_root(algebraic::EnergyTrustRegion{}, equations, x).status.ok());
   EXPECT_EQ(unstable_motions(toggle, x), 1);
   EXPECT_THROW((void)first_critical_point(toggle, NAN), std::invalid_argument);
   EXPECT_THROW((void)unstable_motions(toggle, VectorXd::Zero(2)), std::invalid_argument);
 }
 
-// tan x = x and 4 pi^2; the known limit points, and where the slope of long double changes its sign.
+// Bifurcations at tan x = x and 4 pi^2; the known limit points, and sign changes of the slope in long double.
 TEST(TogglePath, OfWilliamsEquation) {
   const Williams low{.height = 0.44}, high{.height = 0.9}, ends{.height = 1};
   const auto of_low = critical_points(low).events;
@@ -455,7 +456,7 @@ TEST(TogglePath, OfWilliamsEquation) {
       EXPECT_NEAR(e.is_symmetric ? std::sin(root / 2) : std::tan(root) - root, 0, 1e-11);
     }
   }
-  // The compression reaches the pole of d_5, and the load falls without bound.
+  // The compression reaches the pole of d_5; the load decreases without bound.
   const TogglePath path = critical_points(ends);
   EXPECT_LT(path.drop, 1);
   EXPECT_EQ(path.events.back().kind, Critical::maximum);
@@ -469,8 +470,8 @@ TEST(TogglePath, OfWilliamsEquation) {
   EXPECT_THROW((void)critical_points(Williams{.height = -1}), std::invalid_argument);
 }
 
-// ---- Equilibria of the toggle by energy and by arc length: near the limit load, past it, from unstable and
-// snapped starts, with very many elements.
+// ---- Equilibria of the toggle by energy and by arc length: near and above the limit load, from unstable and
+// snapped initial guesses, with very many elements.
 
 using algebraic::ArcLength;
 using algebraic::EnergyTrustRegion;
@@ -480,7 +481,7 @@ constexpr Kind kinds[] = {Kind::riks, Kind::crisfield, Kind::gdc};
 
 TEST(Equilibria, OfRandomToggles) { expect_equilibria_of_random_toggles(200, 1); }
 
-/// Drop of the apex after a solution from rest.
+/// Drop of the apex at a solution from rest.
 template <class Method>
 double drop(const Method& method, const Toggle& toggle, double load) {
   const ToggleFrame t = make_frame(toggle);
@@ -492,12 +493,13 @@ double drop(const Method& method, const Toggle& toggle, double load) {
   return -x[t.apex];
 }
 
-// Just below the limit load lie two equilibria, 0.227120 and 0.227139; a finite step over both of them ends
-// on the far branch at 0.6143. oracle: homotopy_frames toggle 0.44 of 4 maximum, toggle 0.44 of 4 drop *
+// Just below the limit load there are two equilibria, 0.227120 and 0.227139; a finite step past both reaches
+// the far branch at 0.6143.
+// oracle: homotopy_frames toggle 0.44 of 4 maximum, toggle 0.44 of 4 drop *
 TEST(Equilibria, NextToTheLimitLoad) {
   const Toggle toggle{.height = 0.44, .elements = 4};
   const double limit = 42.4387099966;
-  // The drop there is within 1e-5 of that at the limit; the limit load's own last digit, 5e-11, shifts it by
+  // The drop is within 1e-5 of that at the limit load; the last digit of the limit load, 5e-11, changes it by
   // a thousandth of that.
   EXPECT_NEAR(drop(EnergyTrustRegion{}, toggle, limit * (1 - 1e-9)), 0.2271202, 2e-7);
   EXPECT_NEAR(drop(EnergyTrustRegion{}, toggle, limit * (1 + 1e-9)), 0.614300816, 2e-9);
@@ -517,8 +519,9 @@ TEST(Equilibria, PastTheLimitLoadAreSnapped) {
   }
 }
 
-// An equilibrium on the falling branch is a root of F but no minimum of V: from there the energy leads on to
-// one of the two stable ones. From the snapped shape it finds the snapped one, from rest the other.
+// An equilibrium on the descending branch is a root of F but no minimum of V: minimisation from there leads
+// to one of the two stable equilibria. From the snapped shape it finds the snapped equilibrium, from rest the
+// other.
 TEST(Equilibria, FromUnstableAndSnappedStarts) {
   const ToggleFrame t = make_frame({.height = 0.44, .elements = 4});
   LoadedFrame path_equations(t.frame, t.load);
@@ -531,7 +534,7 @@ TEST(Equilibria, FromUnstableAndSnappedStarts) {
   ASSERT_TRUE(report.status.ok()) << report.status.text();
   expect_equilibrium(equations, x, true, true);
   EXPECT_TRUE(-x[t.apex] < 0.2271 || -x[t.apex] > 0.4802) << x[t.apex];
-  // Limit loads are 42.4 and 32.1: at 36 there are two stable shapes.
+  // Limit loads are 42.4 and 32.1: at 36 there are two stable equilibria.
   equations.set_load(100);
   ASSERT_TRUE(find_root(EnergyTrustRegion{}, equations, x).status.ok());
   equations.set_load(36);
@@ -544,7 +547,7 @@ TEST(Equilibria, FromUnstableAndSnappedStarts) {
   expect_equilibrium(equations, x, true, true);
 }
 
-// 1000 elements: the floor of F is 1e-4 of the load, and increments still end the iteration.
+// 1000 elements: rounding errors of F are 1e-4 of the load, and the increments still meet the tolerance.
 TEST(Equilibria, OfAThousandElements) {
   EXPECT_NEAR(drop(EnergyTrustRegion{}, {.height = 0.44, .elements = 1000}, 44),
               drop(EnergyTrustRegion{}, {.height = 0.44, .elements = 64}, 44), 1e-6);

@@ -25,8 +25,8 @@ Error error_of(const Geodetic& g, const BasicGeodetic<reference::Real>& exact) {
           abs(g.height - exact.height).convert_to<double>()};
 }
 
-// Points of all sizes inside, among them the neighbourhood of the evolute, where latitude is ill-conditioned:
-// there GeographicLib is the measure of what double precision can give.
+// Points inside at all scales, including the neighbourhood of the evolute, where the latitude is
+// ill-conditioned: there the reference accuracy is that of GeographicLib in double.
 TEST(ClosestPoint, IsAsAccurateAsGeographicLib) {
   if (!peers::geodesy::geographiclib_available()) GTEST_SKIP() << "built without GeographicLib";
   std::mt19937_64 engine(1);
@@ -45,7 +45,7 @@ TEST(ClosestPoint, IsAsAccurateAsGeographicLib) {
       theirs = {std::max(theirs.latitude, peer_error.latitude), std::max(theirs.height, peer_error.height)};
     }
     EXPECT_LE(ours.latitude, std::max(4e-16, 1.5 * theirs.latitude)) << f;
-    // Height: four roundings at the size of the point.
+    // Height: four rounding errors of the size of the point.
     EXPECT_LE(ours.height, std::max(1e-7, 1.5 * theirs.height)) << f;
   }
 }
@@ -58,7 +58,8 @@ TEST(ClosestPoint, TakesTheNorthernOfTwoPointsOnTheDisc) {
     const auto exact = reference::reverse({r, 0, 0}, e);
     const Geodetic north = closest({r, 0, 0.}).position, south = closest({r, 0, -0.}).position;
     EXPECT_GT(north.latitude, 0);
-    // The latitude is the arc cosine of a quantity close to 1: the error of the edge's distance is magnified.
+    // The latitude is the arc cosine of a quantity close to 1, which amplifies the error of the distance from
+    // the edge.
     EXPECT_LE(error_of(north, exact).latitude, 4e-16 / std::sqrt(1 - r / edge)) << r;
     EXPECT_LE(error_of(north, exact).height, 5e-9) << r;
     EXPECT_EQ(south.latitude, -north.latitude);
@@ -108,7 +109,7 @@ TEST(ClosestPoint, FindsTheSegmentOfAProlateAxis) {
   EXPECT_EQ(closest({0, 0, 1.0001 * edge}).position.latitude, pi / 2);
 }
 
-// Approaching the edge of the disc from all sides at all scales: the slowest place for Newton's method.
+// Points around the edge of the disc from all sides at all scales: the slowest case of Newton's method.
 TEST(ClosestPoint, ConvergesAtTheEdgeOfTheDisc) {
   const Ellipsoid e = Ellipsoid::wgs84();
   const ClosestPoint closest(e);
@@ -119,8 +120,8 @@ TEST(ClosestPoint, ConvergesAtTheEdgeOfTheDisc) {
         const Cartesian p{edge * (1 + side * std::pow(10, i)), 0, std::pow(10, j)};
         const auto exact = reference::reverse(p, e);
         const Geodetic g = closest(p).position;
-        // Condition: moving the point by eps in units of the edge turns the normal by eps/(distance to the
-        // evolute), and by eps^(1/2) at worst on the cusp.
+        // Condition number: a shift of the point by eps in units of the edge rotates the normal by
+        // eps/(distance to the evolute), and by at most eps^(1/2) at the cusp.
         const double beta = p.z / edge, distance = std::max(std::cbrt(beta * beta), std::abs(p.x / edge - 1));
         const double bound = 6e-16 + 6e-16 / std::sqrt(distance) + 6e-16 / distance * std::abs(g.latitude);
         EXPECT_LE(error_of(g, exact).latitude, std::min(1e-7, bound)) << p.x << ' ' << p.z;
@@ -130,8 +131,8 @@ TEST(ClosestPoint, ConvergesAtTheEdgeOfTheDisc) {
   }
 }
 
-// A hair outside the disc the latitude is z/(r - a e^2) times constants. The difference is formed without
-// error, so the latitude keeps all its digits, where a difference of rounded numbers would leave six.
+// Just outside the disc the latitude is z/(r - a e^2) times constants. The difference is exact, so the
+// latitude keeps all its digits; a difference of rounded numbers would leave six.
 TEST(ClosestPoint, KeepsItsDigitsNextToTheDisc) {
   const Ellipsoid e = Ellipsoid::wgs84();
   for (double hair : {1e-10, 1e-8, 1e-5}) {

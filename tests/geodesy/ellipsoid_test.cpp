@@ -31,7 +31,7 @@ TEST(Ellipsoid, RefusesImpossibleShapesByValue) {
       tests::holds(tests::thrown<std::invalid_argument>([] { return Ellipsoid(-6378137, 0); }), "-6378137"));
 }
 
-// Eq. 2.40 in doubles against 50 digits: rounding only, a few ulp of the largest radius.
+// Eq. 2.40 in double against 50 digits: rounding errors only, a few ulp of the largest radius.
 TEST(Forward, AgreesWithExtendedPrecision) {
   const Ellipsoid e = Ellipsoid::wgs84();
   const BasicEllipsoid<Real> exact(Real(e.a()), Real(e.f()));

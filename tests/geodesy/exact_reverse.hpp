@@ -57,7 +57,7 @@ inline BasicGeodetic<Real> reverse(const BasicCartesian<Real>& point, const Basi
   return {point.z < 0 ? Real(-latitude) : latitude, atan2(y, x), height};
 }
 
-/// The same for a point and an ellipsoid given in doubles, whose values are taken as exact.
+/// The same for a point and an ellipsoid in double, whose values are taken as exact.
 inline BasicGeodetic<Real> reverse(const Cartesian& p, const Ellipsoid& e) {
   return reverse(BasicCartesian<Real>{Real(p.x), Real(p.y), Real(p.z)},
                  BasicEllipsoid<Real>(Real(e.a()), Real(e.f())));

@@ -1,5 +1,5 @@
 /// @file
-/// The exact reverse transformation, as the tests of the series call it, and pi.
+/// The exact reverse transformation in the form that the tests of the series use, and pi.
 #pragma once
 
 #include "tests/geodesy/exact_reverse.hpp"

@@ -1,4 +1,4 @@
-/// The perturbation series: its coefficients, its errors, its edges.
+/// The perturbation series: coefficients, errors, limits.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -40,9 +40,9 @@ Errors largest_errors(const PerturbationSeries& method) {
   return largest;
 }
 
-// The statement of perturbation.hpp, order by order; of orders 2 to 4 what the project set out to reach, the
-// stated figures with half a digit less, and no less than that by chance. Above order 4 the doubles
-// themselves set the floor: latitude rounds at 1.4e-14 deg near the pole, heights at 7.5e-9 m.
+// Accuracy stated in perturbation.hpp for each order; for orders 2 to 4 the required figures with half a
+// digit less, and not better by chance. Above order 4 rounding limits the accuracy: 1.4e-14 deg of latitude
+// near the pole, 7.5e-9 m of height.
 TEST(PerturbationSeries, KeepsTheErrorStatementOfItsHeader) {
   constexpr std::array<Errors, 6> stated = {{{3.4e-4, 26},
                                              {1.12e-6, 5.84e-2},
@@ -61,7 +61,8 @@ TEST(PerturbationSeries, KeepsTheErrorStatementOfItsHeader) {
   }
 }
 
-// Projection turns an order-2 latitude (2e-8 rad) into a height at rounding: (M + h)/2 dphi^2 = 9e-9 m.
+// Projection with a latitude of order 2 (error 2e-8 rad) gives a height error at rounding level: (M + h)/2
+// dphi^2 = 9e-9 m.
 TEST(PerturbationSeries, ProjectedHeightOfOrder2IsAtRounding) {
   EXPECT_LE(largest_errors({2, HeightFrom::projection}).height_m, 3e-8);
 }
@@ -74,8 +75,8 @@ Real truncation_error(double latitude, double height, const Real& f, int order, 
   return abs(of_height ? Real(found.height - exact.height) : Real(found.latitude - exact.latitude));
 }
 
-// A wrong coefficient of order k leaves an error p^k, so the observed order would stop short. The next term
-// of the series shifts the observed order by some p/ln 2.
+// A wrong coefficient of order k leaves an error p^k, which reduces the observed order. The next term of the
+// series changes the observed order by some p/ln 2.
 TEST(PerturbationSeries, ObservedOrderInExtendedPrecision) {
   const Real f("1e-4");
   for (int order = 1; order <= highest_order; ++order) {
@@ -108,8 +109,8 @@ Real largest_at_surface(const Real& f, int order) {
   return largest;
 }
 
-// What the chapter's page says of strong flattening: about 6 an order at f = 1/10, about 2 at 1/4, nothing at
-// 1/2.
+// Strong flattening, as the chapter's page states: a factor of about 6 an order at f = 1/10, about 2 at 1/4,
+// none at 1/2.
 TEST(PerturbationSeries, GainsLittleByOrderForStrongFlattening) {
   const auto gain = [](const char* f) {
     const Real ratio = largest_at_surface(Real(f), 4) / largest_at_surface(Real(f), 6);
@@ -192,8 +193,8 @@ TEST(PerturbationEdges, NearTheCentreIsOutsideValidity) {
   EXPECT_EQ(fourth_order(2e6, 0, 2e6).outcome, Outcome::success);
 }
 
-// Nearer than 100 * rounding_of_miss eps a the stated miss is rounding of the semi-axis: by chance it is
-// small, and the true one is not. On a sphere, where the series is exact, the bound is met from both sides.
+// Below 100 * rounding_of_miss eps a the reported miss is rounding of the semi-axis and may be small by
+// chance. On a sphere, where the series is exact, the bound is reached from both sides.
 TEST(PerturbationEdges, NearerThanTheRoundingOfTheAxisIsOutsideValidity) {
   const Ellipsoid e(6378137, 0.0032887243670646294);
   for (const double z : {4.4978073798573664e-08, 1e-9, 1e-100}) {
@@ -211,8 +212,8 @@ TEST(PerturbationEdges, FarAwayNothingOverflows) {
   for (const double far : {1e12, 1e100, 1e300}) {
     const Reversed found = fourth_order(far, 0, far);
     EXPECT_EQ(found.outcome, Outcome::success) << far;
-    // The normal's direction differs from the radius's by e^2 a/(2 R), up to a part e^2 of that. Order 4
-    // keeps 7e-14 rad at any distance.
+    // The direction of the normal differs from that of the radius by e^2 a/(2 R), up to a fraction e^2 of
+    // that. Order 4 is accurate to 7e-14 rad at any distance.
     const Ellipsoid e = Ellipsoid::wgs84();
     const double turn = e.e2() * e.a() / (2 * std::hypot(far, far));
     EXPECT_NEAR(found.position.latitude, pi / 4 + turn, e.e2() * turn + 1e-13) << far;
@@ -227,8 +228,8 @@ TEST(PerturbationEdges, SphereIsExact) {
   EXPECT_EQ(found.position.height, 4e6);
 }
 
-// p = 1: the series does not converge at all; where it happens to be far off it says so, and it never returns
-// a guess that misses by more than a hundredth.
+// p = 1: the series diverges. It reports a failure where it is far off, and never returns a result with an
+// error of more than a hundredth.
 TEST(PerturbationEdges, StrongFlatteningIsNeverASilentGuess) {
   const Ellipsoid e(6378137, 0.5);
   int refused = 0;

@@ -67,8 +67,8 @@ struct Batch {
   }
 };
 
-/// Uniform on the sphere, half of the heights below 100 km; shaken by a millimetre, since the exact angles of
-/// a point that comes from double angles lie close to these and hide half a unit in the last place.
+/// Uniform on the sphere, half of the heights below 100 km; shifted by a millimetre, because the exact angles
+/// of a point computed from double angles are close to doubles and hide half a unit in the last place.
 Cartesian random_point(std::mt19937_64& engine, const Ellipsoid& e, double lowest = -1e4,
                        double highest = 3.5e7) {
   std::uniform_real_distribution<double> unit(0, 1);
@@ -79,8 +79,8 @@ Cartesian random_point(std::mt19937_64& engine, const Ellipsoid& e, double lowes
   return {p.x + offset(), p.y + offset(), p.z + offset()};
 }
 
-/// Points on which transformations have failed before: poles, equator, antimeridian, zeros of both signs,
-/// octant boundaries of the arctangent, the disc and the centre, the smallest and the largest numbers.
+/// Points on which transformations may fail: poles, equator, antimeridian, zeros of both signs, octant
+/// boundaries of the arctangent, the disc and the centre, the smallest and the largest numbers.
 std::vector<Cartesian> nasty_points() {
   const double a = 6378137, b = 6356752.3142451794976, tiny = 5e-324, diagonal = std::tan(pi / 8) * a;
   std::vector<Cartesian> points;
@@ -117,9 +117,9 @@ class EverySet : public testing::TestWithParam<InstructionSet> {
   const ReverseTransform reverse{wgs84, GetParam()};
 };
 
-// The accuracy stated in the header: 4e-16 rad is the sum of all roundings at their worst (half an ulp of the
-// result, three of the quotient, two of the distance from the axis); what points of this sample reach is
-// less, and asserted.
+// Accuracy stated in the header: 4e-16 rad is the sum of all rounding errors (half an ulp of the result,
+// three of the quotient, two of the distance from the axis); the errors of this sample are smaller, and are
+// asserted.
 TEST_P(EverySet, KeepsItsAccuracyStatement) {
   std::mt19937_64 engine(20240611);
   for (int n = 0; n < 8000; ++n) {
@@ -135,7 +135,7 @@ TEST_P(EverySet, HoldsAtEveryDepthAndDistance) {
   for (int n = 0; n < 5000; ++n) {
     const double size = std::pow(10, exponent(engine));
     const Cartesian point{unit(engine) * size, unit(engine) * size, unit(engine) * size};
-    // Near the edge of the disc the latitude is as ill-conditioned as r - a e^2 is small.
+    // Near the edge of the disc the condition number of the latitude grows as r - a e^2 decreases.
     const double r = std::hypot(point.x, point.y), edge = wgs84.a() * wgs84.e2();
     const double condition = 1 + edge / std::max(1e-300, std::hypot(r - edge, point.z));
     expect_accurate(reverse(point), point, wgs84, 4.5e-16 * condition, std::max(5e-9, 6e-16 * size));

@@ -32,8 +32,7 @@ double error_at(const TangentFit& fit, const Ellipsoid& e, double q, double m) {
   return abs(atan(fitted) - (reference::reverse(p, e).latitude - atan2(z, x))).convert_to<double>();
 }
 
-// The error that the construction measures in double precision is the error in 50 digits, over the whole
-// range.
+// The error measured in double by the construction equals the error in 50 digits, over the whole range.
 TEST(TangentFit, KnowsItsError) {
   for (double inverse : {298.257223563, 286., 169.8, 15.4, 8., -298., -15., -7.}) {
     const Ellipsoid e(6378137, 1 / inverse);

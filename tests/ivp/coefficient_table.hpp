@@ -1,4 +1,5 @@
-// A table of coefficients as it is written, tables/reference/<name>.csv, for tests of headers made from it.
+// A table of coefficients with all its digits, tables/reference/<name>.csv, for tests of the headers that are
+// generated from it.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -26,18 +27,18 @@ class CoefficientTable {
     }
     EXPECT_EQ(values_.size(), count);
   }
-  // All digits of the row `key`, which is "symbol,i,j"; 0 if there is none.
+  // All digits of the row `key`, which is "symbol,i,j"; 0 if there is no such row.
   [[nodiscard]] oracle::Real get(const std::string& key) const {
     const auto found = values_.find(key);
     return found == values_.end() ? oracle::Real(0) : oracle::Real(found->second);
   }
-  // Expects that `mine` is the row rounded, or 0 if there is none.
+  // Expects that `mine` is the row rounded to double, or 0 if there is no such row.
   void expect_rounded(double mine, const std::string& key) {
     const auto found = values_.find(key);
     EXPECT_EQ(mine, found == values_.end() ? 0 : std::strtod(found->second.c_str(), nullptr)) << key;
     compared_ += found != values_.end();
   }
-  // Expects that no row was left out.
+  // Expects that every row was compared.
   void expect_all_compared() const { EXPECT_EQ(compared_, values_.size()); }
 
  private:

@@ -1,4 +1,4 @@
-/// Equations that end, rest, or begin at a singular point.
+/// Equations whose solution leaves the domain, reaches an empty tank, or starts at a singular point.
 #include "nlmech/ivp/domain.hpp"
 
 #include <gtest/gtest.h>
@@ -36,8 +36,8 @@ TEST(Domain, WhatIsLookedFor) {
   EXPECT_TRUE(domain_of("x'' = -x - x^3").empty());
 }
 
-// h' = -a sqrt(h) is (sqrt(h0) - a t/2)^2 until it is empty, at any tolerance. Errors of h of some tolerances
-// (a hundred here) move the end by their root, and nothing after it.
+// h' = -a sqrt(h) has the solution (sqrt(h0) - a t/2)^2 until h is 0, then h = 0. The error of h stays below
+// 100 tolerances at every tolerance, although the time of emptying has an error of its square root.
 RC_GTEST_PROP(Domain, TanksStayEmpty, ()) {
   const double a = *rc::gen::inRange(2, 40) / 10., h0 = *rc::gen::inRange(1, 50) / 10.,
                tolerance = std::pow(10, -*rc::gen::inRange(3, 13));
@@ -52,7 +52,7 @@ RC_GTEST_PROP(Domain, TanksStayEmpty, ()) {
   RC_ASSERT(std::abs(end.x[0]) <= 100 * tolerance * (1 + h0));
 }
 
-// From an empty tank with the inflow t - t0 the level is (t - t0)^2/4 (put into the equation), and back.
+// Tank that is empty when the inflow t - 5 starts: the level (t - 5)^2/4 solves the equation.
 TEST(Domain, ATankFillsAgain) {
   const Solution end = run("h' = max(0, t - 5) - sqrt(h)", State{1}, 0, 9, 1e-9);
   ASSERT_TRUE(end.status.ok()) << end.status.text();
@@ -63,19 +63,19 @@ TEST(Domain, LeavingIsAnEnd) {
   const Solution end = run("y' = sqrt(1 - x); x' = 1", State{0, 0}, 0, 3, 1e-9);
   EXPECT_EQ(end.status.outcome(), Outcome::outside_validity);
   EXPECT_NE(end.status.text().find("becomes negative at t = 1,"), std::string::npos) << end.status.text();
-  // sin(t) - sqrt(h) leaves where its tank is empty and the inflow negative.
+  // For h' = sin(t) - sqrt(h) the tank empties while the inflow is negative.
   const Solution drained = run("h' = sin(t) - sqrt(h)", State{0.5}, 0, 8, 1e-9);
   EXPECT_EQ(drained.status.outcome(), Outcome::outside_validity) << drained.status.text();
 }
 
-// 1 - sin(t)^2 touches zero and comes back: y = int |cos t| dt.
+// 1 - sin(t)^2 touches zero without a change of sign: y = int |cos t| dt.
 TEST(Domain, TouchingIsNoEnd) {
   const Solution end = run("x' = cos(t); y' = sqrt(1 - x^2)", State{0, 0}, 0, 7, 1e-10);
   ASSERT_TRUE(end.status.ok()) << end.status.text();
   EXPECT_NEAR(end.x[1], 4 + std::sin(7.), 1e-6);
 }
 
-// x' = sqrt(x) grows from any level, however small.
+// The solution of x' = sqrt(x) grows from any initial value, however small.
 TEST(Domain, WhatRepelsIsPassed) {
   for (const double x0 : {1e-4, 1e-8}) {
     const Solution end = run("x' = sqrt(x)", State{x0}, 0, 3, 1e-12);
@@ -84,7 +84,7 @@ TEST(Domain, WhatRepelsIsPassed) {
   }
 }
 
-// Bessel's J_n by x'' + x'/t + (1 - n^2/t^2) x = 0 for n = 0, of the standard library.
+// x'' + x'/t + x = 0 is Bessel's equation of order 0; reference: std::cyl_bessel_j.
 RC_GTEST_PROP(SingularStart, IsBessels, ()) {
   const double size = *rc::gen::inRange(-30, 30) / 10. + 0.05, end = *rc::gen::inRange(1, 200) / 10.;
   const Solution found = run("t x'' + x' + t x = 0", State{size, 0}, 0, end, 1e-11);
@@ -92,7 +92,8 @@ RC_GTEST_PROP(SingularStart, IsBessels, ()) {
   RC_ASSERT(std::abs(found.x[0] - size * std::cyl_bessel_j(0, end)) <= 1e-8);
 }
 
-// The polynomial alone is right to rounding, in both directions and at any time: sin(t - t0)/(t - t0).
+// The polynomial at the singular point against sin(t - t0)/(t - t0), in both directions of time: errors of
+// rounding.
 TEST(SingularStart, ThePolynomialIsRightToRounding) {
   for (const double t0 : {0., 100.}) {
     for (const double way : {3., -3.}) {
@@ -119,8 +120,8 @@ TEST(SingularStart, ReasonsWhereThereIsNone) {
   EXPECT_NE(reason("x' = x/t^2", {0}).find("no regular singular point"), std::string::npos);
 }
 
-// A typed event has bounds on its slopes, by which steps are left out: none with a zero. x = cos(w t) reaches
-// any level below 1 twice a turn, and none above.
+// A typed event has bounds on its slopes, by which steps without a zero are skipped. x = cos(w t) crosses any
+// level below 1 twice a period and no level above 1.
 RC_GTEST_PROP(TypedEvents, NoStepWithAZeroIsLeftOut, ()) {
   const double frequency = *rc::gen::inRange(1, 40) / 10., level = *rc::gen::inRange(-1100, 1100) / 1000.;
   RC_PRE(std::abs(std::abs(level) - 1) > 0.0005);
@@ -147,7 +148,8 @@ RC_GTEST_PROP(TypedEvents, NoStepWithAZeroIsLeftOut, ()) {
 TEST(Domain, SingularTimesEndARun) {
   const Solution end = run("sin(t) x' = cos(t) x", State{1}, 1, 4, 1e-9);
   EXPECT_NE(end.status.text().find("becomes zero at t = 3.14159265"), std::string::npos);
-  // Regular: sin(t)/t; the sine integral Si(1) = 0.946083070367183 (Abramowitz and Stegun, table 5.1).
+  // sin(t)/t is regular at 0; reference: sine integral Si(1) = 0.946083070367183 (Abramowitz and Stegun,
+  // table 5.1).
   const Solution through = run("x' = sin(t)/t", State{0}, -1, 1, 1e-12);
   ASSERT_TRUE(through.status.ok()) << through.status.text();
   EXPECT_NEAR(through.x[0], 2 * 0.946083070367183, 1e-10);

@@ -1,5 +1,5 @@
-// What explicit Runge-Kutta methods with an error estimate share, one that is nothing but a tableau, and what
-// is particular to ode45 and dop853. What they owe as others do: every_integrator_test.cpp.
+// Explicit Runge-Kutta methods with an error estimate: common properties, a method given by its tableau
+// alone, and properties of ode45 and dop853. Requirements on all methods: every_integrator_test.cpp.
 #include "nlmech/ivp/runge_kutta/embedded_runge_kutta.hpp"
 
 #include <gtest/gtest.h>
@@ -15,8 +15,8 @@ namespace {
 
 using namespace testing;
 
-// Orders 3 and 2, with f at the end of a step as the first stage of the next (P. Bogacki, L. F. Shampine, A
-// 3(2) pair of Runge-Kutta formulas, Appl. Math. Lett. 2 (1989) 321-325).
+// Orders 3 and 2, first stage same as last (P. Bogacki, L. F. Shampine, A 3(2) pair of Runge-Kutta formulas,
+// Appl. Math. Lett. 2 (1989) 321-325).
 struct BogackiShampine {
   static constexpr std::string_view name = "bogacki-shampine";
   struct Pair : EmbeddedPair<Pair> {
@@ -34,8 +34,8 @@ Method within(double tolerance) {
   return {.relative_tolerance = tolerance, .absolute_tolerance = tolerance};
 }
 
-// Exponents of the errors of one step of length h at its end and in its middle (within 0.3), and of a run of
-// `steps` steps.
+// Expects the exponents of the error of one step of length h at its end and at its middle (within 0.3), and
+// the order of an integration of `steps` steps within `room`.
 template <class Method>
 void expect_exponents(double h, double end, double middle, double steps, double order, double room) {
   const Manufactured problem;
@@ -63,7 +63,7 @@ TEST(EmbeddedRungeKutta, ErrorsHaveTheStatedExponents) {
   expect_exponents<BogackiShampine>(0.1, 4, 4, 50, 3, 0.1);
 }
 
-// Inlined expressions may be contracted otherwise.
+// Rounding may differ, because the compiler may contract inlined expressions differently.
 template <class Method>
 void expect_inlined_is_the_same() {
   const chapters::PlainDuffing duffing;
@@ -75,7 +75,7 @@ void expect_inlined_is_the_same() {
 }
 TEST(EmbeddedRungeKutta, SystemAndDirectAreTheSame) {
   const chapters::PlainDuffing duffing;
-  const Rk4 rk4{.step = 0.01};  // to the bit
+  const Rk4 rk4{.step = 0.01};  // bitwise equal
   EXPECT_EQ(integrate(System(duffing), {1, 0}, 0, 20, rk4).x,
             integrate(Direct(duffing), {1, 0}, 0, 20, rk4).x);
   expect_inlined_is_the_same<Ode45>();
@@ -83,7 +83,7 @@ TEST(EmbeddedRungeKutta, SystemAndDirectAreTheSame) {
   expect_inlined_is_the_same<Rkn1210>();
 }
 
-// Three components are a pair and one: an oscillator and a clock.
+// Harmonic oscillator and a clock: three components are a SIMD pair and a single one.
 struct WithClock {
   static constexpr int dimension = 3;
   template <class T>
@@ -130,7 +130,7 @@ TEST(EmbeddedRungeKutta, SaysWhichOptionIsWrong) {
             "dop853: relative_tolerance must be between 0 and 0.1, not -1");
 }
 
-// From (1, 0) to t = 10: each step adds an error below the tolerance, which a rotation does not amplify.
+// From (1, 0) to t = 10: each step adds an error below the tolerance; the rotation does not amplify it.
 TEST(EmbeddedRungeKutta, ATableauMeetsItsTolerance) {
   double error_before = 1;
   for (const double tolerance : {1e-4, 1e-6, 1e-8}) {
@@ -163,8 +163,9 @@ TEST(Ode45, RefinedOutputIsTheDenseOutput) {
   }
 }
 
-// An evaluation for the start, and some for a trial: where the last stage of a step is not the first of the
-// next one, one more for a step that is accepted. rkn1210 looks at velocities four times.
+// Evaluations: `once` for the start, `trial` for each trial step, `accepted` more for each accepted step if
+// its last stage is not the first stage of the next step. rkn1210 tests the dependence on velocities with
+// four more.
 template <class Method>
 void expect_counts(const Method& method, std::int64_t trial, std::int64_t accepted, std::int64_t once = 1) {
   const Statistics s = integrate(System(Oscillator{}), State{1, 0}, 0, 50, method).statistics;
@@ -178,7 +179,7 @@ TEST(EmbeddedRungeKutta, CountsItsWork) {
   expect_counts(BogackiShampine{.initial_step = 1}, 3, 0);
 }
 
-// As tools/oracles/rbf_ivp_methods.py counts them. oracle: rbf_ivp_methods 4.2 ODE45-? steps
+// Counts of tools/oracles/rbf_ivp_methods.py. oracle: rbf_ivp_methods 4.2 ODE45-? steps
 TEST(Ode45, TakesTheStepsOfMatlab) {
   const auto steps = [](double tolerance) {
     return integrate(System(problems::TextProblem("duffing")), State{1, 0}, 0, 100 * oracle::duffing_period,
@@ -189,7 +190,7 @@ TEST(Ode45, TakesTheStepsOfMatlab) {
   EXPECT_EQ(steps(1e-9), 14374);
 }
 
-// Slopes on both sides of the end of a step differ by rounding over the distance.
+// Difference quotients on both sides of a step end differ by terms of first order in their distance.
 TEST(Dop853, DenseOutputIsContinuouslyDifferentiable) {
   State before = State::Zero(2);
   const auto watch = [&](const Step& step) {
@@ -198,7 +199,7 @@ TEST(Dop853, DenseOutputIsContinuouslyDifferentiable) {
     step.dense.at(step.t0 + d, x);
     const State slope = (x - step.x0) / d;
     if (step.index > 1) {
-      EXPECT_LT(oracle::distance(slope, before), 20 * d);  // second derivatives of size 2 and more
+      EXPECT_LT(oracle::distance(slope, before), 20 * d);  // second derivatives are of size 2 and more
     }
     step.dense.at(step.t1 - d, x);
     before = (step.x1 - x) / d;
@@ -209,7 +210,7 @@ TEST(Dop853, DenseOutputIsContinuouslyDifferentiable) {
   EXPECT_GT(s.statistics.steps, 5);
 }
 
-// Three evaluations more where the solution within a step is asked for, however often.
+// Dense output takes three more evaluations in a step that is interpolated, however often.
 TEST(Dop853, CountsItsDenseOutput) {
   const auto run = [](const Observer& observer) {
     return integrate(System(problems::TextProblem("duffing")), State{1, 0}, 0, 50, Dop853{}, observer)
@@ -226,7 +227,7 @@ TEST(Dop853, CountsItsDenseOutput) {
   EXPECT_EQ(some, run({}) + 30);
 }
 
-// The end of the first step.
+// @returns the end of the first step; expects `rejected` rejected trials.
 template <class Method>
 double first_step(const System& system, const State& x0, const Method& method, std::int64_t rejected = 0) {
   const auto solution = integrate(system, x0, 0, 2, method, [](const Step&) { return false; });
@@ -234,8 +235,7 @@ double first_step(const System& system, const State& x0, const Method& method, s
   return solution.t;
 }
 
-// Nothing is finite from 0.03 on. ode45 tries 1, a tenth, then halves: 0.05 and 0.025; dop853 1, 1/5, 1/25
-// and 1/125.
+// f is not finite from t = 0.03. ode45 tries 1, 0.1, 0.05 and 0.025; dop853 tries 1, 1/5, 1/25 and 1/125.
 TEST(EmbeddedRungeKutta, ShrinksWhereNothingIsFinite) {
   const System system(Poisoned{.at = 0.03});
   EXPECT_EQ(first_step(system, {1, 0}, Ode45{.initial_step = 1, .largest_step = 1}, 3), 0.025);
@@ -253,8 +253,8 @@ TEST(EmbeddedRungeKutta, RefusesAFirstStepThatIsTooLong) {
   check(Dop853{.initial_step = 5});
 }
 
-// At rest f says nothing of the way ahead: the first step is a tenth of it, and a push is not leapt over.
-// Else by (atol + rtol)^(1/8) of the time in which the state changes by its size, here 1.
+// At rest f gives no time scale: the first step is a tenth of the interval of integration. Otherwise it is
+// (atol + rtol)^(1/8) times the time in which the state changes by its size, here 1.
 TEST(Dop853, BeginsWithATenthOfTheWay) {
   EXPECT_EQ(first_step(System(Oscillator{}), {0, 0}, Dop853{}), 0.2);
   EXPECT_NEAR(first_step(System(Oscillator{}), {1, 1}, within<Dop853>(1e-8)), std::pow(2e-8, 1. / 8),

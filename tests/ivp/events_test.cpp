@@ -1,4 +1,4 @@
-/// Events: where they are found, in which order, and what ends an integration.
+/// Events: location of zeros, order, and end of the integration.
 #include "nlmech/ivp/events.hpp"
 
 #include <gtest/gtest.h>
@@ -22,14 +22,14 @@ using testing::nan;
 
 constexpr Series accurate = {.relative_tolerance = 1e-15, .absolute_tolerance = 1e-15};
 
-// The first component less a level.
+// The event function x[0] - level.
 Event passes(double level, Crossing crossing = Crossing::either, bool ends = false) {
   return {[level](double, const State& x) { return x[0] - level; }, crossing, ends};
 }
 
 System falling() { return testing::typed("x'' = -1"); }
 
-// Any level, frequency and direction of time: as many passages as the cosine has, each where it has it.
+// Any level, frequency and direction of time: the number and the times of the crossings of a cosine.
 RC_GTEST_PROP(Events, AreThoseOfTheCosine, ()) {
   const double frequency = *rc::gen::inRange(1, 40) / 10.;
   const double level = *rc::gen::inRange(-90, 90) / 100.;
@@ -45,7 +45,8 @@ RC_GTEST_PROP(Events, AreThoseOfTheCosine, ()) {
       if (a / frequency < 10.1) exact.push_back(std::copysign(a / frequency, t1));
   }
   RC_ASSERT(hits.size() == exact.size());
-  // The slope there is sin(angle) >= 0.43: errors of the state of 100 eps become twice as large in the angle.
+  // The slope at a crossing is sin(angle) >= 0.43: an error of the state of 100 eps is at most doubled in the
+  // angle.
   for (std::size_t k = 0; k < exact.size(); ++k)
     RC_ASSERT(std::abs(hits[k].t - exact[k]) <= 300 * eps * 10.1);
 }
@@ -57,12 +58,12 @@ TEST(Events, DirectionCountsAlongTheWay) {
   };
   EXPECT_EQ(count(Crossing::falling, 12), 2U);  // pi/2 and 5 pi/2
   EXPECT_EQ(count(Crossing::rising, 12), 2U);   // 3 pi/2 and 7 pi/2
-  EXPECT_EQ(count(Crossing::falling, -3), 1U);  // backwards the cosine falls as well
+  EXPECT_EQ(count(Crossing::falling, -3), 1U);  // in negative time the cosine decreases as well
   EXPECT_EQ(count(Crossing::rising, -3), 0U);
 }
 
 TEST(Events, OfOneStepComeInTheirOrder) {
-  const System system = falling();  // one step of any length is exact
+  const System system = falling();  // exact for every step size
   const auto down = integrate_with_events(system, State{1, 0}, 0, 4, Series{.order = 4, .step = 4},
                                           {passes(0.25), passes(0.75), passes(0.5)});
   ASSERT_EQ(down.hits.size(), 3U);
@@ -73,8 +74,9 @@ TEST(Events, OfOneStepComeInTheirOrder) {
   EXPECT_NEAR(down.hits[1].t, 1, 2 * eps);
 }
 
-// The ball comes back with half its speed: flights of 2 v after the first of 1. Each begins on the
-// ground, and one step is as long as all that is left: places are 1.25 apart.
+// A ball that rebounds with half its speed v: a fall of duration 1, then arcs of duration 2 v. Each
+// integration starts on the ground, and one step covers the whole interval: event functions are sampled 1.25
+// apart.
 TEST(Events, ThatEndTheIntegrationAllowToGoOn) {
   const System system = falling();
   double t = 0, expected = 0, speed = 1;
@@ -94,7 +96,7 @@ TEST(Events, ThatEndTheIntegrationAllowToGoOn) {
   }
 }
 
-// Its dense output interpolates to fourth order: the step is halved, the error falls by about 16.
+// The dense output has order 4: halving the step size divides the error of the event time by about 16.
 TEST(Events, OfOtherMethodsAreAsAccurateAsTheirDenseOutput) {
   const System system(testing::Oscillator{});
   const auto error = [&](double step) {
@@ -109,8 +111,8 @@ TEST(Events, OfOtherMethodsAreAsAccurateAsTheirDenseOutput) {
   EXPECT_NEAR(hits[0].t, std::numbers::pi / 2, 1e-2);  // ode45's own tolerance is 1e-3
 }
 
-// One step from 0 to 10, and a function of time with 63 zeros: bounds show all of them, signs at 8 places
-// not.
+// One step from 0 to 10 and an event function with 63 zeros: bounds find all of them, signs at 8 sampled
+// times do not.
 TEST(Events, WithBoundsNoZeroIsPassedOver) {
   Event event{[](double t, const State&) { return std::sin(20 * t); }};
   const auto count = [&] {
@@ -142,11 +144,11 @@ TEST(Events, DoubleZerosAreHitsWithoutDirection) {
   EXPECT_NEAR(either.hits[0].t, std::sqrt(2), 1e-8);
   square.crossing = Crossing::falling;
   EXPECT_TRUE(found().hits.empty());
-  EXPECT_EQ(found().open.size(), 1U);  // and is reported
+  EXPECT_EQ(found().open.size(), 1U);  // reported as an open event
 }
 
-// The ball of above without an end: each flight takes half of the time of the one before, and all of them
-// together end at 3 after the first fall of 1.
+// The bouncing ball in one integration: each arc takes half the time of the arc before. The rebounds
+// accumulate at t = 3.
 TEST(Events, ChangeTheState) {
   Event ground = passes(0, Crossing::falling);
   ground.bounds = [](const program::Interval&, std::span<const program::Interval> x) {
@@ -165,7 +167,7 @@ TEST(Events, ChangeTheState) {
   const EventSolution all = to(4);
   EXPECT_EQ(all.solution.status.outcome(), Outcome::outside_validity);
   EXPECT_NEAR(all.solution.t, 3, 1e-9);
-  // The third one ends it.
+  // The third rebound ends the integration.
   ground.ends = 3;
   EXPECT_NEAR(to(4).solution.t, 2.5, 32 * eps * 3);
   EXPECT_EQ(to(4).hits.size(), 3U);
@@ -183,7 +185,7 @@ TEST(Events, MistakesAndFunctionsWithoutValue) {
   EXPECT_TRUE(hits.empty());
 }
 
-// Values at the places, 0.5 apart, but none between two of them, where the zero is looked for.
+// The event function has values at the sampled times, 0.5 apart, and is NaN within the interval of the zero.
 TEST(Events, NoValueOnTheWayToTheZero) {
   const auto value = [](double t, const State&) { return t <= 1 ? 1. : t < 1.5 ? nan : -1.; };
   for (const bool ends : {false, true}) {

@@ -1,5 +1,6 @@
-/// What every integrator owes its caller, ours and peers, with steps of its choice or of the user's: ends,
-/// limits, observers, directions of time, jumps, sizes, counts, and a status where it cannot go on.
+/// Requirements on every integrator, nlmech methods and peers, with fixed and with adaptive steps: end of the
+/// interval, limits, observers, directions of time, discontinuities, dimensions, counts, and the status of a
+/// failure.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -33,7 +34,8 @@ TEST_P(EveryIntegrator, StandsStillForAnEmptyInterval) {
   EXPECT_EQ(solution.statistics.right_hand_sides, 0);
 }
 
-// The two ends are neighbouring doubles, or nearly: ours arrive, a peer may say that it cannot.
+// t1 is the neighbour of t0 among the doubles, or 1e-12 away: nlmech methods succeed, a peer may report
+// failure.
 TEST_P(EveryIntegrator, CrossesTheShortestInterval) {
   for (const double t1 : {std::nextafter(1.0, 2.0), std::nextafter(1.0, 0.0), 1 + 1e-12}) {
     const auto solution = run(System(Oscillator{}), {1, 0}, 1, t1);
@@ -47,11 +49,11 @@ TEST_P(EveryIntegrator, CrossesTheShortestInterval) {
   }
 }
 
-// Ten steps of 0.1 make exactly 1, in either direction, and 0.3 leaves a last step of 0.1.
+// Ten steps of 0.1 cover [0, 1] exactly, in either direction; steps of 0.3 leave a last step of 0.1.
 TEST_P(EveryIntegrator, LandsOnTheEnd) {
   for (const double end : {1.0, -1.0}) {
     EXPECT_EQ(run(System(Oscillator{}), {1, 0}, 0, end).t, end);
-    if (!by_steps() || row().has(points_setting)) continue;  // whose steps are taken some at a time
+    if (!by_steps() || row().has(points_setting)) continue;  // these methods count several steps as one
     const auto even = with(0.1)(System(Oscillator{}), {1, 0}, 0, end, {}, {});
     EXPECT_EQ(even.statistics.steps, 10);
     EXPECT_EQ(even.t, end);
@@ -67,8 +69,8 @@ TEST_P(EveryIntegrator, LandsOnTheEnd) {
   }
 }
 
-// At t = 1e16 doubles are two apart: steps of a half and of 100 are refused, for rounding. Left alone, CVODE,
-// ARKODE, rk8pd and bsimp arrive at t1 in another state; series takes the steps as they are.
+// At t = 1e16 the spacing of doubles is 2: steps of 0.5 and 100 are refused because of rounding. Without this
+// check CVODE, ARKODE, rk8pd and bsimp reach t1 in a wrong state; series does not round its step sizes.
 TEST_P(EveryIntegrator, NoticesThatTimeHasNoRoomForAStep) {
   for (const double step : {0.5, 100.0}) {
     const auto far =
@@ -115,7 +117,7 @@ TEST_P(EveryIntegrator, KeepsToItsSteps) {
     const auto solution = run(System(Oscillator{}), {1, 0}, 0, 1e6, {}, {.steps = most});
     expect_failure(solution, Outcome::step_limit);
     EXPECT_GT(solution.t, 0);
-    // Libraries that repeat a rejected step themselves may pass the limit within one.
+    // Libraries that repeat a rejected step internally may exceed the limit within one step.
     const std::int64_t trials = solution.statistics.steps + solution.statistics.rejected;
     EXPECT_LE(solution.statistics.steps, most);
     EXPECT_GE(trials, most);
@@ -148,13 +150,13 @@ TEST_P(EveryIntegrator, ObeysItsObserver) {
   EXPECT_EQ(solution.x, state);
 }
 
-// Steps follow each other without a gap, and dense output is the state at both ends.
+// Steps follow each other without a gap; dense output equals the states at both ends of a step.
 TEST_P(EveryIntegrator, ShowsEveryStep) {
   const System system(problems::TextProblem("duffing"));
   double t = 0;
   std::int64_t count = 0;
   State before{1, 0}, x(2);
-  // The solution within a step of a peer may be another formula's.
+  // A peer may interpolate by another formula.
   const double room = row().is_peer()            ? most_off()
                       : gaussians()              ? condition * eps
                       : row().has(order_setting) ? 4 * eps
@@ -181,8 +183,8 @@ TEST_P(EveryIntegrator, ShowsEveryStep) {
   EXPECT_EQ(solution.statistics.steps, count);
 }
 
-// Looking at the steps, or between them, changes neither the solution nor what it costs, but for the stages
-// that dop853 then adds.
+// An observer and dense output change neither the solution nor its cost, except for the stages that dop853
+// adds.
 TEST_P(EveryIntegrator, DoesNotNoticeItsObserver) {
   const System system(problems::TextProblem("duffing"));
   const auto look = [](const Step& step) {
@@ -199,7 +201,7 @@ TEST_P(EveryIntegrator, DoesNotNoticeItsObserver) {
 
 // ------------------------------------------------------------ directions of time, jumps, sizes
 
-// Backwards a method solves the same equation. The velocity counts, but for rkn1210.
+// Integration in negative time. All methods but rkn1210 are tested with a velocity-dependent force.
 TEST_P(EveryIntegrator, RunsBackwards) {
   const Manufactured problem{.damping = row().name == "rkn1210" ? 0 : 0.3};
   const auto error = [&](double t0, double t1) {
@@ -222,8 +224,8 @@ TEST_P(EveryIntegrator, RunsBackwards) {
   if (by_steps()) {
     EXPECT_GT(backwards, 0.1 * forwards - 100 * eps);
   }
-  // From rest either way is the mirror image of the other. A step control that minds the sign of time shows
-  // here.
+  // From rest the solutions for t > 0 and t < 0 are mirror images. This detects a step-size control that
+  // depends on the sign of time.
   const System duffing(problems::TextProblem("duffing"));
   const auto there = run(duffing, {1, 0}, 0, 5), back = run(duffing, {1, 0}, 0, -5);
   ASSERT_TRUE(there.status.ok() && back.status.ok()) << back.status.text();
@@ -231,7 +233,7 @@ TEST_P(EveryIntegrator, RunsBackwards) {
   EXPECT_LT(back.statistics.right_hand_sides, 3 * there.statistics.right_hand_sides);
 }
 
-// Jumps of the force, and of its derivative, are ends of steps in both directions.
+// Discontinuities of the force and of its derivative are ends of steps, in both directions of time.
 TEST_P(EveryIntegrator, LandsOnDiscontinuities) {
   const problems::TextProblem problem("impact");
   const State end = reference(problem, {0, 0}, 0, 2);
@@ -243,7 +245,7 @@ TEST_P(EveryIntegrator, LandsOnDiscontinuities) {
   const auto there = run(System(problem), {0, 0}, 0, 2, note);
   ASSERT_TRUE(there.status.ok()) << there.status.text();
   EXPECT_TRUE(ends.contains(0.5) && ends.contains(1.0) && ends.contains(2.0));
-  // Two short smooth pieces: errors add up over some ten (order 8) to some hundred (BDF) steps. Hermitian
+  // Two short smooth pieces: errors add up over some ten (order 8) to some hundred (BDF) steps; Hermitian
   // operators take more.
   const double room = by_steps() ? 0.02 : hermitian() ? most_off() : row().is_peer() ? 100e-9 : 20e-9;
   EXPECT_LT(oracle::distance(there.x, end), room);
@@ -254,9 +256,9 @@ TEST_P(EveryIntegrator, LandsOnDiscontinuities) {
   EXPECT_LT(oracle::distance(back.x, State{0, 0}), 4 * room);
 }
 
-// A force that jumps at t = 0.3, which is the end of the run, its start, or within it: on each side the
-// motion is a parabola, of which all formulas are exact but Euler's two, for the velocity alone, those of
-// Gaussians, and multistep ones, which begin with Euler's.
+// A force that jumps at t = 0.3: at the end, at the start or within the interval. On each side the motion is
+// a parabola, which all formulas integrate exactly, except Euler's two (exact velocity only), Gaussians, and
+// multistep formulas, which start with Euler's.
 TEST_P(EveryIntegrator, NeverLooksAcrossAJump) {
   if (row().is_peer()) GTEST_SKIP() << "see the next test";
   const JumpingForce problem;
@@ -286,9 +288,9 @@ TEST_P(EveryIntegrator, NeverLooksAcrossAJump) {
   }
 }
 
-// x' = 1 before a time, -1 from there on, which is exact by every formula. Most make a rounding or two a
-// step, bsimp some for each of 160 substeps, which its extrapolation enlarges: 160 eps have been seen. One
-// look across the jump by a rounding of t cost bsimp 1e-7.
+// x' = 1 before a time and -1 after it: every formula is exact. Most make one or two rounding errors a step;
+// bsimp makes some in each of 160 substeps, amplified by its extrapolation (160 eps were observed). One
+// evaluation across the jump, by a rounding error of t, gave bsimp an error of 1e-7.
 void expect_kink(const NamedIntegrator& integrate, double at, bool forwards, double room) {
   const System system = typed("x' = sign(" + fmt::format("{:.17g}", at) + " - t)");
   const double t0 = forwards ? 0 : 1;
@@ -310,7 +312,7 @@ TEST_P(EveryIntegrator, NeverLooksAcrossAKink) {
   }
 }
 
-// Every component reaches the formula, in order, whatever their number.
+// Systems of 1 to 18 components: each component enters the formula in its order.
 TEST_P(EveryIntegrator, TakesSystemsOfAnySize) {
   const double room = by_steps() ? 0.03 : hermitian() ? most_off() : 100e-9;
   for (const int n : {1, 2, 3, 4, 5, 9}) {
@@ -339,11 +341,11 @@ TEST_P(EveryIntegrator, TakesSystemsOfAnySize) {
 
 // ------------------------------------------------------------ where it cannot go on
 
-// NaN and infinity, from the start and from t = 1/2 on: the last good state. GSL's rkf45, rk8pd and bsimp and
-// all of Odeint accept steps to NaN and return success.
+// NaN and infinity at the start and from t = 0.5: the solution is the last finite state. Unchecked, GSL's
+// rkf45, rk8pd and bsimp and all of Odeint accept steps to NaN and return success.
 TEST_P(EveryIntegrator, FailsWhereNothingIsFinite) {
   if (row().has(order_setting)) GTEST_SKIP() << "refuses a branch that is not announced";
-  // Steps of these may end before, for want of convergence.
+  // These methods may fail earlier, because their iteration does not converge.
   const bool implicit = row().family == Family::collocation || hermitian();
   const double before = row().is_peer()             ? 0.1
                         : row().has(points_setting) ? 0.04
@@ -364,18 +366,18 @@ TEST_P(EveryIntegrator, FailsWhereNothingIsFinite) {
     EXPECT_EQ(at_once.t, 0.75);
     EXPECT_EQ(at_once.x, (State{1, 0}));
   }
-  // At t0 = 0 the spacing of doubles is 5e-324, and halving towards it must end too.
+  // Near t0 = 0 the spacing of doubles is 5e-324; repeated halving must end there, too.
   expect_failure(run(System(Poisoned{.at = 1e-300}), {1, 0}, 0, 1));
 }
 
-// q'' = 2 q^3 with q = 1/(1 - t) ends at t = 1. Odeint returns NaN beyond as a success; CVODE and ARKODE stay
-// where they are until their steps are used up. Explicit formulas overflow behind it, implicit ones lose
-// their root before.
+// q'' = 2 q^3 with the solution q = 1/(1 - t) has a pole at t = 1. Unchecked, Odeint returns NaN as a
+// success; CVODE and ARKODE stall until the step limit. Explicit formulas overflow after the pole, implicit
+// ones lose their root before it.
 TEST_P(EveryIntegrator, EndsAtABlowUp) {
   const auto solution = run(typed("x'' = 2 x^3"), {1, 1}, 0, 2, {}, {.steps = 100'000});
   EXPECT_TRUE(solution.x.allFinite());
-  // An implicit method of fixed step may step over the pole: beyond it Newton's iteration finds a root of the
-  // equations of a step that is no solution, and nothing but an error estimate could tell.
+  // An implicit method with fixed steps may step over the pole: Newton's iteration then finds a spurious
+  // root, which only an error estimate could detect.
   EXPECT_GT(solution.t, 0.9);
   if (row().family == Family::polynomials) return;
   expect_failure(solution);
@@ -383,21 +385,21 @@ TEST_P(EveryIntegrator, EndsAtABlowUp) {
     EXPECT_LT(solution.t, 1.2);
     return;
   }
-  // At a distance d of the end q is 1/d: steps cease to move t near d = eps. The tolerance moves the end.
-  // Hermitian operators come near it by so many steps that the limit may end them.
+  // At a distance d from the pole q is 1/d: steps cease to change t near d = eps. The tolerance shifts the
+  // pole. Hermitian operators take so many steps near it that the step limit may end them.
   EXPECT_TRUE(hermitian() || solution.status.outcome() == Outcome::step_underflow) << solution.status.text();
   EXPECT_NEAR(solution.t, 1, hermitian() ? 1e-3 : row().is_peer() ? 1e-6 : 1e-7);
   EXPECT_GT(solution.x[0], hermitian() ? 1e3 : 1e5);
 }
 
-/// An oscillator that is written for double alone. It counts its evaluations, or throws.
+/// An oscillator whose equations accept double only. It counts its evaluations, or throws.
 struct ForDoubleAlone {
   struct Thrown : std::runtime_error {
     using std::runtime_error::runtime_error;
   };
   static constexpr int dimension = 2;
   double last = infinity;    // it throws after this time
-  bool has_jacobian = true;  // or throws where it is asked for
+  bool has_jacobian = true;  // if false, jacobian() throws
   std::shared_ptr<Statistics> counts = std::make_shared<Statistics>();
   void acceleration(double t, const Vector<double, 1>& q, const Vector<double, 1>& /*v*/,
                     Vector<double, 1>& a) const {
@@ -415,7 +417,7 @@ struct ForDoubleAlone {
   }
 };
 
-/// Those that need derivatives along the solution say so.
+/// Methods that need derivatives along the solution: they refuse equations that accept double only.
 const std::set<std::string_view> of_any_number = {"series", "laier", "argyris", "hoff", "bazzi"};
 
 TEST_P(EveryIntegrator, CountsWhatTheEquationsCount) {
@@ -448,8 +450,8 @@ TEST_P(EveryIntegrator, CountsWhatTheEquationsCount) {
   EXPECT_EQ(counts.factorisations > 0, counts_newton || row().name == "odeint-rosenbrock4");
 }
 
-// An exception of the problem's own, or of the observer, comes out as it went in, past the C of SUNDIALS and
-// GSL, and frees what they had allocated (which the address sanitizer watches).
+// An exception of the problem or of the observer passes through the C code of SUNDIALS and GSL unchanged, and
+// their memory is freed (checked by the address sanitizer).
 TEST_P(EveryIntegrator, LetsExceptionsPass) {
   using Thrown = ForDoubleAlone::Thrown;
   const auto refuse = [](const Step&) -> bool { throw Thrown("seen enough"); };

@@ -28,7 +28,7 @@ RC_GTEST_PROP(StepGrid, CoversTheSegmentWithEqualStepsAndOneRest, ()) {
   for (std::int64_t k = 0; k < grid.count; ++k) {
     const double actual = grid.time(k + 1) - grid.time(k);
     RC_ASSERT(actual * sign > 0);
-    // Times round to an ulp of the largest of them.
+    // Each time is rounded to an ulp of the largest of them.
     RC_ASSERT(std::abs(actual - grid.length(k)) <= 4e-16 * (std::abs(begin) + std::abs(end) + length));
     RC_ASSERT(std::abs(grid.length(k)) <= length * (1 + 1e-9));
     if (k + 1 < grid.count) RC_ASSERT(grid.length(k) == grid.step);
@@ -43,7 +43,8 @@ TEST(StepGrid, AWholeNumberOfStepsHasNoRest) {
   }
 }
 
-// At 1e16 doubles are two apart, and the fifth step ends between two: the last one is 495 long all the same.
+// At 1e16 the spacing of doubles is 2, and the end of the fifth step is no double: the last step is still 495
+// long.
 TEST(StepGrid, TheLastStepIsNotRoundedAsTimesAre) {
   const StepGrid grid = make_step_grid(1e16, 1e16 + 8000, 1501);
   EXPECT_EQ(grid.count, 6);

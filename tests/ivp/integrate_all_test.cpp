@@ -1,5 +1,5 @@
-/// Many trajectories at once: the bits of integrate(), by threads, and for series whatever stands in the
-/// other lanes.
+/// Many trajectories at once: results bitwise equal to integrate(), for any number of threads and, for
+/// series, any content of the other SIMD lanes.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -23,7 +23,7 @@
 namespace nlmech::ivp::integrate_all_test {
 namespace {
 
-/// A pendulum whose rate jumps at a time, if it is to.
+/// A driven, damped pendulum; its force jumps at t = @p jump if that is positive.
 System pendulum(double jump = 0) {
   const std::string more = jump > 0 ? fmt::format(" + max(sign({} - t), 0)", jump) : "";
   return testing::typed("x'' = cos(2 t) - sin(x) - 0.1 x'" + more);
@@ -41,7 +41,7 @@ void expect_same(const Solution& a, const Solution& b) {
   EXPECT_EQ(a.statistics.right_hand_sides, b.statistics.right_hand_sides);
 }
 
-/// By one thread and by several. @returns the single runs
+/// Compares with single integrations, by one thread and by three. @returns the single integrations
 template <class Method>
 std::vector<Solution> expect_bits_by_threads(const std::vector<Start>& starts, const Method& method) {
   std::vector<Solution> alone;
@@ -57,7 +57,7 @@ std::vector<Solution> expect_bits_by_threads(const std::vector<Start>& starts, c
   return alone;
 }
 
-/// By all widths that have the bits of this processor's single runs, too.
+/// Compares also with AVX2 registers, where the processor has them and steps are adaptive.
 void expect_bits_of_one(const std::vector<Start>& starts, const Series& method) {
   const auto alone = expect_bits_by_threads(starts, method);
   const std::span<const Start> all(starts);
@@ -70,7 +70,8 @@ Series with(double tolerance, int order = 0) {
   return {.relative_tolerance = tolerance, .absolute_tolerance = tolerance, .order = order};
 }
 
-// Any states, ends, parameters, in any company: some of other equations, which do not fit beside them.
+// Any states, intervals and parameters; some members have other equations, which cannot share SIMD registers
+// with the rest.
 RC_GTEST_PROP(SeriesEnsemble, HasTheBitsOfOne, ()) {
   const auto number = [](double low, double high) {
     return low + (high - low) * (*rc::gen::inRange(0, 1000001)) * 1e-6;
@@ -79,7 +80,7 @@ RC_GTEST_PROP(SeriesEnsemble, HasTheBitsOfOne, ()) {
   std::vector<System> systems;
   systems.emplace_back(problems::TextProblem("lorenz"));
   for (int k = 0; k < 5; ++k) {
-    const double sigma = *rc::gen::element(1.0, 9.5, 10.25);  // with 1 it has one operation less
+    const double sigma = *rc::gen::element(1.0, 9.5, 10.25);  // sigma = 1 saves one operation
     systems.emplace_back(problems::TextProblem("lorenz", {{"sigma", sigma}, {"r", number(0.5, 60)}}));
   }
   std::vector<Start> starts;
@@ -95,8 +96,8 @@ RC_GTEST_PROP(SeriesEnsemble, HasTheBitsOfOne, ()) {
   expect_bits_of_one(starts, with(std::pow(10, -number(2, 13)), *rc::gen::element(0, 2, 3, 11, 30)));
 }
 
-// A dozen kinds of equations in turn, more than may wait for each other: the bits of one, and of narrow
-// registers in any company.
+// Twelve kinds of equations in turn, more than the number of kinds that may wait for a full register: bitwise
+// equal to single integrations, also for baseline registers.
 TEST(SeriesEnsemble, ManyKinds) {
   std::vector<System> systems;
   for (int power = 1; power <= 12; ++power)
@@ -124,13 +125,13 @@ TEST(SeriesEnsemble, EquationsWithTheTime) {
   Series bounded = with(1e-6);
   bounded.largest_step = 0.05;
   expect_bits_of_one(starts, bounded);
-  expect_bits_of_one(starts, {.order = 8, .step = 0.1});  // by threads
+  expect_bits_of_one(starts, {.order = 8, .step = 0.1});  // fixed steps: parallel by threads only
 }
 
-// What ends in a failure ends as it does alone, with its sentence, and disturbs nobody.
+// A failure ends as in a single integration, with the same message, and does not affect the other members.
 TEST(SeriesEnsemble, FailuresAreTheirOwn) {
-  // Infinite at 1/x(0); with gaps in its series, so that the first step is tested, rejected and halved;
-  // without a finite slope at 0, and from 1e-300 on without finite coefficients.
+  // Poles at t = 1/x(0); gaps in the series, so that the first step is tested, rejected and halved; no finite
+  // slope at x = 0, or coefficients that overflow from x = 1e-300.
   const System pole = testing::typed("x' = x^2"), gap = testing::typed("x' = t^20"),
                singular = testing::typed("x' = 1/x");
   const double nan = std::numeric_limits<double>::quiet_NaN();
@@ -156,7 +157,7 @@ TEST(SeriesEnsemble, FailuresAreTheirOwn) {
   EXPECT_GT(integrate_all(std::span<const Start>(gaps), with(1e-9, 10))[0].statistics.rejected, 0);
 }
 
-// Observers see the steps of their own trajectory, values within them too, and end it alone.
+// Observers receive the steps and the dense output of their own trajectory, and end it alone.
 TEST(SeriesEnsemble, ObserversSeeTheirOwn) {
   const System system(problems::TextProblem("lorenz"));
   constexpr std::size_t count = 45;
@@ -183,7 +184,7 @@ TEST(SeriesEnsemble, ObserversSeeTheirOwn) {
   EXPECT_TRUE(ends[18].status.ok());
 }
 
-// Components in any number; solutions with bounds and invariants are held to them.
+// Systems of two and three components together; bounds and invariants of a problem are checked.
 TEST(SeriesEnsemble, OtherSizes) {
   const System lorenz(problems::TextProblem("lorenz")), swinging = pendulum();
   std::vector<Start> starts;
@@ -220,7 +221,7 @@ TEST(SeriesEnsemble, RefusesWhatOneRefuses) {
   EXPECT_TRUE(integrate_all(std::span<const Start>(), with(1e-9)).empty());
 }
 
-// Other methods: given and chosen steps, backwards, and over a jump.
+// Other methods: fixed and adaptive steps, both directions of time, and a discontinuity.
 TEST(IntegrateAll, HasTheBitsOfOne) {
   const System lorenz(problems::TextProblem("lorenz")), jumping = pendulum(1);
   std::vector<Start> chaos, jumps;
@@ -236,7 +237,7 @@ TEST(IntegrateAll, HasTheBitsOfOne) {
   expect_bits_by_threads({}, chosen);
 }
 
-// What blows up, or never was a number, ends as it does alone; its neighbours go on.
+// A member that overflows or starts at NaN fails as in a single integration; the others continue.
 TEST(IntegrateAll, FailuresAreTheirOwn) {
   const System system = testing::typed("x' = x^2");
   std::vector<State> from;

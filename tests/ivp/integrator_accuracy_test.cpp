@@ -1,4 +1,5 @@
-/// How accurate every integrator is: orders of those with steps of the user's, tolerances of the others.
+/// Accuracy of every integrator: orders of methods with fixed steps, errors over tolerance of methods with
+/// adaptive steps.
 #include <gtest/gtest.h>
 
 #include <boost/math/quadrature/gauss.hpp>
@@ -23,8 +24,8 @@ using collocation::NodeFamily;
 
 // ------------------------------------------------------------ orders
 
-/// A method with its order at the ends of steps and within them, and steps over two units of time at which
-/// the next term of the expansion is small.
+/// A method, its order at the ends of steps and within them, and a number of steps over two units of time for
+/// which the next term of the error expansion is small.
 struct Ordered {
   std::string name;
   std::function<NamedIntegrator(double step)> with;
@@ -49,11 +50,12 @@ std::vector<Ordered> methods_of_known_order() {
       ordered("rk6", Rk6{}, 6, 25), ordered("newmark", Newmark{}, 2, 200),
       ordered("newmark, gamma = 0.6", Newmark{.gamma = 0.6}, 1, 1000), ordered("hht", Hht{}, 2, 200),
       ordered("hht, alpha = -1/3", Hht{.alpha = -1. / 3}, 2, 200),
-      // Eq. 4.7 to the letter loses an order, because (1 + alpha)(1/2 - alpha) is not 1/2.
+      // Eq. 4.7 as printed loses an order, because (1 + alpha)(1/2 - alpha) is not 1/2.
       ordered("hht as printed", Hht{.form = Hht::Form::as_printed}, 1, 1000),
       ordered("hht as printed, alpha = -0.01", Hht{.alpha = -0.01, .form = Hht::Form::as_printed}, 1, 4000),
       ordered("hht as printed, alpha = 0", Hht{.alpha = 0, .form = Hht::Form::as_printed}, 2, 200),
-      // Legendre-Gauss-Lobatto without the left end as a stage: N - 1. Radau: 2 N - 3, within steps N.
+      // Legendre-Gauss-Lobatto nodes without the left end as a stage: order N - 1. Radau nodes: 2 N - 3, N
+      // within steps.
       ordered("lgl-coll, 3 nodes", PolynomialCollocation{.nodes = 3}, 2, 40),
       ordered("lgl-coll, 4 nodes", PolynomialCollocation{.nodes = 4}, 3, 20),
       ordered("lgl-coll, 6 nodes", PolynomialCollocation{.nodes = 6}, 5, 8),
@@ -73,7 +75,7 @@ std::vector<Ordered> methods_of_known_order() {
   return all;
 }
 
-// With damping, a load and a cubic spring; steps that do not divide the interval.
+// Damping, a load and a cubic spring; step sizes that do not divide the interval.
 TEST(Orders, AreTheStatedOnes) {
   for (const Ordered& method : methods_of_known_order()) {
     const Manufactured problem;
@@ -93,7 +95,7 @@ TEST(Orders, AreTheStatedOnes) {
       return largest;
     };
     const State coarse = errors(method.steps), fine = errors(2 * method.steps);
-    const double room = method.steps < 15 ? 0.25 : 0.1;  // for the next term
+    const double room = method.steps < 15 ? 0.25 : 0.1;  // for the next term of the error expansion
     EXPECT_NEAR(std::log2(coarse[0] / fine[0]), method.order, room) << method.name;
     EXPECT_NEAR(std::log2(coarse[1] / fine[1]), method.within, room) << method.name << ", within steps";
   }
@@ -124,7 +126,7 @@ State duffing(double t) {
   return {cn, -std::sqrt(2.0) * sn * dn};
 }
 
-// Nine digits are some million steps away.
+// At tighter tolerances these methods need some million steps.
 bool of_second_order(std::string_view name) { return name == "hoff" || name == "bazzi"; }
 
 TEST_P(EveryAdaptive, FollowsTheDuffingOscillator) {
@@ -142,8 +144,8 @@ TEST_P(EveryAdaptive, FollowsTheDuffingOscillator) {
   }
 }
 
-// Dense output: within the multiple of the steps themselves, or for the cubic through both ends within
-// h^4/384 max |x''''|; x'''' and v'''' stay below 9 and 28 on this orbit (|x| <= 1, |v| < 1.3).
+// Dense output meets the bound for the ends of steps. The cubic Hermite interpolant of arkode adds h^4/384
+// max |x''''|; x'''' and v'''' stay below 9 and 28 on this orbit (|x| <= 1, |v| < 1.3).
 TEST_P(EveryAdaptive, InterpolatesItsSteps) {
   const bool cubic = row().name.starts_with("arkode");
   for (const double tolerance : {1e-5, 1e-9}) {
@@ -164,14 +166,13 @@ TEST_P(EveryAdaptive, InterpolatesItsSteps) {
   }
 }
 
-// x' = k x grows by exp(k (t - t0)) since the start of a step. A matrix 1 - c h k of an implicit formula is
-// singular for some lengths, which dense output by shorter steps must not meet where the step itself did not.
+// x' = k x grows by exp(k (t - t0)) within a step. The matrix 1 - c h k of an implicit formula is singular
+// for some h; dense output that takes shorter steps must avoid such h if the step itself did.
 TEST_P(EveryAdaptive, InterpolatesGrowth) {
   if (row().second_order_only) GTEST_SKIP() << "for accelerations";
   const double k = 20, tolerance = 1e-9;
   const bool cubic = row().name.starts_with("arkode");
-  // Steps that Newton's iteration solves have order s + 1 between their s = 5 nodes, where the end has 2s
-  // - 1.
+  // Newton's steps have order s + 1 between their s = 5 nodes and order 2s - 1 at their ends.
   const double between = row().family == Family::collocation ? 0.1 * std::pow(tolerance, 0.6) : 0;
   const auto compare = [&](const Step& step) {
     const double h = step.t1 - step.t0, kh = k * h;
@@ -195,7 +196,7 @@ bool is_for_stiff(const MethodInfo& row) {
 }
 
 // x' = -1e6 (x - cos t) - sin t from x = 1: x = cos t (A. Prothero, A. Robinson, Math. Comp. 28 (1974)
-// 145-162). An explicit formula would need some 300 000 steps. The equation forgets errors, so the multiple
+// 145-162). An explicit formula would need some 300 000 steps. Errors decay, so the multiple of the tolerance
 // is small.
 TEST_P(EveryAdaptive, IsNotSlowedByStiffnessIfImplicit) {
   if (!is_for_stiff(row())) GTEST_SKIP() << "explicit";
@@ -206,9 +207,9 @@ TEST_P(EveryAdaptive, IsNotSlowedByStiffnessIfImplicit) {
   EXPECT_LT(s.statistics.steps + s.statistics.rejected, 30000);
 }
 
-// Van der Pol's oscillator creeps along dx/dt = p(x)/mu, where eps p p' = (1 - x^2) p - x with eps = 1/mu^2:
-// p = p0 + eps p0 p0'/(1 - x^2) + O(eps^2), p0 = x/(1 - x^2). So the time from 2 to 1.5 is an integral, to
-// 1e-11 for mu = 1000.
+// On its slow branch van der Pol's oscillator follows dx/dt = p(x)/mu, where eps p p' = (1 - x^2) p - x with
+// eps = 1/mu^2: p = p0 + eps p0 p0'/(1 - x^2) + O(eps^2), p0 = x/(1 - x^2). The time from x = 2 to 1.5 is an
+// integral, accurate to 1e-11 for mu = 1000.
 double creep(double x) {
   constexpr double e = 1e-6;
   const double q = 1 - x * x, p0 = x / q, slope = (1 + x * x) / (q * q);
@@ -223,8 +224,8 @@ TEST_P(EveryAdaptive, CreepsWithVanDerPolIfImplicit) {
   const auto s = run_to(tolerance, System(problems::TextProblem("van-der-pol", {{"mu", mu}})),
                         State{2, creep(2) / mu}, end);
   ASSERT_TRUE(s.status.ok()) << s.status.text();
-  // On the way the distance of two solutions grows by p(1.5)/p(2) = 1.8 alone. Some hundred steps of
-  // multistep formulas, which underrate their errors, make up to 330 tolerances.
+  // The distance of two solutions grows only by p(1.5)/p(2) = 1.8. Some hundred steps of multistep formulas,
+  // which underestimate their errors, add up to 330 tolerances.
   const double room = (row().name == "gsl-msbdf" ? 1000 : 100) * tolerance;
   EXPECT_NEAR(s.x[0], 1.5, room);
   EXPECT_NEAR(s.x[1], creep(1.5) / mu, room);
@@ -233,7 +234,7 @@ TEST_P(EveryAdaptive, CreepsWithVanDerPolIfImplicit) {
 
 // ------------------------------------------------------------ bounds on steps, and forces of the time
 
-// Odeint meets the end by a step that is longer by at most 1e-12 of itself; times are rounded.
+// Odeint's last step is longer than the bound by a factor of at most 1 + 1e-12; times are rounded.
 TEST_P(EveryAdaptive, TakesNoStepBeyondTheBound) {
   for (const double end : {10.0, -10.0}) {
     for (const double most : {0.03, 0.7}) {
@@ -256,10 +257,11 @@ TEST_P(EveryAdaptive, TakesNoStepBeyondTheBound) {
   EXPECT_EQ(free.statistics.right_hand_sides, bounded.statistics.right_hand_sides);
 }
 
-/// Tolerances by which the worst method may be off at an end: gsl-msbdf on an oscillator.
+/// Largest error at t1 in tolerances: gsl-msbdf on an oscillator.
 const double worst_multiple = multiple_of_tolerance("gsl-msbdf");
 
-// After a rest of a hundred times its length. What does not see the pulse is off by 0.886.
+// A pulse after an interval of rest a hundred times as long. A method that misses the pulse has an error of
+// 0.886.
 TEST_P(EveryAdaptive, MeetsAPulseAfterARest) {
   const double area = std::sqrt(std::numbers::pi) / 2, tolerance = 1e-7;
   const auto s =
@@ -269,7 +271,8 @@ TEST_P(EveryAdaptive, MeetsAPulseAfterARest) {
   EXPECT_NEAR(s.x[0], 50 * area, 50 * worst_multiple * tolerance);
 }
 
-// Beside a component that rests. An estimate of 0 leaves an error that does not depend on the tolerance.
+// A quadrature and a constant component. If the error estimate is 0, the error does not depend on the
+// tolerance.
 TEST_P(EveryAdaptive, EstimatesTheErrorOfAQuadrature) {
   if (row().second_order_only) GTEST_SKIP() << "for accelerations";
   const auto error = [&](double tolerance) {

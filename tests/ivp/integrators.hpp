@@ -1,5 +1,5 @@
 /// @file
-/// Every integrator by name, ours and peers, for the tests of what all of them owe.
+/// Every integrator by name, nlmech methods and peers, for the tests of all of them.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -16,7 +16,8 @@
 
 namespace nlmech::ivp::testing {
 
-/// A row of the registry. Methods that can do both stand there twice: with a tolerance, and with a step.
+/// A row of the registry. Methods with adaptive and fixed steps occur twice: with a tolerance and with a step
+/// size.
 struct Integrator {
   std::string label;  ///< "series", "series_by_steps"
   const MethodInfo* row;
@@ -41,7 +42,7 @@ inline const std::vector<Integrator>& all_integrators() {
   return all;
 }
 
-/// The labels of those that @p belongs says.
+/// The labels of the integrators for which @p belongs is true.
 template <class Belongs>
 std::vector<std::string> integrators_that(const Belongs& belongs) {
   std::vector<std::string> labels;
@@ -50,9 +51,9 @@ std::vector<std::string> integrators_that(const Belongs& belongs) {
   return labels;
 }
 
-/// How many tolerances the error of Duffing's oscillator may be over four periods: a tolerance bounds the
-/// error of one step, and those of all steps add up, carried on by the equation. Formulas of low order take
-/// many steps, and multistep ones underrate their error. Measured were a third of these multiples, or less.
+/// Bound on the error of Duffing's oscillator over four periods, in tolerances. A tolerance bounds the error
+/// of one step; the errors of all steps are propagated and add up. Formulas of low order take many steps, and
+/// multistep formulas underestimate their errors. Measured multiples were at most a third of these.
 inline double multiple_of_tolerance(std::string_view method) {
   static const std::map<std::string_view, double> multiples = {{"ode45", 40},
                                                                {"dop853", 25},
@@ -79,8 +80,8 @@ inline double multiple_of_tolerance(std::string_view method) {
   return multiples.at(method);
 }
 
-/// Each test runs for one integrator. Peers that this build lacks are skipped, and nobody may print: some
-/// libraries do, if they are let.
+/// Each test runs for one integrator. Peers that this build lacks are skipped. Nothing may be printed to
+/// standard error.
 class EveryIntegrator : public ::testing::TestWithParam<std::string> {
  protected:
   void SetUp() override {
@@ -100,38 +101,39 @@ class EveryIntegrator : public ::testing::TestWithParam<std::string> {
   [[nodiscard]] static const MethodInfo& row() { return *integrator().row; }
   [[nodiscard]] static bool by_steps() { return integrator().by_steps; }
 
-  /// Gaussians contain neither constants nor parabolas, and their matrix amplifies roundings by `condition`.
+  /// Gaussian bases reproduce neither constants nor parabolas; their matrix amplifies rounding errors by
+  /// `condition`.
   [[nodiscard]] static bool gaussians() { return by_steps() && row().has(shape_setting); }
   static constexpr double condition = 1e6;
 
-  /// Hermitian operators with steps of their choice.
+  /// Hermitian operators with adaptive steps.
   [[nodiscard]] static bool hermitian() {
     return !by_steps() && row().second_order_only && row().steps == Steps::both;
   }
 
   static constexpr double usual_step = 0.01, usual_tolerance = 1e-9;
 
-  /// With a step or a tolerance. The default shape of Gaussians follows the step, by which they do not
-  /// converge.
+  /// The integrator with a step size or a tolerance. Gaussians get a fixed shape parameter: with the default,
+  /// which follows the step size, they do not converge.
   [[nodiscard]] static NamedIntegrator with(double step_or_tolerance) {
     Settings settings;
     (by_steps() ? settings.step : settings.tolerance) = step_or_tolerance;
     if (gaussians()) settings.shape = 0.367 / step_or_tolerance;
     return row().with(settings);
   }
-  /// With the usual ones.
+  /// Integrates with the usual step size or tolerance.
   static Solution run(const System& system, const State& x0, double t0, double t1,
                       const Observer& observer = {},
                       const Limits& limits = {.steps = 1'000'000, .seconds = 20}) {
     return with(by_steps() ? usual_step : usual_tolerance)(system, x0, t0, t1, observer, limits);
   }
-  /// What such a run may be off, where nothing grows: forward Euler's share of a cosine is 0.005 a unit of
-  /// time.
+  /// Largest error of such an integration where nothing grows: that of forward Euler on a cosine is 0.005 a
+  /// unit of time.
   [[nodiscard]] static double most_off() {
     return by_steps() ? 0.03 : multiple_of_tolerance(row().name) * usual_tolerance;
   }
 
-  /// A failure says who failed and where, and hands out the last good state.
+  /// Expects that a failure names the method and the time, and returns the last finite state.
   static void expect_failure(const Solution& solution, Outcome outcome) {
     EXPECT_EQ(solution.status.outcome(), outcome) << solution.status.text();
     expect_failure(solution);

@@ -1,4 +1,4 @@
-// What the tests of integrators share: equations with known solutions, and observers that measure.
+// Shared by the tests of integrators: equations with known solutions, and measures of the error.
 #pragma once
 
 #include <fmt/format.h>
@@ -26,7 +26,7 @@ inline constexpr double eps = std::numeric_limits<double>::epsilon();
 inline constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// q'' = -2 zeta q' - w2 q - cubic q^3 + f(t) with the f for which q = A cos t.
+// q'' = -2 zeta q' - w2 q - cubic q^3 + f(t), with f such that q = A cos t.
 struct Manufactured {
   double damping = 0.3, stiffness = 1, cubic = 1, amplitude = 1;
   operator program::Problem() const {
@@ -46,8 +46,8 @@ struct Oscillator {
   }
 };
 
-// q'' = before for t < at, then after: q is a parabola on both sides, so that every method but Euler's is
-// exact if it respects the jump, and wrong by a part of a step's jump if not.
+// q'' = before for t < at, then after: q is a parabola on both sides. Every method but Euler's is exact if it
+// ends a step at the jump, and otherwise has an error of a fraction of the jump's effect in one step.
 struct JumpingForce {
   static constexpr int dimension = 2;
   double at = 0.3, before = -1, after = 2;
@@ -63,7 +63,7 @@ struct JumpingForce {
     if (at > std::min(t0, t1) && at < std::max(t0, t1)) return {at};
     return {};
   }
-  // The solution at rest in 0 at t = 0.
+  // The solution from rest at q = 0, t = 0.
   [[nodiscard]] State exact(double t) const {
     if (t < at) return {before * t * t / 2, before * t};
     const double s = t - at;
@@ -71,7 +71,7 @@ struct JumpingForce {
   }
 };
 
-// q'' = -q, but `value` from t = `at` on.
+// q'' = -q for t < at, then `value`.
 struct Poisoned {
   static constexpr int dimension = 2;
   double at = 0.5, value = nan;
@@ -85,7 +85,7 @@ struct Poisoned {
   }
 };
 
-// A problem with accelerations without its announcement of discontinuities.
+// A problem with accelerations that does not announce its discontinuities.
 template <class Problem>
 struct Unannounced {
   static constexpr int dimension = Problem::dimension;
@@ -101,7 +101,8 @@ struct Unannounced {
   }
 };
 
-// The same method with another step; for ode45 at tolerances that never reject, so that all steps are equal.
+// The method with another step size; for ode45 with tolerances that never reject a step, so that all steps
+// are equal.
 template <class Method>
 [[nodiscard]] Method with_step(Method method, double step) {
   if constexpr (requires { method.step; }) {
@@ -113,7 +114,7 @@ template <class Method>
   return method;
 }
 
-// Largest error against exact(t) of both components, at step ends and, if asked, within the steps.
+// Largest error of both components against exact(t), at step ends and optionally within the steps.
 template <class Problem, class Method>
 [[nodiscard]] double largest_error(const Problem& problem, const Method& method, double t0, double t1,
                                    bool within = false) {
@@ -134,7 +135,8 @@ template <class Problem, class Method>
   return largest;
 }
 
-// The text of the std::invalid_argument that an integration of the oscillator with these options throws.
+// @returns the text of the std::invalid_argument that an integration of the oscillator with these options
+// throws.
 template <class Method>
 [[nodiscard]] std::string refusal(const Method& method) {
   try {

@@ -1,4 +1,4 @@
-/// Methods by name: that each name is its method, and what settings are refused.
+/// Methods by name: each name gives its method, and wrong settings are refused.
 #include "nlmech/ivp/named/named_methods.hpp"
 
 #include <gtest/gtest.h>
@@ -72,7 +72,7 @@ TEST(NamedMethods, UnknownNameListsTheKnownOnes) {
   for (const MethodInfo& m : named_methods()) EXPECT_NE(words.find(m.name), std::string::npos) << words;
 }
 
-// Each name with a step is the aggregate of that method: the same doubles.
+// A method by name with a step size and the aggregate of that method give bitwise equal results.
 TEST(NamedMethods, StepIsPassedOn) {
   const System system(TextProblem("duffing"));
   const State x0 = State{1, 0};
@@ -105,9 +105,9 @@ TEST(NamedMethods, DefaultToleranceIsOneInAMilliard) {
     EXPECT_EQ(duffing(name, {}, 5).x, duffing(name, {.tolerance = 1e-9}, 5).x) << name;
 }
 
-// Gaussians whose shape follows the step do not contain the linear functions, however short the step: they go
-// through a solution whose time is wrong by a fixed share. For N = 7 and c h = 1.5 that share is 1.3e-3, and
-// the state at t = 5 is the one that belongs to 5 (1 - 1.3e-3).
+// Gaussians whose shape follows the step size do not reproduce linear functions, however short the step:
+// their time has a constant relative error. For N = 7 and c h = 1.5 it is 1.3e-3, and the state at t = 5 is
+// that of time 5 (1 - 1.3e-3).
 TEST(NamedMethods, GaussiansThatFollowTheStepDoNotConverge) {
   const Solution coarse = duffing("rbf-coll", {.step = 5.0 / 512}, 5);
   const Solution fine = duffing("rbf-coll", {.step = 5.0 / 1024}, 5);
@@ -139,7 +139,7 @@ TEST(NamedMethods, SettingsThatCannotBeMeantAreNamed) {
   says("ode45", {.tolerance = 1e-16}, "1e-16");
 }
 
-// A method for accelerations refuses what has none when it runs.
+// A method for second-order equations refuses a first-order system when it runs.
 TEST(NamedMethods, AccelerationsAreAskedFor) {
   const System decay(TextProblem("blow-up"));
   for (const MethodInfo& m : named_methods()) {

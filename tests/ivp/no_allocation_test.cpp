@@ -1,6 +1,6 @@
-// No method asks for memory in a step. A program of its own, because it replaces `operator new`, and the
-// linker leads its malloc() and realloc(), which Eigen calls, to what counts here (CMakeLists.txt). The
-// instances are those that the library has.
+// No method allocates memory within a step. This is a program of its own, because it replaces `operator new`,
+// and the linker redirects malloc() and realloc(), which Eigen calls, to the counters here (CMakeLists.txt).
+// The instances are those of the library.
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -17,7 +17,8 @@
 #include "nlmech/ivp/transversal/mtl.hpp"
 
 namespace {
-// Of memory, since the program began. Clang takes it that malloc() changes no variable but an atomic one.
+// Number of allocations since the program started. Clang assumes that malloc() changes no variable that is
+// not atomic.
 std::atomic<std::int64_t> requests = 0;
 }  // namespace
 
@@ -47,7 +48,7 @@ void* operator new(std::size_t bytes, std::align_val_t alignment) {
   if (void* block = std::aligned_alloc(unit, (bytes + unit - 1) / unit * unit)) return block;
   throw std::bad_alloc();
 }
-// Inlined, GCC would take them for the wrong end of a new.
+// Not inlined: GCC would otherwise warn about mismatched new and delete.
 [[gnu::noinline]] void operator delete(void* block) noexcept { std::free(block); }
 [[gnu::noinline]] void operator delete(void* block, std::size_t) noexcept { std::free(block); }
 [[gnu::noinline]] void operator delete(void* block, std::align_val_t) noexcept { std::free(block); }
@@ -58,7 +59,7 @@ void* operator new(std::size_t bytes, std::align_val_t alignment) {
 namespace nlmech::ivp::no_allocation_test {
 namespace {
 
-// From the end of the first of ten steps to the end of the last but one.
+// Counts from the end of the first of ten steps to the end of the ninth.
 void expect_no_allocation(const NamedIntegrator& integrate, std::string_view name,
                           const chapters::PlainChain& chain = {}) {
   std::int64_t before = 0, after = 0;
@@ -75,14 +76,14 @@ TEST(NoAllocation, IsCounted) {
   const std::int64_t before = requests;
   const Eigen::VectorXd algebra(7);
   const std::string text(100, 'x');
-  // Clang leaves out an allocation that nobody can see.
+  // Clang removes an allocation whose result is not used.
   for (const void* volatile block :
        {static_cast<const void*>(algebra.data()), static_cast<const void*>(text.data())})
     EXPECT_NE(block, nullptr);
   EXPECT_EQ(requests - before, 2);
 }
 
-// The workspace of a run is made in the library's own code.
+// The workspace is allocated by code of the library.
 TEST(NoAllocation, IsCountedInTheLibrary) {
   const System system(chapters::PlainChain{});
   const State rest = State::Zero(6);

@@ -26,7 +26,7 @@ inline constexpr double duffing_period = 4.7680220291024608063;
   return {static_cast<double>(x0 * cn), static_cast<double>(-x0 * omega * sn * dn)};
 }
 
-/// Largest difference of components.
+/// Largest absolute difference of the components.
 template <class A, class B>
 [[nodiscard]] double distance(const A& a, const B& b) {
   return (a - b).cwiseAbs().maxCoeff();

@@ -1,4 +1,4 @@
-// The state at the end of a run in more digits.
+// Reference state at the end of an integration, in extended precision.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 
 namespace nlmech::ivp::testing {
 
-// At t1, in long double.
+// State at t1, computed in long double.
 template <class Problem>
 State reference(const Problem& problem, const State& x0, double t0, double t1) {
   const problems::ReferenceTrajectory<long double, Problem> path(problem, x0.template cast<long double>(), t0,

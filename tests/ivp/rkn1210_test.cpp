@@ -1,6 +1,6 @@
-/// RKN12(10): its coefficients fulfil the order conditions in extended precision, converge with the orders 12
-/// and 10, and the method refuses velocities. The rest: embedded_runge_kutta_test.cpp and
-/// every_integrator_test.cpp.
+/// RKN12(10): its coefficients satisfy the order conditions in extended precision and converge with the
+/// orders 12 and 10; the method refuses velocity-dependent forces. Other tests: embedded_runge_kutta_test.cpp
+/// and every_integrator_test.cpp.
 #include "nlmech/ivp/runge_kutta/rkn1210.hpp"
 
 #include <gtest/gtest.h>
@@ -47,7 +47,7 @@ const Exact& exact() {
   return coefficients;
 }
 
-constexpr double digits = 4e-28;  // thirty of them, summed over seventeen stages of size up to 50
+constexpr double digits = 4e-28;  // thirty digits, summed over seventeen stages of size up to 50
 
 TEST(Rkn1210Coefficients, RowsSumToHalfTheSquareOfTheirAbscissa) {
   const Exact& e = exact();
@@ -58,7 +58,8 @@ TEST(Rkn1210Coefficients, RowsSumToHalfTheSquareOfTheirAbscissa) {
   }
 }
 
-// sum b' c^q = 1/(q + 1) for q < order and sum b c^q = 1/((q + 1)(q + 2)) for q < order - 1; not one more.
+// sum b' c^q = 1/(q + 1) for q < order and sum b c^q = 1/((q + 1)(q + 2)) for q < order - 1; the next
+// condition fails.
 TEST(Rkn1210Coefficients, QuadratureConditions) {
   const Exact& e = exact();
   const auto moment = [&](const Real* weights, int q) {
@@ -80,8 +81,8 @@ TEST(Rkn1210Coefficients, QuadratureConditions) {
   check(e.low_position, e.low_velocity, 10);
 }
 
-/// Kepler's ellipse e = 0.3 from its periapsis to the apoapsis, (-1.3, 0), in fixed steps of the exact
-/// formula: a nonlinear equation sees all order conditions.
+/// Error on Kepler's ellipse e = 0.3 from its periapsis to the apoapsis, (-1.3, 0), in fixed steps with the
+/// exact coefficients: a nonlinear equation depends on all order conditions.
 Real error_of_ellipse(int steps, const Real* position, const Real* velocity) {
   const Exact& f = exact();
   const Real e = Real(3) / 10, h = acos(Real(-1)) / steps;
@@ -139,8 +140,8 @@ TEST(Rkn1210Coefficients, HeaderIsTheTableRounded) {
   table.expect_all_compared();
 }
 
-// A force that feels velocities is no problem of this method's, and says so. Van der Pol's from x = 1 shows
-// it only after the first step.
+// A velocity-dependent force is refused. For van der Pol's equation from x = 1 the dependence shows only
+// after the first step.
 TEST(Rkn1210, RefusesVelocities) {
   EXPECT_THROW((void)integrate(System(Manufactured{}), State{1, 0}, 0, 1, Rkn1210{}), std::invalid_argument);
   const auto s = integrate(System(problems::TextProblem("van-der-pol")), State{1, 0.5}, 0, 5, Rkn1210{});

@@ -19,8 +19,8 @@ using testing::CoefficientTable;
 using Weights = std::vector<Real>;
 
 constexpr std::size_t all_stages = dop853::all_stages, end_of_step = dop853::stages;
-// The digits, 26 after the point of the largest of size 500, summed over sixteen stages and through products
-// of weights up to 40.
+// Rounding error of the coefficients, with 26 digits after the point and sizes up to 500, summed over sixteen
+// stages and through products of weights up to 40.
 constexpr double rounding = 1e-23;
 
 CoefficientTable written() { return {"dop853", 156}; }
@@ -54,20 +54,20 @@ const Exact& exact() {
   return coefficients;
 }
 
-/// A rooted tree: its number of nodes, its density, and of each stage the product over the branches of what
-/// they sum to, of which weights make the elementary weight.
+/// A rooted tree: its number of nodes, its density, and for each stage the product over the branches of their
+/// sums. The weights turn this product into the elementary weight.
 struct Tree {
   int order;
   Real density;
   Weights product;
 };
 
-/// All trees of up to @p most nodes by the rows @p a, each once: a tree of n nodes is a multiset of trees
-/// with n - 1 nodes altogether, written in falling order of their places in the list.
+/// All trees of up to @p most nodes for the rows @p a, each once: a tree of n nodes is a multiset of trees
+/// with n - 1 nodes in total, written in descending order of their indices in the list.
 std::vector<Tree> trees(int most, const std::vector<Weights>& a = exact().a) {
   const std::size_t stages = a.size();
   std::vector<Tree> all;
-  std::vector<Weights> sums;  // sum_j a_ij product_j of each
+  std::vector<Weights> sums;  // sum_j a_ij product_j of each tree
   const auto add = [&](const Tree& tree) {
     all.push_back(tree);
     Weights sum(stages, 0);
@@ -95,14 +95,15 @@ std::vector<Tree> trees(int most, const std::vector<Weights>& a = exact().a) {
   return all;
 }
 
-/// By what the weights miss s^order/density.
+/// Residual of the order condition of @p tree at the fraction @p s of a step: sum of weights minus
+/// s^order/density.
 double miss(const Weights& weights, const Tree& tree, const Real& s = 1) {
   Real sum = 0;
   for (std::size_t i = 0; i < weights.size(); ++i) sum += weights[i] * tree.product[i];
   return static_cast<double>(abs(Real(sum - pow(s, tree.order) / tree.density)));
 }
 
-/// The greatest of all trees with so many nodes.
+/// Largest residual over all trees of @p order nodes.
 double worst(const std::vector<Tree>& all, int order, const Weights& weights, const Real& s = 1) {
   double largest = 0;
   for (const Tree& tree : all) {
@@ -126,7 +127,7 @@ TEST(Dop853Coefficients, RowsSumToTheirAbscissa) {
   }
 }
 
-// All 200 trees of the formula, and not those of nine nodes.
+// The conditions of all 200 trees up to eight nodes hold, those of nine nodes do not.
 TEST(Dop853Coefficients, FormulaIsOfOrderEight) {
   const std::vector<Tree> all = trees(9);
   for (int order = 1; order <= 8; ++order)
@@ -134,7 +135,7 @@ TEST(Dop853Coefficients, FormulaIsOfOrderEight) {
   EXPECT_GT(worst(all, 9, exact().a[end_of_step]), 1e-7);
 }
 
-// The formulas that errors are estimated by.
+// The embedded formulas of the error estimate.
 TEST(Dop853Coefficients, EstimatesAreOfOrdersFiveAndThree) {
   const std::vector<Tree> all = trees(6);
   Weights fifth = exact().a[end_of_step];
@@ -145,7 +146,7 @@ TEST(Dop853Coefficients, EstimatesAreOfOrdersFiveAndThree) {
   EXPECT_GT(worst(all, 4, exact().third), 1e-4);
 }
 
-/// Weights of the stages at the fraction s of a step: the polynomial, written out.
+/// Weights of the stages at the fraction s of a step, from the expanded polynomial.
 Weights dense_weights(const Real& s) {
   const Exact& e = exact();
   const Real u = 1 - s;
@@ -159,7 +160,7 @@ Weights dense_weights(const Real& s) {
   return weights;
 }
 
-// Eight points decide a polynomial of degree 7 that is zero at 0.
+// Eight points determine a polynomial of degree 7 that is zero at 0.
 TEST(Dop853Coefficients, DenseOutputIsOfOrderSeven) {
   const std::vector<Tree> all = trees(8);
   for (int k = 1; k <= 8; ++k) {
@@ -189,7 +190,7 @@ TEST(Dop853Coefficients, HeaderIsTheTableRounded) {
 
 // ------------------------------------------------------------ ode45
 
-/// Its rows, and weights of its stages at a fraction s of a step.
+/// The rows of ode45, and the weights of its stages at a fraction s of a step.
 std::vector<Weights> ode45_rows() {
   std::vector<Weights> rows;
   for (const auto& row : dormand_prince::a) {
@@ -223,7 +224,7 @@ TEST(Ode45Coefficients, FormulaIsOfOrderFiveAndItsCompanionOfFour) {
   }
 }
 
-// At the end of the step the quartic is the fifth-order formula, and its slope is f there.
+// At the end of the step the quartic equals the fifth-order formula, and its slope equals f.
 TEST(Ode45Coefficients, DenseOutputIsOfOrderFour) {
   const std::vector<Weights> rows = ode45_rows();
   const std::vector<Tree> all = trees(4, rows);

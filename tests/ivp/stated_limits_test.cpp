@@ -1,4 +1,4 @@
-// Runs are held to the bounds and conserved quantities that their problem names.
+// Solutions are checked against the bounds and conserved quantities that their problem declares.
 #include "nlmech/ivp/stated_limits.hpp"
 
 #include <fmt/format.h>
@@ -18,8 +18,8 @@ AdaptiveCollocation to(double tolerance) {
   return {.relative_tolerance = tolerance, .absolute_tolerance = tolerance};
 }
 
-// y2 is 8e-14 at 1e11 and 8e-17 at 1e14: under a tolerance far above it becomes negative, and then the sum is
-// kept by concentrations of both signs that grow without bound.
+// y2 is 8e-14 at t = 1e11 and 8e-17 at 1e14. With a much larger tolerance it becomes negative; then
+// concentrations of both signs grow without bound while their sum is conserved.
 TEST(StatedLimits, RobertsonDoesNotRunAway) {
   const System system(problems::TextProblem("robertson"));
   const auto x0 = problems::TextProblem("robertson").initial_state();
@@ -51,19 +51,20 @@ TEST(StatedLimits, RobertsonDoesNotRunAway) {
 
 TEST(StatedLimits, BoundsHoldForwardsAndFromWithin) {
   const System system(problems::TextProblem("robertson"));
-  // Backwards concentrations do become negative, and from negative ones nothing is said.
+  // In negative time concentrations do become negative; from negative initial values the bounds are not
+  // checked.
   const auto back = integrate(system, {0.5, 1e-5, 0.5}, 1, 0.9, to(1e-8));
   EXPECT_NE(back.status.outcome(), Outcome::spurious_root) << back.status.text();
   const auto outside = integrate(system, {1, -1e-6, 0}, 0, 1e-3, to(1e-9));
   EXPECT_TRUE(outside.status.ok()) << outside.status.text();
 }
 
-/// A damped oscillator that calls its energy constant.
+/// A damped oscillator that declares its energy as conserved.
 System boast(double damping = 0) {
   return testing::typed(fmt::format("x'' = -x - {} x'; conserved x^2 + x'^2", damping));
 }
 
-// Over ten units of time c = 1e-4 takes a thousandth of the energy, a million tolerances.
+// Over ten units of time c = 1e-4 dissipates a thousandth of the energy, a million tolerances.
 TEST(StatedLimits, EnergyThatMovesIsNoSuccess) {
   for (const auto& s : {integrate(boast(1e-4), State{1, 0}, 0, 10, to(1e-9)),
                         integrate(boast(1e-4), State{1, 0}, 0, 10, Ode45{}),
@@ -72,7 +73,7 @@ TEST(StatedLimits, EnergyThatMovesIsNoSuccess) {
     EXPECT_EQ(s.status.outcome(), Outcome::spurious_root) << s.status.text();
     EXPECT_NE(s.status.sentence().find("conserves"), std::string::npos) << s.status.text();
   }
-  // Steps that are given have no tolerance to be held to.
+  // Fixed steps have no tolerance for the invariants to be checked against.
   EXPECT_TRUE(integrate(boast(1e-4), State{1, 0}, 0, 10, Rk4{.step = 0.1}).status.ok());
   EXPECT_TRUE(integrate(boast(1e-4), State{1, 0}, 0, 10, Series{.order = 4, .step = 0.1}).status.ok());
 }

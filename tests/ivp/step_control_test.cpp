@@ -1,4 +1,4 @@
-// Lengths of steps as each rule says: the formulas are exact, so are the values.
+// Step sizes by each rule of the step-size control: the formulas are exact, and so are the expected values.
 #include "nlmech/ivp/step_control.hpp"
 
 #include <gtest/gtest.h>
@@ -32,7 +32,7 @@ TEST(StepControl, FirstTrialIsStretchedToTheEnd) {
   EXPECT_EQ(control.plan(0, 1.25), 1) << "no more after a rejection";
 }
 
-// Limits::largest_step, which holds for the stretch to the end too.
+// Limits::largest_step also bounds the step that is stretched to reach t1.
 TEST(StepControl, NoTrialIsLongerThanItsBound) {
   StepControl control = started(bounded({.largest = 2, .stretch = 1.25}, 1), 8);
   EXPECT_EQ(control.plan(0, 100), 1);

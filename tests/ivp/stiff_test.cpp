@@ -1,5 +1,5 @@
-/// Collocation and Picard's iteration where equations are stiff, end, or make no sense: what comes out, and
-/// what the statuses say.
+/// Collocation and Picard's iteration for equations that are stiff or have a pole, and for extreme options:
+/// solutions and statuses.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -24,7 +24,7 @@ constexpr PolynomialCollocation radau(double step, int nodes = 7) {
   return {.step = step, .nodes = nodes, .points = NodeFamily::left_end_and_radau};
 }
 
-/// A failure names its method and where it was.
+/// Expects that a failure names its method and its place.
 void expect_sentence(const Status& status, std::string_view method, std::string_view place) {
   EXPECT_NE(status.sentence().find(method), std::string::npos) << status.text();
   EXPECT_NE(status.sentence().find(place), std::string::npos) << status.text();
@@ -33,7 +33,7 @@ void expect_sentence(const Status& status, std::string_view method, std::string_
 // Duffing with eta = 1e6: 100 periods of 7.416e-3.
 const problems::Duffing hard{.hardening = 1e6};
 
-/// Root mean square of the position's error at the ends of steps.
+/// Root mean square of the error of the position at the ends of steps.
 template <class Method>
 double rms(const Method& method, double end) {
   double sum = 0;
@@ -47,8 +47,8 @@ double rms(const Method& method, double end) {
   return std::sqrt(sum / static_cast<double>(s.statistics.steps));
 }
 
-// Recorded: 2.9e-3 and 2.7e-5, printed with two digits; 1.1e-10 with 35 nodes, where a program
-// with other rounding of the nodes' times may well be worse than this one.
+// Recorded errors: 2.9e-3 and 2.7e-5, printed with two digits; 1.1e-10 with 35 nodes, where another rounding
+// of the node times may change the error.
 TEST(StiffDuffing, ErrorsOverHundredPeriods) {
   const double P = hard.period(1.0);
   EXPECT_NEAR(rms(lobatto(P / 10), 100 * P), 2.9e-3, 0.06e-3);
@@ -56,7 +56,7 @@ TEST(StiffDuffing, ErrorsOverHundredPeriods) {
   EXPECT_LT(rms(lobatto(P / 2, 35), 100 * P), 1.1e-10);
 }
 
-// From the constant state Newton's iteration does not find a whole period.
+// From the constant initial guess Newton's iteration does not converge for a step of a whole period.
 TEST(StiffDuffing, AWholePeriodIsTooMuchForNewton) {
   const double P = hard.period(1.0);
   const auto s = integrate(System(hard.text()), {1, 0}, 0, P, lobatto(P, 35));
@@ -68,11 +68,11 @@ TEST(StiffDuffing, AWholePeriodIsTooMuchForNewton) {
   EXPECT_EQ(s.x, (State{1, 0}));
 }
 
-// Three masses, the first one held by a spring of 1e8: omega = 7071.
+// Three masses; a spring of 1e8 holds the first one: omega = 7071.
 problems::TextProblem stiff_chain() { return problems::TextProblem("three-dof", {{"k1", 1e8}}); }
 const double omega = std::sqrt((1e8 + 1) / 2);
 
-/// Growth of the first mass in the steps from 20 to 25.
+/// Growth of the amplitude of the first mass from step 20 to step 25.
 template <class Method>
 double growth(const Method& method) {
   State x0 = State::Zero(6);
@@ -86,8 +86,8 @@ double growth(const Method& method) {
 }
 
 // LGL nodes are not A-stable: |R(8.485 i)| = 1.3321 and |R(7.000 i)| = 1.0980 (from the nodes alone, with 50
-// digits: Hairer & Wanner II, Theorem IV.3.9); an independent run with the second step grew from 1e-9
-// to 1.3e-3 in 150 steps. Radau nodes are L-stable.
+// digits: Hairer & Wanner II, Theorem IV.3.9); an independent integration with the second step size grew from
+// 1e-9 to 1.3e-3 in 150 steps. Radau nodes are L-stable.
 TEST(StiffChain, LobattoNodesHaveAnInstabilityWindow) {
   EXPECT_NEAR(growth(lobatto(1.2e-3)), 1.3321, 2e-4);
   EXPECT_NEAR(growth(lobatto(9.9e-4)), 1.0980, 2e-4);
@@ -96,7 +96,7 @@ TEST(StiffChain, LobattoNodesHaveAnInstabilityWindow) {
 }
 
 TEST(StiffChain, RadialFunctionsHaveItToo) {
-  // The matrix in double differs from the exact one, whose |R| is 1.2940, by 1e-4 or so.
+  // The matrix in double precision differs from the exact one, whose |R| is 1.2940, by about 1e-4.
   EXPECT_NEAR(growth(RbfCollocation{.step = 1.2e-3, .nodes = 7, .shape = 0.367 / 1.2e-3}), 1.2940, 1e-3);
 }
 
@@ -108,22 +108,22 @@ double van_der_pol_error(double mu, double end, const Method& method) {
   return distance(s.x, testing::reference(problem, {2, 0}, 0, end));
 }
 
-// Over leaps with steps that resolve them; the solution moves by 200 times an error of time there.
+// Steps that resolve the fast transitions, where the solution moves by 200 times an error of time.
 TEST(VanDerPol, LeapsWithShortSteps) {
   EXPECT_LT(van_der_pol_error(10, 20, radau(0.01, 10)), 1e-9);
   EXPECT_LT(van_der_pol_error(10, 20, lobatto(0.01, 10)), 1e-9);
   EXPECT_LT(van_der_pol_error(100, 85, radau(0.001, 7)), 1e-7);
 }
 
-// On the slow branch the fast eigenvalue is -3000: steps of 3000 times its time constant, but for the first
-// ones which bring v from 0 to the branch.
+// On the slow branch the fast eigenvalue is -3000: steps of 3000 time constants, after short first steps that
+// bring v from 0 to the branch.
 TEST(VanDerPol, SlowBranchWithLongSteps) {
   EXPECT_LT(van_der_pol_error(1000, 20, radau(1)), 1e-6);
   EXPECT_LT(van_der_pol_error(1000, 20, lobatto(1)), 1e-5);
 }
 
-// The leap of mu = 1000 at t = 807 in steps a thousand times as long as it: Newton's iteration fails there or
-// in one of the steps after it, and the sentence says where.
+// The fast transition of mu = 1000 at t = 807 in steps a thousand times as long as it: Newton's iteration
+// fails there or in a later step, and the message states where.
 TEST(VanDerPol, LeapWithLongStepsEndsWithAStatus) {
   for (const PolynomialCollocation& method : {lobatto(1), radau(10)}) {
     const auto s =
@@ -135,7 +135,7 @@ TEST(VanDerPol, LeapWithLongStepsEndsWithAStatus) {
   }
 }
 
-// y' = y^3 from 1 ends at t = 1/2. Picard's iteration diverges there.
+// y' = y^3 from y = 1 has a pole at t = 1/2. Picard's iteration diverges there.
 TEST(BlowUp, EndsPicardsIteration) {
   const auto s = integrate(System(problems::TextProblem("blow-up")), State{1.0}, 0, 1, Mcpi{.step = 1e-2});
   EXPECT_EQ(s.status.outcome(), Outcome::not_converged);
@@ -145,21 +145,22 @@ TEST(BlowUp, EndsPicardsIteration) {
   expect_sentence(s.status, "mcpi", "take a shorter step");
 }
 
-// Polynomials of degree 1 with the equation at the end of the step: backward Euler.
+// Polynomials of degree 1 that satisfy the equation at the end of the step: backward Euler.
 TEST(NumberOfNodes, TwoAreBackwardEuler) {
   const System system(problems::TextProblem("duffing"));
   const auto euler = integrate(system, {1, 0}, 0, 2, BackwardEuler{.step = 0.1});
   for (const PolynomialCollocation& method : {lobatto(0.1, 2), radau(0.1, 2)}) {
     const auto s = integrate(system, {1, 0}, 0, 2, method);
     ASSERT_TRUE(s.status.ok()) << s.status.text();
-    EXPECT_LT(distance(s.x, euler.x), 20 * 1e-12);  // tolerance of both Newton iterations, 20 steps
+    EXPECT_LT(distance(s.x, euler.x), 20 * 1e-12);  // tolerance of both Newton iterations times 20 steps
   }
 }
 
 TEST(NumberOfNodes, TwoHundred) {
   const System system(problems::TextProblem("duffing"));
   const double P = oracle::duffing_period;
-  // |D| is 200^2/2: rounding of the state enters the equations with that factor, the solution with less.
+  // |D| is 200^2/2: the rounding error of the state enters the equations with that factor, and the solution
+  // with less.
   for (const PolynomialCollocation& method : {lobatto(P / 2, 200), radau(P / 2, 200)}) {
     const auto s = integrate(system, {1, 0}, 0, P, method);
     ASSERT_TRUE(s.status.ok()) << s.status.text();
@@ -170,8 +171,8 @@ TEST(NumberOfNodes, TwoHundred) {
   EXPECT_LT(distance(picard.x, State{1, 0}), 1000 * eps);
 }
 
-// At both ends of the shape the basis is of no use, and the status says so; nothing in between is silent
-// about NaN.
+// For extreme shape parameters the basis is unusable, and the status reports it; no value gives NaN with
+// success.
 TEST(Shape, FromOneMillionthToAMillion) {
   const System system(problems::TextProblem("duffing"));
   const double P = oracle::duffing_period, step = P / 10;

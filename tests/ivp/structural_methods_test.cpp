@@ -1,5 +1,5 @@
 // Central differences, backward Euler, Newmark, HHT and generalised alpha against their difference equations,
-// solved in closed form or in 50 digits, and against solutions.
+// solved in closed form or with 50 digits, and against exact solutions.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -29,7 +29,7 @@ void expect_states(const Method& method, double t1, double tolerance, const Exac
 }
 
 // Central differences on q'' = -q are a rotation: q_n = cos n phi with sin(phi/2) = h/2, v_n = -sin(n phi)
-// sin(phi)/h. Tolerance: some roundings a step, which a rotation neither damps nor amplifies.
+// sin(phi)/h. Tolerance: some rounding errors a step, which a rotation neither damps nor amplifies.
 TEST(CentralDifference, RotatesTheLinearOscillator) {
   for (const double h : {0.1, 0.5, 1.9}) {
     const double phi = 2 * std::asin(h / 2);
@@ -40,7 +40,7 @@ TEST(CentralDifference, RotatesTheLinearOscillator) {
   }
 }
 
-// Beyond h omega = 2 the rotation becomes growth by exp(2 arcosh(h/2)) a step: 6.85 for h = 3.
+// For h omega > 2 the solution grows by exp(2 arcosh(h/2)) a step: 6.85 for h = 3.
 TEST(CentralDifference, BlowsUpBeyondItsStabilityLimit) {
   const auto solution = integrate(System(Oscillator{}), State{1, 0}, 0, 30, CentralDifference{.step = 3});
   const double growth = std::exp(2 * std::acosh(1.5));
@@ -50,8 +50,8 @@ TEST(CentralDifference, BlowsUpBeyondItsStabilityLimit) {
       Outcome::non_finite);
 }
 
-// q'' = -c v: r = h c turns v(t - h/2) by the roots of z^2 - (1 - 3r/2) z - r/2, one of which is -1 for r
-// = 1.
+// q'' = -c v with r = h c: v(t - h/2) is multiplied by the roots of z^2 - (1 - 3r/2) z - r/2, one of which is
+// -1 for r = 1.
 TEST(CentralDifference, DampingLimitsTheStep) {
   const auto speed = [](double step) {
     const Manufactured damped{.damping = 1, .stiffness = 0, .cubic = 0};
@@ -67,7 +67,7 @@ TEST(CentralDifference, DampingLimitsTheStep) {
   EXPECT_GT(speed(1.02), 100);  // 1.027 to the power 900
 }
 
-// On q'' = -q, z = q + iv obeys z' = -iz, and a step divides by 1 + ih.
+// On q'' = -q, z = q + iv satisfies z' = -iz, and a step divides z by 1 + ih.
 TEST(BackwardEuler, DampsTheLinearOscillatorAsItMust) {
   for (const double h : {0.1, 1.0, 100.0}) {
     const auto solution = integrate(System(Oscillator{}), State{1, 0}, 0, 20 * h, BackwardEuler{.step = h});
@@ -78,7 +78,7 @@ TEST(BackwardEuler, DampsTheLinearOscillatorAsItMust) {
   }
 }
 
-// Its energy falls from step to step.
+// The energy decreases in every step.
 TEST(BackwardEuler, OnlyLosesEnergy) {
   const problems::Duffing problem;
   double before = 0.75;
@@ -97,14 +97,14 @@ TEST(Newmark, RotatesTheLinearOscillator) {
   for (const double h : {0.1, 1.0, 50.0}) {
     const double phi = 2 * std::atan(h / 2);
     const int steps = 400;
-    // Rounding of a step: that of h^2 a / 4 and of Newton's solution, relative to a state of size 1.
+    // Rounding error of a step: that of h^2 a/4 and of Newton's solution, relative to a state of size 1.
     expect_states(Newmark{.step = h}, steps * h, 16 * steps * (1 + h * h / 4) * eps, [&](double k) {
       return State{std::cos(k * phi), -std::sin(k * phi)};
     });
   }
 }
 
-// For beta = 0, gamma = 1/2 Newmark's method is that of central differences.
+// Newmark's method with beta = 0, gamma = 1/2 is the method of central differences.
 TEST(Newmark, WithoutBetaIsCentralDifferences) {
   const double h = 0.5, phi = 2 * std::asin(h / 2);
   expect_states(Newmark{.step = h, .beta = 0}, 100 * h, 3200 * eps, [&](double k) {
@@ -121,7 +121,7 @@ struct Linear {
   [[nodiscard]] Real acceleration(const Real& t, const Real& x, const Real& rate) const {
     return -damping * rate - stiffness * x - damping * sin(t) + (stiffness - 1) * cos(t);
   }
-  // The equations of AlphaScheme, linear in the new acceleration, solved for it.
+  // One step by the equations of AlphaScheme, which are linear in the new acceleration.
   void step(const Real& t, const Real& h, const Real& alpha_m, const Real& alpha_f, const Real& beta,
             const Real& gamma, bool printed) {
     const Real old = printed ? g : a;
@@ -137,7 +137,7 @@ struct Linear {
   }
 };
 
-// Tolerance: Newton's 1e-12 and rounding, a step; nothing amplifies them.
+// Tolerance: Newton's 1e-12 and rounding errors in each step, which are not amplified.
 template <class Method>
 void expect_linear(const Method& method, const Real& alpha_m, const Real& alpha_f, const Real& beta,
                    const Real& gamma, bool printed = false) {
@@ -172,9 +172,8 @@ TEST(GeneralizedAlpha, FollowsItsDifferenceEquation) {
   }
 }
 
-// What its name promises: for h omega -> infinity a step leaves rho_inf of the state. The limit is a double
-// eigenvalue, hence a factor n beside rho^n, which a quotient over 100 steps from n = 100 on shows as
-// 2^(1/100).
+// For h omega -> infinity a step multiplies the state by rho_inf. The limit is a double eigenvalue, hence a
+// factor n in addition to rho^n; in a quotient over 100 steps from n = 100 on it appears as 2^(1/100).
 TEST(GeneralizedAlpha, LeavesRhoOfHighFrequencies) {
   for (const double rho : {0.5, 0.8, 0.95}) {
     const auto after = [&](int steps) {
@@ -186,8 +185,8 @@ TEST(GeneralizedAlpha, LeavesRhoOfHighFrequencies) {
   }
 }
 
-// The fault of Table 4.4: a velocity of half a step before, carried into another step, is wrong by
-// (h' - h)/2 a. On q'' = 2 from rest that is the only error: exactly (h' - h) in v, and grows linearly in q.
+// The error of Table 4.4: a velocity of half a step before, used with another step size h', is wrong by (h' -
+// h)/2 a. On q'' = 2 from rest it is the only error: exactly (h' - h) in v, growing linearly in q.
 TEST(CentralDifference, RestartFaultIsTheStatedOne) {
   const JumpingForce constant{.at = 100, .before = 2};
   const System system(constant);
@@ -205,7 +204,7 @@ TEST(CentralDifference, RestartFaultIsTheStatedOne) {
   EXPECT_NEAR(end.x[1], 6, 16 * eps);
 }
 
-// Both ways of giving velocities tell the same trajectory.
+// Both conventions of the velocity give the same trajectory.
 TEST(CentralDifference, HalfStepVelocitiesContinueARun) {
   const System system(problems::TextProblem("duffing"));
   const auto whole = integrate(system, State{1, 0}, 0, 8, CentralDifference{.step = 0.0625});
@@ -217,7 +216,7 @@ TEST(CentralDifference, HalfStepVelocitiesContinueARun) {
   EXPECT_NEAR(rest.x[1], whole.x[1], 1e-13);
 }
 
-// What is reported does not change the trajectory, not even across a jump.
+// The convention of the reported velocity does not change the trajectory, not even across a jump.
 TEST(CentralDifference, HalfStepVelocitiesCrossJumps) {
   const System system(JumpingForce{});
   const auto usual = integrate(system, State{0, 0}, 0, 1, CentralDifference{.step = 0.1});
@@ -227,8 +226,8 @@ TEST(CentralDifference, HalfStepVelocitiesCrossJumps) {
   EXPECT_NEAR(half.x[1], usual.x[1] - 0.05 * 2, 8 * eps);
 }
 
-// Symmetric methods go back the way they came. Tolerance: Newton's 1e-12 a step (far less in fact), grown at
-// most linearly by the shear of the Duffing oscillator's phases.
+// Symmetric methods are reversible. Tolerance: Newton's 1e-12 a step (far less in fact), amplified at most
+// linearly by the change of the Duffing oscillator's frequency with its amplitude.
 RC_GTEST_PROP(StructuralMethods, SymmetricOnesAreReversible, ()) {
   const double amplitude = *rc::gen::inRange(1, 200) / 100.0, h = *rc::gen::inRange(1, 20) / 100.0;
   const System system(problems::TextProblem("duffing"));
@@ -243,7 +242,7 @@ RC_GTEST_PROP(StructuralMethods, SymmetricOnesAreReversible, ()) {
   RC_ASSERT(return_error(CentralDifference{.step = h}) < 1e-11);
 }
 
-// Central differences keep a neighbouring energy: its error swings, and does not drift.
+// Central differences conserve a modified energy: the energy error oscillates and does not drift.
 TEST(CentralDifference, EnergyDoesNotDrift) {
   const problems::Duffing problem;
   const double period = problem.period(1.0);
@@ -256,7 +255,7 @@ TEST(CentralDifference, EnergyDoesNotDrift) {
   EXPECT_TRUE(integrate(System(problem.text()), State{1, 0}, 0, 500 * period,
                         CentralDifference{.step = period / 50}, measure)
                   .status.ok());
-  EXPECT_GT(early, 1e-4);         // there is an error at all
+  EXPECT_GT(early, 1e-4);         // there is an energy error
   EXPECT_LT(late, 1.02 * early);  // 50 times as long
 }
 
@@ -270,8 +269,8 @@ TEST(StructuralMethods, SayWhichOptionIsWrong) {
   EXPECT_NE(refusal(GeneralizedAlpha{.rho_inf = nan}).find("nan"), std::string::npos);
 }
 
-// A spring of 1e8 pins the first mass to k2 x2/k1; the rest moves with frequencies near 1. Newton's iteration
-// must find the rounding noise of such equations small enough, for long and for short steps.
+// A spring of 1e8 holds the first mass at k2 x2/k1; the other masses move with frequencies near 1. Newton's
+// iteration must stop at the rounding noise of such equations, for long and for short steps.
 TEST(StructuralMethods, CopeWithAStiffSpring) {
   const problems::TextProblem problem("three-dof", {{"k1", 1e8}});
   for (const double h : {0.625, 0.0625, 1e-3}) {
@@ -288,9 +287,9 @@ TEST(StructuralMethods, CopeWithAStiffSpring) {
   }
 }
 
-// Accelerations are 1e8 times the difference of two numbers of size `amplitude`, so they are known to 1e-8 of
-// it: Newton's iteration can never shorten its updates to 1e-12, and must see that this is rounding. The
-// motion is smooth, so steps of 1e-3 follow it: error h^2 and, for backward Euler, h in the velocity, of the
+// Accelerations are 1e8 times the difference of two numbers of size `amplitude`; their relative accuracy is
+// 1e-8. Newton's updates never fall below 1e-12, and the iteration must recognise rounding noise. Steps of
+// 1e-3 resolve the smooth motion: error h^2 and, for backward Euler, h in the velocity, relative to the
 // amplitude.
 TEST(StructuralMethods, KnowRoundingNoiseOfStiffForces) {
   for (const double amplitude : {1.0, 100.0}) {

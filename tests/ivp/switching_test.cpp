@@ -1,4 +1,4 @@
-/// Systems that switch: dry friction, parabolas with corners, switches without end.
+/// Systems with switches: dry friction, arcs of parabolas with corners, infinitely many switches.
 #include "nlmech/ivp/switching.hpp"
 
 #include <fmt/format.h>
@@ -27,7 +27,7 @@ struct Corners {
   }
 };
 
-/// Methods that choose their steps, of every kind.
+/// Adaptive methods of every kind.
 const std::vector<std::string> methods = {"ode45", "dop853", "series", "adaptive-collocation"};
 
 ivp::Solution run(const Corners& problem, const std::string& method, const State& x0, double t1,
@@ -35,8 +35,9 @@ ivp::Solution run(const Corners& problem, const std::string& method, const State
   return ivp::named_integrator(method, {.tolerance = tolerance})(problem.system(), x0, 0, t1, observer, {});
 }
 
-// Each half swing ends 2 mu short of the last; a turn within mu of the middle is the last: 1, -0.7, 0.4,
-// -0.1. The bound: a thousand tolerances, for errors of three half swings and of the times of their turns.
+// Each half swing with friction mu ends 2 mu closer to 0; a turning point within mu of 0 is the last: 1,
+// -0.7, 0.4, -0.1. Bound: a thousand tolerances, for the errors of three half swings and of the times of
+// their turning points.
 TEST(Switching, DryFrictionComesToRest) {
   const Corners friction{.stiffness = 1, .friction = 0.15};
   for (const std::string& method : methods) {
@@ -52,7 +53,7 @@ TEST(Switching, DryFrictionComesToRest) {
   }
 }
 
-// Arcs of parabolas, of period 4 sqrt(2 q0); what is seen on the way are whole steps between the corners.
+// Arcs of parabolas with period 4 sqrt(2 q0); the observer receives whole steps between the corners.
 TEST(Switching, StepsEndAtCorners) {
   const double quarter = std::sqrt(2.0);
   for (const std::string& method : methods) {
@@ -77,8 +78,8 @@ TEST(Switching, StepsEndAtCorners) {
   }
 }
 
-// Where the slope is constant a step may be as long as the rest, over many switches and whole periods of
-// them.
+// With a constant slope a step may be as long as the remaining interval, over many switches and whole
+// periods.
 TEST(Switching, LongStepsMissNoSwitch) {
   for (const std::string& method : methods) {
     const auto end_of = [&](const std::string& equation, double t1) {
@@ -90,13 +91,12 @@ TEST(Switching, LongStepsMissNoSwitch) {
     SCOPED_TRACE(method);
     EXPECT_NEAR(end_of("x' = sign(sin(pi t))", 160.5), 0.5, 1e-8);
     EXPECT_NEAR(end_of("x' = sign(sin(pi t))", 160), 0, 1e-8);
-    // On while the sine exceeds 0.9: asin(0.9) before and behind each top.
+    // The slope is 1 while the sine exceeds 0.9.
     EXPECT_NEAR(end_of("x' = max(sign(sin(2 pi t) - 0.9), 0)", 32), 32 * (0.5 - std::asin(0.9) / pi), 1e-8);
   }
 }
 
-// sign(x) is a number on each side, so that max(sign(x), 0) switches where x does: a relay, which holds x at
-// 0.
+// sign(x) is constant on each side, so max(sign(x), 0) switches where x does: a relay, which holds x at 0.
 TEST(Switching, AChoiceOfAChoiceIsOneSwitch) {
   const ivp::System relay = ivp::testing::typed("x' = 1 - 2 max(sign(x), 0)");
   EXPECT_EQ(relay.switches(), 1);
@@ -105,7 +105,7 @@ TEST(Switching, AChoiceOfAChoiceIsOneSwitch) {
     ASSERT_TRUE(end.status.ok()) << end.status.text();
     EXPECT_NEAR(end.x[0], 0, 1e-12);
   }
-  // 1 above, 0 below, whatever is chosen on the surface.
+  // The value is 1 above and 0 below, whatever the choice on the surface.
   const auto step = ivp::named_integrator("series", {.tolerance = 1e-10})(
       ivp::testing::typed("x' = sign(max(sign(sin(t)), 0))"), State{0}, 0, 3 * pi, {}, {});
   ASSERT_TRUE(step.status.ok()) << step.status.text();
@@ -120,16 +120,15 @@ TEST(Switching, RunsBackwardsWhereItHasAPast) {
   ASSERT_TRUE(back.status.ok());
   EXPECT_NEAR(back.x[0], 1, 1e-11);
   EXPECT_NEAR(back.x[1], 0.3, 1e-11);
-  // At rest under friction: nothing says for how long it has been.
+  // At rest under dry friction the earlier motion is undetermined.
   const auto rest = ivp::named_integrator("series", {.tolerance = 1e-9})(
       Corners{.stiffness = 1, .friction = 0.5}.system(), {0.1, 0}, 5, 0, {}, {});
   EXPECT_EQ(rest.status.outcome(), Outcome::outside_validity);
   EXPECT_NE(rest.status.text().find("has no past"), std::string::npos) << rest.status.text();
 }
 
-// Each return to q = 0 is slower by a fixed ratio: infinitely many switches before the time 3.5.
-// Steps become as short as the numbers allow; the motion then rests at the origin or says that it cannot go
-// on.
+// Each return to q = 0 is slower by a constant factor: infinitely many switches before t = 3.5. Steps shrink
+// to the spacing of the numbers; then the motion rests at the origin or the integration fails.
 TEST(Switching, SwitchesWithoutEndEnd) {
   for (const std::string& method : methods) {
     const auto end = run({.force = 1, .friction = 0.5}, method, {1, 0}, 20, 1e-9);
@@ -146,13 +145,13 @@ TEST(Switching, SwitchesWithoutEndEnd) {
 /// x'' = 1, and 1001 where x < 0.
 ivp::System grazing() { return ivp::testing::typed("x'' = 501 - 500 sign(x)"); }
 
-// A stop of a thousand times the force, met with the speed v: there for 2 v/1001, and away as fast as it
-// came.
+// A stop with a thousand times the force, reached with speed v: contact lasts 2 v/1001, and the motion leaves
+// with the same speed.
 TEST(Switching, MeetsWhatLastsLessThanAStep) {
   for (const std::string& method : methods) {
     SCOPED_TRACE(method);
     for (const double speed : {1e-2, 1e-3, 1e-5}) {
-      // x = ((t - 1)^2 - speed^2)/2 down to the stop at 0.
+      // x = ((t - 1)^2 - speed^2)/2 until it reaches the stop at 0.
       const State x0{0.5 - speed * speed / 2, -1};
       const double meets = 1 - speed, leaves = meets + 2 * speed / 1001, end = 2;
       std::vector<double> ends;
@@ -164,7 +163,8 @@ TEST(Switching, MeetsWhatLastsLessThanAStep) {
                                                                            {});
       ASSERT_TRUE(run.status.ok()) << run.status.text();
       const double rest = end - leaves;
-      // The speed behind the stop carries the error of the times, some 1e-11, a thousand times enlarged.
+      // An error of the switching times, some 1e-11, changes the speed after the contact by a thousand times
+      // as much.
       EXPECT_NEAR(run.x[0], speed * rest + rest * rest / 2, 1e-7) << speed;
       const auto nearest = [&](double t) {
         double best = 1;
@@ -174,14 +174,14 @@ TEST(Switching, MeetsWhatLastsLessThanAStep) {
       EXPECT_LE(nearest(meets), 1e-10 / speed) << speed;
       EXPECT_LE(nearest(leaves), 1e-10 / speed) << speed;
     }
-    // Half a unit above the stop there is no switch: the smooth motion.
+    // Turning point half a unit above the stop: a smooth motion without a switch.
     const auto above = ivp::named_integrator(method, {.tolerance = 1e-11})(grazing(), {1, -1}, 0, 2, {}, {});
     ASSERT_TRUE(above.status.ok());
     EXPECT_NEAR(above.x[0], 1, 1e-9);
   }
 }
 
-// What decides is not a number where x > 3.
+// The switching function is not a number for x > 3.
 TEST(Switching, SaysWhereAFunctionIsNone) {
   for (const std::string method : {"ode45", "series"}) {
     const auto run = ivp::named_integrator(method, {.tolerance = 1e-9})(

@@ -10,7 +10,7 @@
 namespace nlmech::ivp::system_test {
 namespace {
 
-// A chain of any length, to go through the sizes that dual numbers take by eights.
+// A chain of any length, for the sizes that dual numbers process in groups of eight.
 struct Chain {
   static constexpr int dimension = Eigen::Dynamic;
   int masses;

@@ -1,5 +1,5 @@
 /// @file
-/// End states that the test set for initial value problems publishes.
+/// Published end states of the test set for initial value problems.
 #pragma once
 
 #include <fstream>

@@ -1,5 +1,5 @@
 /// @file
-/// Equations of tests as one types them: no compiler works on them.
+/// Problems from typed equations, for tests: they are interpreted, not compiled.
 #pragma once
 
 #include <string>
@@ -9,12 +9,12 @@
 
 namespace nlmech::ivp::testing {
 
-/// A problem as "x'' = -x - 0.1 x'; y' = x".
+/// A problem from its text, such as "x'' = -x - 0.1 x'; y' = x".
 inline program::Problem typed_problem(const std::string& equations) {
   return program::Problem(program::Equations(program::SourceText("equation", equations)));
 }
 
-/// Its system.
+/// The system of that problem.
 inline System typed(const std::string& equations) { return System(typed_problem(equations)); }
 
 }  // namespace nlmech::ivp::testing

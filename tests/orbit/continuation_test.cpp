@@ -1,5 +1,5 @@
-/// Analytic continuation in double precision: accuracy against Kepler's equation in 50 digits, tables of the
-/// dissertation in their readings, dense output, units, kernels, and what is refused; its recursion.
+/// Analytic continuation in double precision: accuracy against Kepler's equation in 50 digits, readings of
+/// the dissertation's tables, dense output, units, kernels, refusals; its recursion.
 #include "nlmech/orbit/continuation.hpp"
 
 #include <gtest/gtest.h>
@@ -27,9 +27,9 @@ double error_of(const Solution& c, const State& start, double time, double mu) {
   return relative_distance(c.x.position, kepler(start, time, mu).position);
 }
 
-// What follows a last term of the size of the tolerance is a geometric series of ratio x = h/rho, at most 2/3
-// for the loosest tolerances here: 2 of it at most. It moves the end by at most kappa times that; n steps sum
-// up.
+// After a last term of the size of the tolerance the remainder is a geometric series with the ratio x =
+// h/rho, at most 2/3 for the largest tolerances here: at most 2 tolerances. Its effect at the end is at most
+// kappa times that, summed over n steps.
 RC_GTEST_PROP(Continuation, ErrorFollowsTheTolerance, ()) {
   const double tolerance = std::pow(10, *between(-15, -4));
   const State s = random_state(1, 1, *between(0.3, 1.8), *between(0.3, 2.8));
@@ -40,11 +40,11 @@ RC_GTEST_PROP(Continuation, ErrorFollowsTheTolerance, ()) {
   RC_ASSERT(error_of(c, s, time, 1) <= kappa * (2 * n * tolerance + (8 + std::sqrt(n)) * eps));
 }
 
-// The default tolerance is to keep what propagate_kepler() promises, 8 kappa eps, on every instruction set.
-// This is a requirement. Theory bounds it by some hundred times as much: it adds up what each of some hundred
-// steps leaves out and rounds (continuation.hpp), though these errors have either sign. The worst of 280
-// runs, seven eccentricities up to 0.99 in forty orientations, was 4.3 with fused multiply-add and 5.7
-// without it. At the periapsis |E| is (1 - e) of its parts.
+// Requirement: the default tolerance meets the bound of propagate_kepler(), 8 kappa eps, on every instruction
+// set. The theoretical bound is some hundred times larger, because it adds the absolute truncation and
+// rounding errors of some hundred steps (continuation.hpp). The largest error of 280 runs, seven
+// eccentricities up to 0.99 in forty orientations, was 4.3 with fused multiply-add and 5.7 without it. At the
+// periapsis |E| is (1 - e) of its parts.
 TEST(Continuation, DefaultIsAtTheLevelOfRounding) {
   for (const double e : {0., 0.1, 0.7, 0.9, 0.99}) {
     const State s = at_periapsis(e);
@@ -94,7 +94,7 @@ TEST(FixedContinuation, ReadingOfTable33) {
 }
 
 TEST(FixedContinuation, MoreThanTheRadiusOfConvergenceDiverges) {
-  // 25 steps an orbit are 0.25 in mean anomaly, the radius at the periapsis is 0.18.
+  // 25 steps per orbit are 0.25 in mean anomaly; the radius of convergence at the periapsis is 0.18.
   const double period = 44152.6;
   const Solution c =
       propagate(eccentric_orbit, 0, period, earth_point, FixedContinuation{.step = period / 25, .order = 30});
@@ -102,8 +102,8 @@ TEST(FixedContinuation, MoreThanTheRadiusOfConvergenceDiverges) {
               relative_distance(c.x.position, kepler(eccentric_orbit, period, earth_mu).position) > 1e-2);
 }
 
-// Orders 2 to 100, all code paths: the largest at steps of a third of the radius of convergence is exact to
-// rounding.
+// Orders 2 to 100 and all code paths: the highest orders, with steps of a third of the radius of convergence,
+// are exact to rounding.
 TEST(FixedContinuation, EveryOrder) {
   const State s = at_periapsis(0.1);
   double before = HUGE_VAL;
@@ -131,8 +131,8 @@ TEST(Continuation, EveryOrder) {
   }
 }
 
-// Rounded reciprocals are wrong by the same share in every step: after 500 orbits of 30 steps the energy has
-// drifted, and without them it has walked, with the instructions of every processor.
+// Rounded reciprocals have the same relative error in every step: the energy drifts. With true divisions it
+// performs a random walk, on every instruction set.
 TEST(FixedContinuation, RoundedReciprocalsDrift) {
   const State s = at_periapsis(0.1);
   const auto drift = [&](bool division, InstructionSet set) {
@@ -159,11 +159,12 @@ TEST(FixedContinuation, RoundedReciprocalsDrift) {
     if (!available(set)) continue;
     const double best = drift(true, set);
     EXPECT_GT(rounded, 3 * best) << to_string(set) << ": " << best;
-    EXPECT_LT(best, 60000 * eps / 100) << to_string(set);  // a walk of 60 000 steps: sqrt(60000) = 245 eps
+    EXPECT_LT(best, 60000 * eps / 100)
+        << to_string(set);  // random walk of 60 000 steps: sqrt(60000) = 245 eps
   }
 }
 
-// Inside the steps the series is as good as at their ends, and the observer sees every step.
+// Dense output is as accurate as the ends of the steps, and the observer receives every step.
 TEST(Continuation, DenseOutput) {
   const State s = at_periapsis(0.7);
   std::int64_t seen = 0;
@@ -177,7 +178,7 @@ TEST(Continuation, DenseOutput) {
       EXPECT_LE(relative_distance(step.at(t).position, kepler(s, t, 1).position),
                 8 * eps * kepler_condition(s, t, 1).position);
     }
-    // Both ends of the step are rounded, up to eps t, in which the velocity changes.
+    // Both ends of the step are rounded by up to eps t, during which the velocity changes.
     State last;
     step.dense.at(step.t1, last);
     EXPECT_LE((last.velocity - step.x1.velocity).norm(),
@@ -202,13 +203,13 @@ TEST(Continuation, NoTimeAndBackwards) {
             8 * eps * kepler_condition(low_orbit, -4e4, earth_mu).position);
 }
 
-// The same orbit in units 2^k apart is the same to the last bit; in metres and in the Earth's canonical units
-// it differs by the rounding of the data.
+// In units that differ by powers of two the orbit is bitwise equal; in metres and in canonical units of the
+// Earth it differs by the rounding of the data.
 TEST(Continuation, UnitsDoNotMatter) {
   const double time = 3e4;
   const Solution si = propagate(low_orbit, 0, time, earth_point);
   const State binary{low_orbit.position / 1048576, low_orbit.velocity / 1048576 * 1024};
-  // Lengths over 2^20, times over 2^10: mu over 2^60 times 2^20.
+  // Lengths over 2^20, times over 2^10: mu is multiplied by 2^20/2^60.
   const Solution same = propagate(binary, 0, time / 1024, Gravity{.mu = std::ldexp(earth_mu, -40)});
   EXPECT_EQ(same.x.position * 1048576, si.x.position);
   const double length = 6378137, speed = std::sqrt(earth_mu / length);
@@ -218,7 +219,7 @@ TEST(Continuation, UnitsDoNotMatter) {
             8 * eps * kepler_condition(low_orbit, time, earth_mu).position);
 }
 
-// All kernels that this machine has give one orbit.
+// All kernels of this machine give the same orbit.
 TEST(Continuation, InstructionSetsAgree) {
   const State s = at_periapsis(0.6);
   const double room = 8 * eps * kepler_condition(s, 9, 1).position;
@@ -274,11 +275,11 @@ TEST(Continuation, WhatCannotBeMeantIsRefused) {
   EXPECT_TRUE(tests::holds(text(A{}, at_periapsis(0.1), HUGE_VAL), "finite"));
 }
 
-// ---- The recursion of analytic continuation against derivatives of Kepler's motion that it does not know,
-// and the misprints of Eqs 3.66 and 3.68.
+// ---- The recursion of analytic continuation against independent derivatives of Kepler's motion, and the
+// misprints of Eqs 3.66 and 3.68.
 
 /// Taylor coefficients of Kepler's motion up to the tenth: Newton's interpolation at 31 times about 0, in 50
-/// digits. What is left out is below (0.3/rho)^20 for the orbits here, rounding below 1e-50 0.02^-10.
+/// digits. Truncation is below (0.3/rho)^20 for the orbits here, rounding below 1e-50 0.02^-10.
 std::vector<Vector3<Real>> coefficients_of_kepler(const State& s, double mu, double spacing) {
   constexpr int count = 31, wanted = 11;
   std::vector<Real> t;
@@ -320,8 +321,7 @@ TEST(Expansion, IsTheTaylorSeriesOfKeplersMotion) {
   }
 }
 
-// In derivatives, as printed: g^(n+1) by Eq. 3.66 with the "binomial coefficient" taken for p/2 or for C(p,
-// 2) = 3.
+// Derivatives as printed: g^(n+1) by Eq. 3.66 with p/2 or the printed binomial coefficient C(p, 2) = 3.
 std::vector<Vector3<Real>> by_equation_366(const State& start, const Real& p_half, int orders) {
   const auto s = as<Real>(start);
   std::vector<Vector3<Real>> r = {s.position, s.velocity};
@@ -358,9 +358,8 @@ std::vector<Vector3<Real>> by_equation_366(const State& start, const Real& p_hal
   return r;
 }
 
-// Read as the number p/2 = 3/2 the equation gives the derivatives of Kepler's motion; read as the binomial
-// coefficient C(3, 2) = 3 that is printed, it goes wrong from the first derivative of g: r^(3) on, unless f'
-// = 0.
+// With the number p/2 = 3/2 the equation gives the derivatives of Kepler's motion; with the printed binomial
+// coefficient C(3, 2) = 3 it is wrong from the first derivative of g, r^(3), on, unless f' = 0.
 TEST(Errata, Equation366) {
   const State s = {{1, 0.5, -0.2}, {-0.3, 0.9, 0.5}};
   const auto exact = coefficients_of_kepler(s, 1, 0.0078125);
@@ -371,15 +370,15 @@ TEST(Errata, Equation366) {
   }
   const Vector3<Real> wrong = printed[3] - exact[3];
   EXPECT_GT(Real(length(wrong) / length(exact[3])), Real(0.1));
-  // At a periapsis f' = 0 and the misprint shows first in the fourth coefficient: a fifth of it.
+  // At a periapsis f' = 0, and the misprint first affects the fourth coefficient, by a fifth of it.
   const State low = {{1 - 0.1, 0, 0}, {0, std::sqrt(1.1 / 0.9), 0}};
   const auto at_rest = by_equation_366(low, Real(3), 4), right = by_equation_366(low, Real(1.5), 4);
   EXPECT_LT(length(Vector3<Real>(at_rest[3] - right[3])), Real(1e-45));
   EXPECT_GT(Real(length(Vector3<Real>(at_rest[4] - right[4])) / length(right[4])), Real(0.15));
 }
 
-// Equation 3.68 prints g for g_3. With another p of the family of Eq. 3.63, say 5 (the first of gravity's
-// higher terms), r'' = -mu g_5 r is another force, already in the second coefficient.
+// Eq. 3.68 prints g for g_3. For another p of Eq. 3.63, such as 5 (the first of the higher terms of gravity),
+// r'' = -mu g_5 r is another force; the second coefficient already differs.
 TEST(Errata, Equation368NeedsTheThirdPower) {
   const State s = {{1, 0.5, -0.2}, {-0.3, 0.9, 0.5}};
   const auto exact = coefficients_of_kepler(s, 1, 0.0078125);
@@ -390,14 +389,14 @@ TEST(Errata, Equation368NeedsTheThirdPower) {
   EXPECT_GT(length(Vector3<Real>(second(5) - exact[2])), Real(0.05));
 }
 
-// |r_k| ~ rho^-k k^(-5/3): the singularity is a branch point (t - t*)^(2/3). The ratio of coefficients far
-// out shows the radius that convergence.hpp computes from closed forms.
+// |r_k| ~ rho^-k k^(-5/3): the singularity is a branch point (t - t*)^(2/3). The ratio of high coefficients
+// gives the radius that convergence.hpp computes from closed forms.
 TEST(Expansion, CoefficientsDecayWithTheRadiusOfConvergence) {
   const State s = propagate_kepler(at_periapsis(0.7), 0.4, 1).state;
   const int order = 240;
   Expansion<Real> series({}, order);
   series.expand(as<Real>(s), order);
-  // A pair of complex singularities lets single coefficients oscillate: the largest of a dozen does not.
+  // A pair of complex singularities makes single coefficients oscillate; the maximum of a dozen does not.
   const auto largest = [&](int from) {
     Real most = 0;
     for (int k = from; k < from + 12; ++k)
@@ -409,7 +408,7 @@ TEST(Expansion, CoefficientsDecayWithTheRadiusOfConvergence) {
   EXPECT_NEAR(largest(220) / largest(110), 1, 0.2);
 }
 
-/// Error of one revolution in fixed steps of @p order in 50 digits.
+/// Error of one revolution in fixed steps of the given order, in 50 digits.
 Real error_of_order(int order, int velocity_degree, int steps) {
   const State start = at_periapsis(0.3);
   BasicState<Real> s = as<Real>(start);
@@ -423,7 +422,7 @@ Real error_of_order(int order, int velocity_degree, int steps) {
   return length(Vector3<Real>(s.position - kepler(start, 3.5, 1).position));
 }
 
-// Degrees (K, K - 1) are of order K - 1, (K, K) of order K: the lower degree decides.
+// Degrees (K, K - 1) have order K - 1, (K, K) order K: the lower degree determines the order.
 TEST(Expansion, OrderOfConvergenceIsTheLowerDegree) {
   const auto order = [](int k, int velocity, int steps) {
     return std::log2(static_cast<double>(

@@ -1,5 +1,5 @@
-/// Elements to state and back, the conventions where angles are not defined, the printed elements of
-/// section 3.2.2; and states on conics from each kind of anomaly.
+/// Elements to states and back, conventions where angles are undefined, the printed elements of section
+/// 3.2.2; and states on conics from each kind of anomaly.
 #include "nlmech/orbit/elements.hpp"
 
 #include <gtest/gtest.h>
@@ -25,8 +25,8 @@ double there_and_back(const State& s, double mu) {
          eps;
 }
 
-// 32 eps: a dozen rounded operations in each of six elements, angles of up to 2 pi in their sines. Far out on
-// an open conic 1 + e cos nu amplifies that.
+// 32 eps: a dozen operations with rounding in each of six elements, and sines of angles up to 2 pi. Far out
+// on an open conic 1 + e cos nu amplifies the error.
 RC_GTEST_PROP(Elements, ThereAndBack, ()) {
   const double mu = std::pow(10, *between(-3, 20)), r = std::pow(10, *between(-3, 9));
   const State s = random_state(r, mu, *between(0.05, 3), *between(0.05, 3.1));
@@ -39,7 +39,7 @@ RC_GTEST_PROP(Elements, StateHasThem, ()) {
   const Elements e = from_axis(*between(0.5, 2), *between(0.05, 0.95), *between(0.05, 3.1),
                                *between(0.1, 6.2), *between(0.1, 6.2), *between(-3, 3));
   const Elements back = elements_of(state_of(e, 1), 1);
-  // Angles of an orbit that is neither round nor flat are conditioned like 1/e and 1/sin i.
+  // Condition numbers of the angles of a non-circular inclined orbit: 1/e and 1/sin i.
   const double room = 64 * eps / 0.05 / std::sin(0.05);
   RC_ASSERT(std::abs(back.semi_major_axis / e.semi_major_axis - 1) <= room);
   RC_ASSERT(std::abs(back.semi_latus_rectum / e.semi_latus_rectum - 1) <= room);
@@ -66,12 +66,12 @@ TEST(Elements, FlatOrbitHasNoNode) {
     const Elements e = elements_of(s, 1);
     EXPECT_EQ(e.ascending_node, 0);
     EXPECT_EQ(e.inclination, way > 0 ? 0 : std::acos(-1.0));
-    // In the direction of motion: 200 degrees forwards, or 160 the other way round.
+    // In the direction of motion: 200 degrees, or 160 degrees in the opposite direction.
     EXPECT_NEAR(e.periapsis_argument, way > 0 ? longitude : 160 * degree, 8 * eps);
     EXPECT_LE(there_and_back(s, 1), 32);
   }
-  EXPECT_LE(there_and_back({{1, 0, 0}, {0, 1, 0}}, 1), 32);    // round and flat
-  EXPECT_LE(there_and_back({{0, -1, 0}, {-1, 0, 0}}, 1), 32);  // and counted backwards
+  EXPECT_LE(there_and_back({{1, 0, 0}, {0, 1, 0}}, 1), 32);    // circular and equatorial
+  EXPECT_LE(there_and_back({{0, -1, 0}, {-1, 0, 0}}, 1), 32);  // and retrograde
 }
 
 TEST(Elements, OpenConics) {
@@ -101,8 +101,8 @@ TEST(Elements, WhatHasNoneIsRefused) {
 // mu = v^2 r_p/(1 + e) with the printed e, at the periapsis where both states are: the mu that was used.
 constexpr double implied_mu = 3.98600433e14;
 
-// Equation 3.72 prints omega = 0. The state of 3.71 is at its periapsis at the longitude 75 degrees, so omega
-// (i = 0) is 75 degrees; and T_p = 6218.7284 s is printed as 6.21872e3, cut off.
+// Eq. 3.72 prints omega = 0. The state of 3.71 is at its periapsis at the longitude of 75 degrees, so omega
+// (i = 0) is 75 degrees; T_p = 6218.7284 s is printed as 6.21872e3, truncated.
 TEST(Errata, Equation372) {
   const Elements e = elements_of(low_orbit, implied_mu);
   EXPECT_NEAR(e.true_anomaly, 0, 1e-9);  // printed digits of the state: 16
@@ -110,7 +110,7 @@ TEST(Errata, Equation372) {
   EXPECT_NEAR(e.eccentricity, 0.1, 1e-8);            // implied_mu has nine digits
   EXPECT_NEAR(e.semi_major_axis, 7309041.111, 0.1);  // the same
   EXPECT_NEAR(e.period(implied_mu), 6218.7284, 1e-4);
-  // As printed: another longitude of the periapsis puts the body where it is not, by 2 sin(37.5 deg) r.
+  // As printed, another longitude of the periapsis shifts the body by 2 sin(37.5 deg) r.
   Elements printed = from_axis(7.30904e6, 0.1);
   EXPECT_NEAR(
       (state_of(printed, implied_mu).position - low_orbit.position).norm() / low_orbit.position.norm(),
@@ -119,8 +119,7 @@ TEST(Errata, Equation372) {
   EXPECT_LT((state_of(printed, implied_mu).position - low_orbit.position).norm(), 1.0);  // a has six digits
 }
 
-// Equation 3.74 prints Omega = 45 and omega = 30 degrees for i = 0, where only the sum has a meaning: it
-// agrees.
+// Eq. 3.74 prints Omega = 45 and omega = 30 degrees for i = 0, where only their sum is defined; it agrees.
 TEST(Errata, Equation374) {
   const Elements e = elements_of(eccentric_orbit, implied_mu);
   EXPECT_NEAR((e.ascending_node + e.periapsis_argument) / degree, 45 + 30, 1e-9);
@@ -162,8 +161,8 @@ RC_GTEST_PROP(Convergence, RadiusHasAllItsDigits, ()) {
   RC_ASSERT(std::abs(static_cast<double>(Real(convergence_radius_at_periapsis(e) / exact - 1))) <= 32 * eps);
 }
 
-// From any state of an ellipse the singularity is where its mean anomaly says; at other conics r = 0 at the
-// complex time found from Kepler's equation at imaginary anomaly.
+// For any state of an ellipse the mean anomaly gives the singularity; on other conics it is r = 0 at the
+// complex time from Kepler's equation at imaginary anomaly.
 RC_GTEST_PROP(Convergence, RadiusFromAnyState, ()) {
   const double e = *between(0.05, 0.95), M = *between(-3, 3);
   const State s = propagate_kepler(at_periapsis(e), M, 1).state;
@@ -178,11 +177,11 @@ TEST(Convergence, RadiusOfOpenConicsAndLines) {
   EXPECT_NEAR(convergence_radius({{1, 0, 0}, {0, std::sqrt(2), 0}}, 1), 2 * std::sqrt(2) / 3, 8 * eps);
   // Released at rest from 1: the fall lasts pi/(2 sqrt 2).
   EXPECT_NEAR(convergence_radius({{1, 0, 0}, {0, 0, 0}}, 1), pi / (2 * std::sqrt(2)), 8 * eps);
-  EXPECT_GT(convergence_radius({{1, 0, 0}, {0, 1, 0}}, 1), 30);  // a circle, but for rounding
+  EXPECT_GT(convergence_radius({{1, 0, 0}, {0, 1, 0}}, 1), 30);  // a circle up to rounding
 }
 
-// ---- States on conics from the ellipse over the parabola to the hyperbola, from each kind of anomaly,
-// against closed forms in 50 digits; and states to elements and back.
+// ---- States on ellipses, parabolas and hyperbolas from each kind of anomaly against closed forms in 50
+// digits; states to elements and back.
 
 const Orientation plain;
 constexpr std::array complements = {1., 0.5, 1e-3, 1e-8, 1e-16, 1e-24, 0., -1e-24, -1e-16, -1e-8, -0.5, -10.};
@@ -198,7 +197,7 @@ double relative_error(const State& s, const Real& x, const Real& y, const Real& 
 
 Real radians(double degrees) { return Real(degrees) * acos(Real(-1)) / 180; }
 
-// Angles near the apoapsis of a thin ellipse and near the asymptote of a parabola included.
+// Includes angles near the apoapsis of a thin ellipse and near the asymptote of a parabola.
 TEST(Conic, AtTrueAnomalies) {
   for (const double c : complements) {
     for (const double nu : {0., 1e-9, 60., 90., -120., 179., -179.99, 179.999999, 179.99999999999, 180.}) {

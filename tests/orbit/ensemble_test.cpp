@@ -1,5 +1,5 @@
-/// Many orbits in lanes: errors against Kepler's equation in 50 digits, the same bits whatever flies beside,
-/// rows between, and failures that touch nobody else.
+/// Many orbits in SIMD lanes: errors against Kepler's equation in 50 digits, bitwise equal results for any
+/// neighbours, rows in between, and independent failures.
 #include "nlmech/orbit/ensemble.hpp"
 
 #include <gtest/gtest.h>
@@ -41,7 +41,7 @@ std::vector<std::uint64_t> bits_of(const Solution& c) {
   return bits;
 }
 
-/// Ellipses, hyperbolas, falls, both directions of time, and such as cannot be.
+/// Ellipses, hyperbolas, falls into the centre, both directions of time, zonal fields, and invalid data.
 Flight random_flight() {
   Flight f{random_state(*between(0.5, 2), 1, *between(0, 1.8), *between(0, pi)), *between(-20, 20), {}};
   f.gravity.mu = *rc::gen::element(0.5, 1.0, 1.7);
@@ -58,7 +58,7 @@ Flight random_flight() {
   return f;
 }
 
-// The bound of AnalyticContinuation, with its reasons: see continuation_test.cpp.
+// The error bound of AnalyticContinuation; derivation: continuation_test.cpp.
 RC_GTEST_PROP(Ensemble, ErrorFollowsTheTolerance, ()) {
   const double tolerance = std::pow(10, *between(-15, -4));
   std::vector<Flight> flights;
@@ -77,7 +77,8 @@ RC_GTEST_PROP(Ensemble, ErrorFollowsTheTolerance, ()) {
   }
 }
 
-// Every order, and orbits up to e = 0.99: as for one orbit, rounding alone is left at the default tolerance.
+// Every order, and orbits up to e = 0.99: as for a single orbit, the default tolerance leaves rounding errors
+// only.
 TEST(Ensemble, DefaultIsAtTheLevelOfRounding) {
   std::vector<Flight> flights;
   for (const double e : {0., 0.1, 0.3, 0.5, 0.7, 0.9, 0.99})
@@ -93,8 +94,8 @@ TEST(Ensemble, DefaultIsAtTheLevelOfRounding) {
   }
 }
 
-// Bits of a flight by itself, of one lane's neighbours, of a shuffled catalogue, of any number of threads;
-// with AVX2 those of AVX-512.
+// Bitwise equal results for a single orbit, other neighbours in the lanes, another order of the catalogue,
+// and any number of threads; equal for AVX2 and AVX-512.
 RC_GTEST_PROP(Ensemble, SameBitsWhateverFliesBeside, ()) {
   std::vector<Flight> flights;
   const int count = *rc::gen::inRange(1, 70);
@@ -125,7 +126,7 @@ RC_GTEST_PROP(Ensemble, SameBitsWhateverFliesBeside, ()) {
   RC_ASSERT(bits_of(alone[0]) == bits_of(ends[one]));
 }
 
-// In any units the error is what it is in those with mu = 1 and r = 1.
+// The error in any units equals that in units with mu = 1 and r = 1.
 RC_GTEST_PROP(Ensemble, UnitsDoNotMatter, ()) {
   const Flight f{random_state(1, 1, *between(0.3, 1.8), *between(0.3, 2.8)), *between(-10, 10), {}};
   const int length = *rc::gen::inRange(-300, 300), time = *rc::gen::inRange(-300, 300);
@@ -148,12 +149,12 @@ struct InnerRow {
   State x;
 };
 
-// Rows between come at the multiples asked for, from the same series; the end is not changed by them.
+// Rows in between are at the requested multiples and use the same series; they do not change the end state.
 RC_GTEST_PROP(Ensemble, RowsBetween, ()) {
   std::vector<Flight> flights;
   for (int i = 0; i < 3; ++i)
     flights.push_back({random_state(1, 1, *between(0.3, 1.8), *between(0.3, 2.8)), *between(-10, 10), {}});
-  flights[2].gravity.zonal[0] = 1e-300;  // a point mass, by the lanes of zonal fields
+  flights[2].gravity.zonal[0] = 1e-300;  // practically a point mass, but in the lanes of zonal fields
   const double every = *between(0.7, 3);
   std::vector<std::vector<InnerRow>> rows(flights.size());
   const InnerRows wanted{every, [&](std::size_t i, double t, const State& x) { rows[i].push_back({t, x}); }};
@@ -167,7 +168,7 @@ RC_GTEST_PROP(Ensemble, RowsBetween, ()) {
       RC_ASSERT(std::abs(t) == static_cast<double>(k + 1) * every);
       RC_ASSERT(t * until > 0);
       const auto n = static_cast<double>(ends[i].statistics.steps);
-      // kappa of the time itself, which is rounded too, is contained in that of the state.
+      // kappa of the state includes that of the time, which is rounded as well.
       const double bound =
           kepler_condition(flights[i].start, t, 1).position * (2 * n * 1e-15 + (8 + std::sqrt(n)) * eps);
       RC_ASSERT(relative_distance(rows[i][k].x.position, kepler(flights[i].start, t, 1).position) <= bound);
@@ -199,7 +200,7 @@ TEST(Ensemble, FailuresAreTheirOwn) {
   EXPECT_TRUE(propagate_all({}).empty());
 }
 
-// In its own units the end is beyond the range of doubles.
+// In its own units the end time exceeds the range of double.
 TEST(Ensemble, AFlightThatCannotGoOnKnowsItsTime) {
   const Gravity zonal{.radius = 1e-300, .zonal = {1e-3}};
   const std::vector<Flight> flights = {{{{1e-300, 0, 0}, {0, 1, 0}}, 86400, {}},
@@ -211,8 +212,8 @@ TEST(Ensemble, AFlightThatCannotGoOnKnowsItsTime) {
   }
 }
 
-// A day in the field of the Earth by several tolerances: a step is off by one of them, and what comes of that
-// on the way is what Kepler's motion makes of it, to the per mille of J_2. A day's rounding is left besides.
+// A day in the Earth's field with several tolerances: a step has an error of one tolerance, amplified as in
+// Kepler's motion, to the per mille of J_2. The rounding error of a day is added.
 TEST(Ensemble, ZonalFlightsFollowTheTolerance) {
   const Flight f{low_orbit, 86400, earth(6)};
   const Solution exact = propagate(f.start, 0, f.until, f.gravity);
@@ -230,8 +231,8 @@ TEST(Ensemble, ZonalFlightsFollowTheTolerance) {
   }
 }
 
-// Into the centre of a body with a bulge: ends as by AnalyticContinuation, in the user's units, with each row
-// once.
+// Fall into the centre of an oblate body: fails as AnalyticContinuation does, at a time in the user's units,
+// with each row once.
 TEST(Ensemble, AZonalFlightThatFails) {
   Flight f{{{7e6, 0, 0}, {0, 0, 0}}, 86400, earth(2)};
   std::vector<double> times;
@@ -246,7 +247,8 @@ TEST(Ensemble, AZonalFlightThatFails) {
   EXPECT_EQ(propagate_all(std::span(&f, 1), {}, {}, {.steps = 3})[0].status.outcome(), Outcome::step_limit);
 }
 
-// So long a time that every step is lost in it: as by AnalyticContinuation and about a point mass, at once.
+// A time so long that every step is below its rounding: fails at once, as AnalyticContinuation does and as
+// for a point mass.
 TEST(Ensemble, ZonalStepsMoveTheTime) {
   for (const double until : {1e40, -1e40}) {
     std::vector<Flight> flights(2, Flight{low_orbit, until, earth(2)});
@@ -259,7 +261,8 @@ TEST(Ensemble, ZonalStepsMoveTheTime) {
   }
 }
 
-// The seconds are those of the whole: they end flights under way where they are, and others at their start.
+// The limit of wall time holds for the whole ensemble: orbits in progress end where they are, others at their
+// start.
 TEST(Ensemble, SecondsAreOfTheWhole) {
   for (const int degree : {0, 2}) {
     const std::vector<Flight> flights(200, Flight{low_orbit, 1e10, earth(degree)});
@@ -286,7 +289,8 @@ TEST(Ensemble, RefusesOptions) {
   EXPECT_THROW((void)propagate_all(none, {}, {.every = 0}), std::invalid_argument);
 }
 
-// The bounds that the header states, against the library's functions; steps need no more.
+// The error bounds stated in the header, against the library's functions; the step-size control needs no
+// more.
 TEST(RoughLogarithm, IsAsExactAsStated) {
   using Two = simd::Pack<simd::Baseline, 2>;
   std::mt19937_64 random(1);

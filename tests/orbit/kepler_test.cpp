@@ -1,5 +1,5 @@
-/// Kepler's problem: that the error is at most C kappa eps against Kepler's own equation in 50 digits, for
-/// every conic.
+/// Kepler's problem: the error is at most C kappa eps against Kepler's equation in 50 digits, for every
+/// conic.
 #include "nlmech/orbit/kepler.hpp"
 
 #include <gtest/gtest.h>
@@ -16,11 +16,10 @@ namespace {
 
 using namespace oracle;
 
-/// The constant of propagate_kepler()'s promise.
+/// The constant C of the error bound of propagate_kepler().
 constexpr double promised = 8;
 
-/// Error over kappa eps, the larger of position and velocity. 0 where not one digit is determined and that is
-/// told.
+/// Error over kappa eps, the larger of position and velocity; 0 for a refusal where no digit is determined.
 double error_in_kappa_eps(const State& s, double time, double mu) {
   const KeplerSolution k = propagate_kepler(s, time, mu);
   const KeplerCondition kappa = kepler_condition(s, time, mu);
@@ -36,7 +35,7 @@ RC_GTEST_PROP(Kepler, ErrorOfAnyOrbitIsConditionTimesEps, ()) {
   const double speed = *between(0, 3), flight = *between(0, pi);
   const double r = std::pow(10, *between(-3, 9)), mu = std::pow(10, *between(-6, 20));
   const State s = random_state(r, mu, speed, flight);
-  // Up to a thousand times the time scale r^(3/2)/mu^(1/2), both ways.
+  // Up to a thousand times the time scale r^(3/2)/mu^(1/2), in both directions.
   const double time = *between(-1, 1) * std::pow(10, *between(-3, 3)) * r * std::sqrt(r / mu);
   RC_ASSERT(error_in_kappa_eps(s, time, mu) <= promised);
 }
@@ -53,14 +52,14 @@ RC_GTEST_PROP(Kepler, ErrorNearTheParabolaToo, ()) {
   RC_ASSERT(error_in_kappa_eps(s, std::pow(10, *between(-2, 4)), 1) <= promised);
 }
 
-// Hyperbolas entered from far, where the terms of F and G cancel by many digits.
+// Hyperbolas from far away, where the terms of F and G cancel by many digits.
 RC_GTEST_PROP(Kepler, ErrorOfFlybysToo, ()) {
   const double speed = std::pow(10, *between(0.16, 4)), flight = pi - std::pow(10, *between(-7, 0));
   const State s = random_state(1, 1, speed, flight);
   RC_ASSERT(error_in_kappa_eps(s, *between(0, 3) / speed, 1) <= promised);
 }
 
-// Aimed at the centre within any fraction of eps of a straight line, at any speed; also exactly, along an
+// Aimed at the centre within any fraction of eps of a straight line, at any speed; also exactly along an
 // axis.
 RC_GTEST_PROP(Kepler, ErrorOfFlybysThatGrazeTheCentreToo, ()) {
   const double speed = std::pow(10, *between(0.3, 8)), aside = std::pow(10, *between(-18, -6));
@@ -74,7 +73,7 @@ RC_GTEST_PROP(Kepler, ErrorOfFlybysThatGrazeTheCentreToo, ()) {
   RC_ASSERT(error_in_kappa_eps(s, time, 1) <= promised);
 }
 
-// Far out on a hyperbola: exponentials of logarithms as large as 60, each of which would cost 60 eps.
+// Far out on a hyperbola: exponentials of logarithms up to 60, each of which would have an error of 60 eps.
 TEST(Kepler, HyperbolasAMillionDistancesAway) {
   const State far{{0, 0.00022011347278415964, 0},
                   {-0.077824211798445536, 0.027547907046325544, -0.4646699149428718}};
@@ -84,14 +83,15 @@ TEST(Kepler, HyperbolasAMillionDistancesAway) {
   EXPECT_LE(error_in_kappa_eps(fast, 44489392450.017395, 229230631.79470459), promised);
 }
 
-// From rest, ten million falls and more: at a turn the place does not show the phase to first order.
+// From rest, over ten million falls and more: at a turning point the position does not determine the phase to
+// first order.
 TEST(Kepler, APhaseThatIsLostAtTheTurnIsRefused) {
   const State rest{{-3.9799569484664789e-06, 2.8011942580608421e-06, -3.2953923753575582e-06}, {0, 0, 0}};
   EXPECT_EQ(propagate_kepler(rest, -29.695038421702066, 2708836974137.4282).status.outcome(),
             Outcome::outside_validity);
 }
 
-// So fast that squares of the eccentricity are no doubles: a straight line, r + v t to (1/v)^2.
+// Speeds so large that squares of the eccentricity overflow: a straight line, r + v t to (1/v)^2.
 TEST(Kepler, FastestFlybys) {
   for (const double speed : {1e10, 1e50, 1e90, 1e149}) {
     const State s{{1, 0, 0}, {-0.5 * speed, 0.75 * speed, 0.25 * speed}};
@@ -108,12 +108,12 @@ TEST(Kepler, FastestFlybys) {
 }
 
 TEST(Kepler, ParabolaWhoseSpeedIsExact) {
-  const State s{{0, 2, 0}, {-1, 0, 0}};  // v.v = 2 mu/r to the last bit
+  const State s{{0, 2, 0}, {-1, 0, 0}};  // v.v = 2 mu/r exactly
   for (const double t : {-1e6, -3., -0.1, 0.2, 5., 1e8})
     EXPECT_LE(error_in_kappa_eps(s, t, 1), promised) << t;
 }
 
-// On a straight line: thrown upwards to fall back, and faster than escape.
+// On a straight line: thrown upwards below and above escape speed.
 TEST(Kepler, StraightLines) {
   for (const double v : {0.0, 0.7, 1.3, 1.5, 3.0}) {
     const State s{{1, 2, -2}, {v / 3, 2 * v / 3, -2 * v / 3}};  // |r| = 3
@@ -122,7 +122,7 @@ TEST(Kepler, StraightLines) {
   }
 }
 
-// Released at rest from r = 1 with mu = 1 the body meets the centre at pi/(2 sqrt 2) and is back, as the
+// Released at rest from r = 1 with mu = 1 the body reaches the centre at pi/(2 sqrt 2) and returns, as the
 // limit of thin ellipses, at twice that time.
 TEST(Kepler, StraightLineReturnsFromTheCentre) {
   const State s{{1, 0, 0}, {0, 0, 0}};
@@ -134,7 +134,8 @@ TEST(Kepler, StraightLineReturnsFromTheCentre) {
   EXPECT_GT(back.state.velocity[0], 0);
 }
 
-// One million revolutions of both orbits of the dissertation: the condition grows by 2 pi 1.5 a revolution.
+// One million revolutions of both orbits of the dissertation: the condition number grows by 2 pi 1.5 a
+// revolution.
 TEST(Kepler, ManyRevolutions) {
   for (const State& s : {low_orbit, eccentric_orbit}) {
     const double period = 2 * pi / std::sqrt(earth_mu) * std::pow(reciprocal_axis(s, earth_mu), -1.5);
@@ -146,8 +147,8 @@ TEST(Kepler, ManyRevolutions) {
   }
 }
 
-// The condition against differences: the end moves by at most kappa times a small relative change of the
-// data.
+// The condition number against differences: the change of the end is at most kappa times a small relative
+// change of the data.
 TEST(Kepler, ConditionIsTheGrowthOfErrors) {
   const double time = 2e5, change = 1e-7;
   const auto end = kepler(eccentric_orbit, time, earth_mu);
@@ -166,10 +167,10 @@ TEST(Kepler, ConditionIsTheGrowthOfErrors) {
   EXPECT_NEAR(kappa.position / sum, 1, 1e-3);  // differences of first order
 }
 
-// A fast body that has not reached the centre is on a straight line, whose end changes by |r| with each
-// component of the position, by |v t| with each of the velocity and with the time. The shape of its
-// hyperbola, which a change of 1e-16 may turn from straight to open, does not enter; gravity does by
-// 1/(v^2 (1 - part)^2), less than 1e-4.
+// Before the centre a fast body moves on a straight line, whose end changes by |r| with each component of the
+// position, by |v t| with each of the velocity and with the time. The shape of its hyperbola, which a change
+// of 1e-16 may turn from straight to open, has no influence; gravity has less than 1e-4, 1/(v^2 (1 -
+// part)^2).
 TEST(Kepler, TheConditionOfAnApproachIsThatOfAStraightLine) {
   for (const double speed : {1e4, 1e7, 1e8, 1e12}) {
     for (const double aside : {0., 1e-17, 1e-16, 1e-12}) {
@@ -184,7 +185,7 @@ TEST(Kepler, TheConditionOfAnApproachIsThatOfAStraightLine) {
   }
 }
 
-// The universal variables in 50 digits against Kepler's own equation in 50: two computations, one motion.
+// Universal variables in 50 digits against Kepler's equation in 50 digits.
 TEST(Kepler, UniversalVariablesAgreeWithKeplersEquationInExtendedPrecision) {
   const State states[] = {
       low_orbit, eccentric_orbit, {{7e6, 0, 0}, {0, 1.2e4, 3e3}}, {{7e6, 1, 2}, {1e4, 0, 5}}};
@@ -201,7 +202,7 @@ TEST(Kepler, UniversalVariablesAgreeWithKeplersEquationInExtendedPrecision) {
 RC_GTEST_PROP(Kepler, LagrangesCoefficientsHaveTheirDeterminant, ()) {
   const State s = random_state(1, 1, *between(0.3, 2), *between(0.1, 3));
   const auto c = lagrange_coefficients(s, *between(-3, 3), 1.0);
-  // The universal functions, from F and F', are rounded, and so are the sums that r and G are.
+  // Rounding errors of the universal functions, from F and F', and of the sums r and G.
   const double r = moved(s, c).position.norm(), sigma = s.position.dot(s.velocity);
   const double u2 = 1 - c.f, u1 = -c.f_rate * r, u0 = 1 - (2 - s.velocity.squaredNorm()) * u2;
   const double terms_of_r = std::abs(u0) + std::abs(sigma * u1) + std::abs(u2);
@@ -211,8 +212,8 @@ RC_GTEST_PROP(Kepler, LagrangesCoefficientsHaveTheirDeterminant, ()) {
   RC_ASSERT(std::abs(c.f * c.g_rate - c.f_rate * c.g - 1) <= 8 * eps * scale);
 }
 
-// Every eighth evaluation halves the bounds, so that 8 (53 + 3) are enough for the worst orbit, which falls
-// into the centre just then; a hundred ordinary ones need six on the average.
+// Every eighth evaluation halves the bounds, so 8 (53 + 3) suffice for any orbit; the worst case reaches the
+// centre at the end. A hundred ordinary orbits need six on average.
 RC_GTEST_PROP(Kepler, EverySearchEnds, ()) {
   const State s = random_state(1, 1, *between(0, 1.4), *between(0, pi));
   RC_ASSERT(propagate_kepler(s, *between(-100, 100), 1).iterations <= 448);
@@ -242,8 +243,8 @@ TEST(Kepler, WhatCannotBeMeantIsRefused) {
   EXPECT_THROW((void)kepler_condition({{0, 0, 0}, {1, 0, 0}}, 1, 1), std::invalid_argument);
 }
 
-// Parabolas to their last bits: where rounding of the energy times the distance leaves no digit, there is no
-// success, and before that large_condition() tells how many there are.
+// Parabolas to their last bits: a success requires digits in the energy times the distance, and
+// large_condition() states their number.
 TEST(Kepler, NearTheParabolaTheConditionRefuses) {
   const State s{{0.8647618531675945, 0.5021821754165989, 0}, {-0.7101928432561789, 1.222957940972503, 0}};
   EXPECT_EQ(propagate_kepler(s, 4.0552922763711963e+27, 1).status.outcome(), Outcome::outside_validity);
@@ -260,7 +261,7 @@ TEST(Kepler, NearTheParabolaTheConditionRefuses) {
 
 // ---- Stumpff's functions against their closed forms in 50 digits.
 
-/// Closed forms; 50 digits leave 20 after the worst cancellation here, |psi| = 1e-10 in c_3.
+/// Closed forms; 20 of 50 digits remain after the worst cancellation here, |psi| = 1e-10 in c_3.
 Stumpff<Real> exact(double psi) {
   if (psi == 0) return {1, 1, Real(1) / 2, Real(1) / 6};
   const Real p = psi, x = sqrt(abs(p));
@@ -284,7 +285,7 @@ RC_GTEST_PROP(Stumpff, HasNoCancellation, ()) {
   RC_ASSERT(error(c.c1, e.c1, std::max(1.0, static_cast<double>(e.c1))) <= 8);
 }
 
-// Large arguments: the hyperbolic functions' own condition is sqrt(-psi) eps.
+// Large arguments: the condition number of the hyperbolic functions is sqrt(-psi).
 RC_GTEST_PROP(Stumpff, LargeArguments, ()) {
   const double psi = *between(-4e5, 200);
   const Stumpff<double> c = stumpff(psi);
@@ -305,7 +306,7 @@ TEST(Stumpff, AtNothingAndAtTheSeams) {
   EXPECT_EQ(stumpff(-1e9).c2, HUGE_VAL);
 }
 
-// The series for 50 digits reaches them up to its seam.
+// The series for 50 digits is accurate to them up to its limit.
 TEST(Stumpff, ExtendedPrecision) {
   for (const double psi : {-4., -1., 3., 4.}) {
     const Stumpff<Real> mine = stumpff(Real(psi)), e = exact(psi);

@@ -1,5 +1,5 @@
-/// Lambert's problem: that Kepler's motion with the velocities found arrives, for every arc there is, and
-/// that no arc is missed.
+/// Lambert's problem: Kepler's motion with the computed velocities reaches the end for every arc, and no arc
+/// is missed.
 #include "nlmech/orbit/transfer/lambert.hpp"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ namespace {
 
 using namespace oracle;
 
-// 12 digits are asked for. oracle: rbf_inverse_lambert * v1 *, * axis, * eccentricity
+// Tolerance: 12 digits. oracle: rbf_inverse_lambert * v1 *, * axis, * eccentricity
 TEST(Lambert, FourArcsOfThePrintedProblem) {
   struct Known {
     LambertArc arc;
@@ -41,7 +41,7 @@ TEST(Lambert, FourArcsOfThePrintedProblem) {
   // oracle: rbf_inverse_lambert short v2 *
   const Vector3<double> v2{-2318.4424849316679, -5654.9378013635604, -1551.1405058380721};
   EXPECT_LE((solve_lambert(p).v2 - v2).norm() / v2.norm(), 1e-12);
-  // There is no fifth: the long way with one revolution and the short way with two take longer.
+  // There is no fifth arc: the long way with one revolution and the short way with two take longer.
   EXPECT_EQ(lambert_arcs(p, 20).size(), 4U);
   EXPECT_EQ(solve_lambert(p, {true, 1, low}).status.outcome(), Outcome::infeasible);
 }
@@ -52,7 +52,7 @@ double shorter(const LambertProblem& p) {
   return std::max(r1 * r2 + p.from.dot(p.to), 0.0) / (r1 + r2 + (p.to - p.from).norm());
 }
 
-/// Time of flight of Lagrange's form, in which the search here is done: another equation than Izzo's.
+/// Time of flight by Lagrange's form, another equation than Izzo's.
 /// @param alpha from 0 to 2 pi, the semi-major axis is s/(1 - cos alpha)
 double lagrange_time(const LambertProblem& p, bool long_way, int revolutions, double alpha) {
   const double c = (p.to - p.from).norm(), s = (p.from.norm() + p.to.norm() + c) / 2;
@@ -67,10 +67,10 @@ double least_by_search(const LambertProblem& p, bool long_way, int revolutions) 
   return boost::math::tools::brent_find_minima(time, 1e-3, 2 * pi - 1e-3, 52).second;
 }
 
-/// Is the solution on the arc that was asked for?
+/// Expects that the solution is on the requested arc.
 void expect_the_arc(const LambertProblem& p, const LambertArc& arc, const LambertSolution& s) {
   const Vector3<double> plane = cross(p.from, p.to), h = cross(p.from, s.v1);
-  // The sign is rounding where both are nearly along the line.
+  // The sign is undetermined by rounding where both are nearly along the line.
   const double noise = eps * p.from.norm() * (p.to.norm() * h.norm() + s.v1.norm() * plane.norm());
   if (std::abs(plane.dot(h)) > 16 * noise) {
     EXPECT_EQ(plane.dot(h) < 0, arc.long_way);
@@ -79,7 +79,7 @@ void expect_the_arc(const LambertProblem& p, const LambertArc& arc, const Lamber
     EXPECT_EQ(arc.revolutions, 0);
     return;
   }
-  // A body is M periods on its way if it makes M revolutions and a part of one.
+  // A body with M revolutions and a part of one travels for M to M + 1 periods.
   const double periods = p.time * std::sqrt(p.mu) * std::pow(s.reciprocal_axis, 1.5) / (2 * pi);
   EXPECT_GE(periods, arc.revolutions * (1 - 1e-12));
   EXPECT_LE(periods, (arc.revolutions + 1) * (1 + 1e-12));
@@ -122,7 +122,7 @@ TEST(Lambert, TenThousandProblemsOfUpToTwentyRevolutions) {
   }
   RecordProperty("worst_in_kappa_eps", std::to_string(worst));
   EXPECT_GT(arcs, 25'000);
-  // Two or three are the rule; with a minimum of T to be found first, some more.
+  // Usually two or three; more if a minimum of T must be found first.
   EXPECT_LE(static_cast<double>(evaluations) / static_cast<double>(arcs), 3);
   EXPECT_LE(most, 16);
 }
@@ -137,7 +137,8 @@ RC_GTEST_PROP(Lambert, ArrivesByKeplersEquationInExtendedPrecision, ()) {
   }
 }
 
-// All counted, by a search of the fastest flight in Lagrange's form for every number of revolutions.
+// The expected number of arcs comes from a search of the minimum time in Lagrange's form for each number of
+// revolutions.
 TEST(Lambert, NoArcIsMissed) {
   std::mt19937_64 engine(2);
   for (int i = 0; i < 300; ++i) {
@@ -146,7 +147,8 @@ TEST(Lambert, NoArcIsMissed) {
     for (const bool long_way : {false, true}) {
       for (int m = 1; m <= 20; ++m) {
         const double least = least_by_search(p, long_way, m);
-        EXPECT_NEAR(least_time(p, long_way, m) / least, 1, 1e-12) << i;  // flat: half the digits of alpha do
+        EXPECT_NEAR(least_time(p, long_way, m) / least, 1, 1e-12)
+            << i;  // flat minimum: half of the digits of alpha suffice
         if (p.time >= least) expected += 2;
       }
     }
@@ -154,8 +156,8 @@ TEST(Lambert, NoArcIsMissed) {
   }
 }
 
-// At the very minimum of the time of flight both branches meet; the axis has half the digits there, the miss
-// all.
+// At the minimum of the time of flight both branches coincide; the axis has half of the digits there, the
+// miss all.
 TEST(Lambert, FastestFlightOfManyRevolutions) {
   LambertProblem p{{1, 0, 0}, {-0.3, 1.4, 0.2}, 1, 1};
   for (const int m : {1, 2, 20, 1000}) {
@@ -188,8 +190,9 @@ TEST(Lambert, ParabolasAndTheirNeighbours) {
         const LambertSolution s = solve_lambert(p, {long_way, 0, LambertBranch::low});
         ASSERT_TRUE(s.status.ok()) << s.status.text();
         EXPECT_LE(miss(p, s), promised) << i << " " << change;
-        // The difference of powers, 28 roundings in all, loses what c is short of the sum; 1/a is at most
-        // 8/0.6 times as far from 0, relatively, as the time from that of the parabola.
+        // The difference of powers, with 28 rounding errors in total, loses digits as c approaches the sum;
+        // the relative distance of 1/a from 0 is at most 8/0.6 times that of the time from the parabola's
+        // time.
         const double lost = eps * first / (6 * parabolic);
         if (change == 0) {
           EXPECT_NEAR(s.reciprocal_axis * sum, 0, 400 * lost) << i;
@@ -207,7 +210,7 @@ TEST(Lambert, OppositePositionsNeedThePlane) {
   EXPECT_EQ(refused.status.outcome(), Outcome::outside_validity);
   EXPECT_TRUE(tests::holds(refused.status.sentence(), "180 degrees"));
   EXPECT_TRUE(lambert_arcs(p, 3).empty());
-  p.normal = Vector3<double>(0.5, 0, 3);  // not quite across: its part across counts
+  p.normal = Vector3<double>(0.5, 0, 3);  // not exactly perpendicular: its perpendicular part is used
   for (const bool long_way : {false, true}) {
     for (const auto& [m, branch] :
          {std::pair(0, LambertBranch::low), {1, LambertBranch::low}, {1, LambertBranch::high}}) {
@@ -233,7 +236,7 @@ TEST(Lambert, OppositePositionsNeedThePlane) {
   EXPECT_THROW((void)solve_lambert(tilted), std::invalid_argument);
 }
 
-// Away from 180 degrees the positions determine the plane, and the normal is not read.
+// Away from 180 degrees the positions determine the plane, and the normal is ignored.
 TEST(Lambert, NormalIsReadOnlyWhereItIsNeeded) {
   LambertProblem p{{1, 0, 0}, {-1, 1e-9, 0}, 3, 1};
   const LambertSolution free = solve_lambert(p);
@@ -254,17 +257,17 @@ TEST(Lambert, OneDirectionIsRefused) {
   }
 }
 
-// ---- Lambert's problem at its edges: times to 0 and without end, nearly straight lines, units, and what is
-// refused.
+// ---- Lambert's problem in limits: very short and very long times, nearly straight lines, units, and
+// refusals.
 
-// In the limit the arc is the straight line, integrated at chord over time.
+// In the limit the arc is a straight line with the velocity chord over time.
 TEST(Lambert, TimeOfFlightToZero) {
   LambertProblem p{{1, 0, 0}, {0.5, 1.5, 0.2}, 1, 1};
   for (const double time : {1e-3, 1e-8, 1e-50, 1e-140}) {
     p.time = time;
     const LambertSolution s = solve_lambert(p);
     ASSERT_TRUE(s.status.ok()) << s.status.text();
-    // Attraction, about 1, changes the velocity by time, of 1/time; two roundings.
+    // Gravity of about 1 changes the velocity, which is of order 1/time, by about time; two rounding errors.
     EXPECT_LE((s.v1 * time - (p.to - p.from)).norm(), 2 * time * time + 8 * eps) << time;
     EXPECT_LE(miss(p, s), promised) << time;
   }
@@ -274,7 +277,7 @@ TEST(Lambert, TimeOfFlightToZero) {
   EXPECT_TRUE(tests::holds(s.status.sentence(), "too short"));
 }
 
-// Long flights without a revolution go far out, on an ellipse whose period is nearly the time.
+// Long flights without a full revolution: an ellipse whose period is nearly the time of flight.
 TEST(Lambert, VeryLongTimeOfFlight) {
   LambertProblem p{{1, 0, 0}, {0.5, 1.5, 0.2}, 1, 1};
   for (const double time : {1e3, 1e6, 1e7}) {
@@ -282,14 +285,14 @@ TEST(Lambert, VeryLongTimeOfFlight) {
     for (const bool long_way : {false, true}) {
       const LambertSolution s = solve_lambert(p, {long_way, 0, LambertBranch::low});
       ASSERT_TRUE(s.status.ok()) << s.status.text();
-      // The axis has its share of eps: 1/a = (2/r - v v/mu) is a difference of numbers near 2.
+      // Error of the axis: 1/a = (2/r - v v/mu) is a difference of numbers near 2.
       const double axis = std::pow(time / (2 * pi), 2. / 3);
       EXPECT_NEAR(s.reciprocal_axis * axis, 1, 8 / axis + 8 * eps * axis) << time;
       EXPECT_LE(miss(p, s), promised);
     }
   }
-  // An error eps of v_1 changes the axis by eps a/r and so the time by eps t^(5/3): from 1e9 on by more than
-  // the way through r_2 takes.
+  // An error eps of v_1 changes the axis by eps a/r and the time by eps t^(5/3): from 1e9 on by more than the
+  // passage of r_2 takes.
   for (const double time : {1e9, 1e12, 1e40}) {
     p.time = time;
     const LambertSolution s = solve_lambert(p);
@@ -298,9 +301,9 @@ TEST(Lambert, VeryLongTimeOfFlight) {
   }
 }
 
-// Found by random problems. The first goes far out and back to a ten-thousandth of the distance, where the
-// body is fast: kappa eps = 0.8. The second goes through the centre at a share of 6e-17 of its speed, on the
-// other side than the one asked for; its miss in double precision is small by chance.
+// Found by random problems. The first arc goes far out and returns to a ten-thousandth of the distance, where
+// the body is fast: kappa eps = 0.8. The second has a transverse velocity of 6e-17 of its speed and passes
+// the centre on the wrong side; its miss in double precision is small by chance.
 TEST(Lambert, WhatItsRoundedVelocityDoesNotTellIsRefused) {
   const auto refused = [](const LambertProblem& p, const char* part) {
     const LambertSolution s = solve_lambert(p, {true, 0, LambertBranch::low});
@@ -320,7 +323,7 @@ TEST(Lambert, WhatItsRoundedVelocityDoesNotTellIsRefused) {
           "so closely");
 }
 
-// Nearly on one straight line from the centre: up and back, and once around the centre the long way.
+// Nearly on one straight line through the centre: outwards and back, and around the centre the long way.
 TEST(Lambert, NearlyRectilinear) {
   for (const double angle : {1e-3, 1e-6, 1e-9, 1e-12}) {
     for (const double ratio : {1., 1.5}) {
@@ -332,9 +335,9 @@ TEST(Lambert, NearlyRectilinear) {
   }
 }
 
-// All but once around, in about the time of the ellipse of least energy, 2.2214: where T(x) bends so sharply
-// that the iteration has to halve its bracket. The next step after that counted as the last, by which arcs
-// missed by 3e-3.
+// Nearly a full revolution in about the time of the minimum-energy ellipse, 2.2214, where T(x) bends so
+// sharply that the iteration must halve its bracket. The iteration must not end with the step after that,
+// which gave misses of 3e-3.
 TEST(Lambert, NearlyOnceAround) {
   for (double angle = 1e-6; angle < 0.3; angle *= 1.5) {
     for (double time = 2; time < 2.6; time *= 1.002) {
@@ -352,12 +355,13 @@ RC_GTEST_PROP(Lambert, WayBackIsTheWayThere, ()) {
   const LambertSolution there = solve_lambert(p);
   std::swap(p.from, p.to);
   const LambertSolution back = solve_lambert(p);
-  // Each is the exact solution of a problem within promised kappa eps; time reversed it is the other's.
+  // Each is the exact solution of a problem within promised kappa eps; with reversed time it solves the other
+  // one.
   const double kappa = kepler_condition({p.from, back.v1}, p.time, p.mu).velocity;
   RC_ASSERT((back.v1 + there.v2).norm() <= 4 * promised * kappa * eps * there.v2.norm());
 }
 
-// Powers of two change no digit, over all the range of doubles.
+// Powers of two change no digit, in the whole range of double.
 TEST(Lambert, UnitsDoNotMatter) {
   const LambertProblem p{{1, 0.25, 0}, {-0.3, 1.4, 0.2}, 7, 1};
   const LambertSolution s = solve_lambert(p, {false, 0, LambertBranch::low});

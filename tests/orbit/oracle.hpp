@@ -1,6 +1,6 @@
 /// @file
-/// What the tests of orbits judge by: Kepler's motion in 50 digits from Kepler's own equation, one branch a
-/// conic, with nothing of the library's universal variables; and random orbits.
+/// References for the tests of orbits: Kepler's motion in 50 digits from Kepler's equation, one branch per
+/// conic, independent of universal variables; and random orbits.
 #pragma once
 
 #include <algorithm>
@@ -36,7 +36,7 @@ template <class T>
   return static_cast<double>(Real(length(d) / length(b)));
 }
 
-/// The root of a growing function between two bounds: bisection, then Newton's iteration.
+/// The root of an increasing function between two bounds: bisection, then Newton's iteration.
 template <class F>
 [[nodiscard]] Real root(const F& value_and_slope, Real low, Real high) {
   for (int i = 0; i < 40; ++i) {
@@ -55,8 +55,8 @@ template <class F>
   return x;
 }
 
-/// Kepler's motion: E - e sin E = M, e sinh H - H = N, or Barker's equation, in the frame of the periapsis.
-/// Orbits on a straight line too, with e = 1 and the line as the axis.
+/// Kepler's motion by E - e sin E = M, e sinh H - H = N, or Barker's equation, in the frame of the periapsis;
+/// for straight lines with e = 1 and the line as axis.
 [[nodiscard]] inline BasicState<Real> kepler(const State& start, double time, double gravity) {
   const BasicState<Real> s = as<Real>(start);
   const Real mu = gravity, r0 = length(s.position), alpha = 2 / r0 - s.velocity.dot(s.velocity) / mu;
@@ -106,8 +106,8 @@ template <class F>
 
 using tests::between;
 
-/// A state of the given distance and speed over the circular one, at an angle (0: outwards) in a random
-/// plane.
+/// A state with the given distance, speed over circular speed, and angle from the outward direction, in a
+/// random plane.
 [[nodiscard]] inline State random_state(double r, double mu, double speed, double flight) {
   const auto turn = [](double angle, int i, int j, Vector3<double>& v) {
     const double c = std::cos(angle), s = std::sin(angle), a = v[i], b = v[j];

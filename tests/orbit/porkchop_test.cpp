@@ -1,5 +1,5 @@
-/// Grids of transfers: every cell against Lambert's problem solved by itself, the same bits for any number
-/// of threads, and Hohmann's transfer as the known minimum.
+/// Grids of transfers: every cell against a single solution of Lambert's problem, bitwise equal results for
+/// any number of threads, and Hohmann's transfer as the known minimum.
 #include "nlmech/orbit/transfer/porkchop.hpp"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ namespace {
 
 using namespace oracle;
 
-/// Two inclined ellipses about mu = 1, some synodic period of both.
+/// Two inclined ellipses with mu = 1, over about a synodic period.
 PorkchopProblem two_orbits() {
   PorkchopProblem p;
   p.from = {state_of(from_axis(1, 0.02, 0.1, 0.3, 1.8, 0), 1), 0.5};
@@ -61,7 +61,7 @@ TEST(Porkchop, EveryCellIsTheBestOfAllArcs) {
           departure = d;
         }
       }
-      // The same solver, with rounding of the sums alone; that it is right is what its own tests are for.
+      // The same solver; only the rounding of the sums differs.
       EXPECT_NEAR(cell.v_departure + cell.v_arrival, least, 16 * eps * least);
       EXPECT_NEAR(cell.v_departure, departure, 16 * eps * (1 + departure));
       revolving += cell.revolutions > 0;
@@ -82,8 +82,8 @@ TEST(Porkchop, SameBitsForAnyNumberOfThreads) {
   }
 }
 
-// Between circles of radius 1 and 2 the cheapest transfer of all times is Hohmann's half ellipse, at 180
-// degrees: W. Hohmann, 1925; v = (2/r - 2/(r_1 + r_2))^(1/2) at both ends. A grid that has its times in it
+// Between circles of radius 1 and 2 the cheapest transfer at any time is Hohmann's half ellipse with 180
+// degrees (W. Hohmann, 1925): v = (2/r - 2/(r_1 + r_2))^(1/2) at both ends. A grid that contains its times
 // finds it, and no cell is cheaper.
 TEST(Porkchop, HohmannsTransferIsTheMinimum) {
   const double half = pi * std::pow(1.5, 1.5);
@@ -91,8 +91,8 @@ TEST(Porkchop, HohmannsTransferIsTheMinimum) {
   PorkchopProblem p;
   p.from.state = {{1, 0, 0}, {0, 1, 0}};
   p.to.state = {{2, 0, 0}, {0, std::sqrt(0.5), 0}};
-  // Leaves at an angle of t, arrives half a turn later where the other is t2/sqrt(8): t + pi = t2/sqrt(8) + 2
-  // pi k.
+  // Departs at the angle t, arrives half a revolution later where the other body is at t2/sqrt(8): t + pi =
+  // t2/sqrt(8) + 2 pi k.
   const double rate = std::sqrt(0.125), leave = (half * rate - pi + 2 * pi) / (1 - rate);
   p.departures = {leave - 3, leave + 3, 121};
   p.arrivals = {leave + half - 3, leave + half + 3, 121};
@@ -101,31 +101,32 @@ TEST(Porkchop, HohmannsTransferIsTheMinimum) {
   for (const PorkchopCell& cell : grid.cells) {
     if (cell.exists()) least = std::min(least, cell.v_departure + cell.v_arrival);
   }
-  // Rounding of the times moves the positions by some eps, and the cost is at its minimum.
+  // Rounding of the times shifts the positions by some eps; the cost is stationary.
   EXPECT_NEAR(least, (v1 - 1) + (std::sqrt(0.5) - v2), 64 * eps);
 }
 
-// In one plane the positions of a cell can be exactly opposite: then in the plane of the body that is left.
+// In one plane the positions of a cell can be exactly opposite; the transfer is then in the plane of the
+// departure body.
 TEST(Porkchop, OppositePositionsHaveATransfer) {
   PorkchopProblem p;
   p.from.state = {{1, 0, 0}, {0, 1, 0}};
   p.to.state = {{-2, 0, 0}, {0, -std::sqrt(0.5), 0}};
   p.departures = {0, 0, 1};
   p.arrivals = {8 * std::acos(0.0) * std::sqrt(8.), 8 * std::acos(0.0) * std::sqrt(8.),
-                1};  // two of its years
+                1};  // two of its periods
   p.to.epoch = p.arrivals.first;
   const Porkchop grid = porkchop(p);
   ASSERT_TRUE(grid.at(0, 0).exists());
   LambertProblem lambert{{1, 0, 0}, {-2, 0, 0}, p.arrivals.first, 1, Vector3<double>(0, 0, 1)};
   EXPECT_NEAR(grid.at(0, 0).v_departure, (solve_lambert(lambert).v1 - p.from.state.velocity).norm(),
               64 * eps);
-  // And in one direction there is none.
+  // For positions in the same direction there is no transfer.
   p.to.state = {{2, 0, 0}, {0, std::sqrt(0.5), 0}};
   EXPECT_FALSE(porkchop(p).at(0, 0).exists());
 }
 
-// Back to the same place after whole revolutions: the period of one or two of them gives the speed there,
-// v^2 = 2/r - 1/a, which is taken in the direction of the body left.
+// Return to the same position after full revolutions: the period of one or two of them gives the speed, v^2 =
+// 2/r - 1/a, in the direction of the departure body.
 TEST(Porkchop, OnePositionHasATransferByWholeRevolutions) {
   PorkchopProblem p;
   p.from.state = {{1, 0, 0}, {0, 1, 0}};
@@ -135,7 +136,7 @@ TEST(Porkchop, OnePositionHasATransferByWholeRevolutions) {
   p.to.epoch = 5;
   EXPECT_FALSE(porkchop(p).at(0, 0).exists());
   p.most_revolutions = 2;
-  const double speed = std::sqrt(2 - std::pow(2 * pi / 5, 2. / 3));  // one of them; two would cost more
+  const double speed = std::sqrt(2 - std::pow(2 * pi / 5, 2. / 3));  // one revolution; two would cost more
   const PorkchopCell cell = porkchop(p).at(0, 0);
   EXPECT_EQ(cell.revolutions, 1);
   EXPECT_NEAR(cell.v_departure, 1 - speed, 16 * eps);

@@ -1,4 +1,4 @@
-/// Transfers by collocation against the known arcs, and with zonal terms against flights in extended
+/// Transfers by collocation against known arcs, and with zonal terms against propagation in extended
 /// precision.
 #include "nlmech/orbit/transfer/transfer.hpp"
 
@@ -24,7 +24,7 @@ TransferProblem printed_transfer(int degree = 0) {
   return t;
 }
 
-/// Miss of a flight in 19 digits, with series that leave out less.
+/// Miss of a propagation in 19 digits, with a smaller truncation error of the series.
 double integrated(const TransferProblem& p, const Vector3<double>& v1) {
   using Wide = long double;
   BasicState<Wide> start;
@@ -39,8 +39,8 @@ double integrated(const TransferProblem& p, const Vector3<double>& v1) {
   return d.norm();
 }
 
-// Recorded: D without rounding and the printed shape, 0.2 m; polynomials 5e-6 m. A
-// millimetre is what the source claims.
+// Recorded: 0.2 m with D without rounding errors and the printed shape; 5e-6 m with polynomials. The source
+// claims a millimetre.
 TEST(Transfer, CollocationWithoutLossOfDigitsIsBetterThanAMillimetre) {
   const TransferProblem p = printed_transfer();
   const Vector3<double> exact{2774.8469906025419, 7217.0230343355381, 1625.9338905977957};
@@ -63,8 +63,8 @@ TEST(Transfer, CollocationWithoutLossOfDigitsIsBetterThanAMillimetre) {
     const CollocatedTransfer stable = collocate(p, method);
     ASSERT_TRUE(stable.status.ok()) << stable.status.text();
     EXPECT_LT(stable.miss, 1e-3);
-    // The printed shape even without its loss of digits: 0.22 m with D from 60 digits. D in double, within
-    // 1e-12 of its largest entry, moves that by a part of it.
+    // With the printed shape, but without its loss of digits, the miss is 0.22 m (D from 60 digits). D in
+    // double, accurate to 1e-12 of its largest entry, changes it by a fraction.
     method.shape = 0;
     const CollocatedTransfer printed_shape = collocate(p, method);
     ASSERT_TRUE(printed_shape.status.ok()) << printed_shape.status.text();
@@ -72,7 +72,8 @@ TEST(Transfer, CollocationWithoutLossOfDigitsIsBetterThanAMillimetre) {
   }
 }
 
-// As printed: a condition of 1.9e17 leaves 4.7 m to 1.8 km, by chance of rounding, and no millimetres.
+// As printed: a condition number of 1.9e17 gives misses from 4.7 m to 1.8 km, depending on rounding, not
+// millimetres.
 TEST(Transfer, PrintedSettingLosesItsDigits) {
   TransferCollocation method;
   method.basis = TransferBasis::gaussian;
@@ -86,8 +87,7 @@ TEST(Transfer, PrintedSettingLosesItsDigits) {
   EXPECT_LT(t.miss, 2e4);
 }
 
-// Newton's iteration solves what is asked: both forms of the equations have the same root, and its values are
-// those of the orbit at the nodes.
+// Both forms of the equations have the same root; its values are those of the orbit at the nodes.
 TEST(Transfer, NodesLieOnTheOrbit) {
   const TransferProblem p = printed_transfer();
   const CollocatedTransfer t = collocate(p);
@@ -102,7 +102,7 @@ TEST(Transfer, NodesLieOnTheOrbit) {
 }
 
 TEST(Transfer, StartsOfChoiceFindOtherArcs) {
-  // Hyperbola: 250 s. And 180 degrees in a plane of coordinates, from half an ellipse.
+  // A hyperbola: 250 s. Then 180 degrees in a coordinate plane, from half an ellipse.
   TransferProblem fast = printed_transfer();
   fast.time = 250;
   const CollocatedTransfer hyperbola = collocate(fast);
@@ -114,7 +114,7 @@ TEST(Transfer, StartsOfChoiceFindOtherArcs) {
   ASSERT_TRUE(t.status.ok()) << t.status.text();
   const LambertSolution exact = solve_lambert({half.from, half.to, half.time, half.gravity.mu, half.normal});
   EXPECT_LE((t.v1 - exact.v1).norm() / exact.v1.norm(), 1e-9);
-  // The other way, by a start that goes there.
+  // The opposite direction, from a corresponding initial guess.
   TransferCollocation method{.nodes = 81};
   method.start = [&](double time) {
     const double angle = -pi * time / half.time, r = 7e6 + 2e6 * time / half.time;
@@ -125,7 +125,7 @@ TEST(Transfer, StartsOfChoiceFindOtherArcs) {
   EXPECT_NEAR(back.v1[1] / t.v1[1], -1, 1e-9);
 }
 
-// A straight line through the centre is no start: what comes of it is told, not passed on.
+// A straight line through the centre is no valid initial guess: the status reports a failure.
 TEST(Transfer, SpuriousRootsAreTold) {
   TransferProblem half{{7e6, 0, 0}, {-9e6, 0, 0}, 4000, {.mu = 3.986e14}};
   const CollocatedTransfer t = collocate(half, {.guess = TransferGuess::line});
@@ -133,8 +133,8 @@ TEST(Transfer, SpuriousRootsAreTold) {
   EXPECT_FALSE(t.status.sentence().empty());
 }
 
-// Through the centre in three seconds: the polynomials solve their equations and miss by kilometres. A
-// success is within a millionth; a wider bound is the caller's word.
+// Past the centre in three seconds: the polynomials satisfy their equations and miss by kilometres. A success
+// is within a millionth, unless the caller sets a wider bound.
 TEST(Transfer, AMissIsNoSuccess) {
   const TransferProblem through{{7e6, 0, 0}, {-6.9999e6, 1e3, 0}, 3, {.mu = 3.986e14}};
   TransferCollocation method{.nodes = 81};
@@ -146,8 +146,8 @@ TEST(Transfer, AMissIsNoSuccess) {
   EXPECT_TRUE(collocate(through, method).status.ok());
 }
 
-// One of an hour's 1650 random commands: the way round the centre at 2e8 m/s, of whose departure velocity
-// 1e-17 goes across the position. Rounded, it misses by 1e5 m; the short way is fine.
+// A case of a random search: the long way around the centre at 2e8 m/s, with a transverse departure velocity
+// of 1e-17 of that. Rounded, it misses by 1e5 m; the short way is accurate.
 TEST(Transfer, ArcsThatDoublesCannotHoldAreTold) {
   const TransferProblem near{{809238550.9812963, 208416451.48491853, -333202714.66377366},
                              {514323616.1686821, 132462173.2114974, -211771943.12163723},
@@ -174,8 +174,8 @@ TEST(Transfer, AccelerationIsTheGradientOfTheEnergy) {
   for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(a[static_cast<int>(i)], -e.partial[i], 64 * eps * a.norm());
 }
 
-// Both ways to the same transfer in the field with J2 (and up to J6): corrected arcs, integrated in 19
-// digits, and collocation.
+// The same transfer with J2 (and up to J6) by two methods: corrected arcs, propagated in 19 digits, and
+// collocation.
 TEST(Transfer, ZonalTermsByCorrectionAndByCollocation) {
   for (const int degree : {2, 6}) {
     const TransferProblem p = printed_transfer(degree);
@@ -184,14 +184,14 @@ TEST(Transfer, ZonalTermsByCorrectionAndByCollocation) {
       ASSERT_TRUE(t.status.ok()) << t.status.text();
       EXPECT_LE(integrated(p, t.v1), 1e-11 * p.to.norm()) << long_way;
       const Transfer conic = corrected_transfer(printed_transfer(), {long_way, 0, LambertBranch::low});
-      EXPECT_GT(integrated(p, conic.v1), 1e3);  // J2 moves the end by kilometres
+      EXPECT_GT(integrated(p, conic.v1), 1e3);  // J2 shifts the end by kilometres
     }
     const CollocatedTransfer c = collocate(p, {.nodes = 61});
     ASSERT_TRUE(c.status.ok()) << c.status.text();
     EXPECT_LE((c.v1 - corrected_transfer(p).v1).norm(), 1e-7);
     EXPECT_LT(integrated(p, c.v1), 1e-3);
   }
-  // Twenty revolutions, each of which J2 shifts.
+  // Twenty revolutions, each shifted by J2.
   TransferProblem many{{7.5e6, 0, 1e6}, {-2e6, 7e6, 3e6}, 140'000, earth(2)};
   for (const LambertBranch branch : {LambertBranch::low, LambertBranch::high}) {
     const Transfer t = corrected_transfer(many, {false, 15, branch});

@@ -1,5 +1,5 @@
-/// Zonal harmonics: the acceleration is the gradient of the potential, energy is kept, and orbits of a day
-/// end where extrapolation of the midpoint rule ends.
+/// Zonal harmonics: the acceleration is the gradient of the potential, energy is conserved, and orbits of a
+/// day agree with extrapolation of the midpoint rule.
 #include <gtest/gtest.h>
 
 #include <span>
@@ -39,7 +39,7 @@ RC_GTEST_PROP(Zonal, AccelerationIsTheGradient, ()) {
 
 /// A day in the field of the Earth.
 struct Day {
-  const char* start[6];  ///< metres and metres a second; the decimals themselves, not rounded
+  const char* start[6];  ///< metres and metres per second, as exact decimals
   const char* end[6];    ///< to 20 digits
 };
 
@@ -78,7 +78,7 @@ TEST(Zonal, DayInExtendedPrecision) {
   }
 }
 
-// Each by itself, and in lanes beside each other.
+// Single orbits and several in SIMD lanes.
 TEST(Zonal, DayInDoublePrecision) {
   std::vector<Flight> flights;
   for (const Day& d : days) flights.push_back({state_from<double>(d.start), day, earth(2)});
@@ -95,7 +95,7 @@ TEST(Zonal, DayInDoublePrecision) {
   }
 }
 
-// All harmonics: double against quadruple precision, and the energy of the field is kept.
+// All harmonics: double against quadruple precision, and conservation of energy.
 TEST(Zonal, AllHarmonics) {
   const Gravity g = earth(6);
   const State start = state_from<double>(days[1].start);
@@ -111,11 +111,11 @@ TEST(Zonal, AllHarmonics) {
   EXPECT_LT(length(in_lanes), Quad(1e-5));
   const Quad before = energy(as<Quad>(start), g.as<Quad>()), after = energy(exact, g.as<Quad>());
   EXPECT_LT(abs(Quad(after / before - 1)), Quad(1e-17));
-  // A quarter of a day is some forty steps; each rounds the state.
+  // A quarter of a day takes some forty steps; each has a rounding error of the state.
   EXPECT_NEAR(energy(c.x, g) / energy(start, g), 1, 40 * eps);
 }
 
-// The sum of J_k that are 0 is left out, and a field without any is the point mass of the kernels.
+// Terms with J_k = 0 are skipped; a field without terms is the point mass of the kernels.
 TEST(Zonal, TermsThatAreZeroCostNothingAndChangeNothing) {
   EXPECT_EQ(earth().degree(), 0);
   EXPECT_EQ(earth(3).degree(), 3);

@@ -36,10 +36,10 @@ TEST_F(KinsolSolver, FindRootsDenseAndSparse) {
     const Report report = find_root(method, dense, x);
     ASSERT_TRUE(report.status.ok()) << report.status.text();
     EXPECT_LE((x - vector({far, 1 / far})).norm(),
-              1.5e-10);  // tolerance on the greatest of two, |B^-1| = 0.6
+              1.5e-10);  // tolerance on the larger of two residuals, |B^-1| = 0.6
     EXPECT_EQ(report.first, std::hypot(1, 1));
     EXPECT_LE(report.last, 1.5e-10);
-    EXPECT_EQ(report.statistics.steps, report.statistics.jacobians);  // exact Newton
+    EXPECT_EQ(report.statistics.steps, report.statistics.jacobians);  // exact Newton iteration
     ASSERT_TRUE(find_root(method, sparse, y).status.ok());
     EXPECT_EQ(x, y);
   }

@@ -1,4 +1,4 @@
-// A build without the libraries: the peers are known by name, and say that they are absent.
+// A build without the libraries: the peers are known by name and reported as absent.
 #include <gtest/gtest.h>
 
 #include "nlmech/peers/ivp/gsl/gsl.hpp"

@@ -1,5 +1,5 @@
-// What libraries do wrong in silence is a status here. Each test ran into the fault that it names before the
-// walk of the peers watched for it. What they owe as our own methods do: tests/ivp/every_integrator_test.cpp.
+// Silent failures of libraries that are reported as a status here; each test failed without the corresponding
+// check. Requirements on all methods: tests/ivp/every_integrator_test.cpp.
 #include "nlmech/problems/texts.hpp"
 #include "tests/ivp/integrators.hpp"
 
@@ -15,7 +15,7 @@ INSTANTIATE_TEST_SUITE_P(All, EveryPeer,
                          })),
                          ivp::testing::label_of);
 
-// x' = 1, with a gap of 2e-9 around 0.3 without a number, which steps pass over.
+// x' = 1, with NaN in an interval of 2e-9 around 0.3, which steps pass over.
 struct NoNumberAtOnePlace {
   static constexpr int dimension = 1;
   template <class T>
@@ -24,7 +24,7 @@ struct NoNumberAtOnePlace {
   }
 };
 
-// Dense output by shorter steps does not get there: the run fails, and hands out no state in place of it.
+// Dense output by shorter steps fails: the integration fails and returns no state there.
 TEST_P(EveryPeer, FailsWhereDenseOutputHasNoState) {
   double found = 0;
   const auto look = [&](const ivp::Step& step) {
@@ -43,7 +43,7 @@ TEST_P(EveryPeer, FailsWhereDenseOutputHasNoState) {
   EXPECT_EQ(solution.status.ok(), !by_steps) << solution.status.text();
 }
 
-// A right-hand side that is finite, and its Jacobian that is not.
+// A finite right-hand side with a Jacobian that is not finite.
 struct NoJacobian {
   static constexpr int dimension = 1;
   void operator()(double /*t*/, const Vector<double, 1>& x, Vector<double, 1>& dxdt) const {
@@ -71,8 +71,8 @@ TEST_P(EveryPeer, TakesAToleranceBelowDoublePrecision) {
   EXPECT_TRUE(solution.x.allFinite());
 }
 
-// What a problem says of its solutions holds for peers as for our own methods: under a tolerance far above y2
-// the multistep codes let it become negative; the solution then runs away.
+// Declared bounds are checked for peers as well: with a tolerance far above y2 the multistep codes let y2
+// become negative, and the solution then grows without bound.
 TEST(Peers, RobertsonDoesNotRunAway) {
   const problems::TextProblem robertson("robertson");
   int refused = 0;

@@ -1,4 +1,4 @@
-// GSL ends the program at an error, unless it is told otherwise; the peers tell it, and take it back.
+// GSL ends the program at an error by default; the peers switch its error handler off and restore it.
 #include <gtest/gtest.h>
 
 #include <gsl/gsl_errno.h>
@@ -11,8 +11,8 @@ namespace {
 
 void handler(const char* /*reason*/, const char* /*file*/, int /*line*/, int /*code*/) {}
 
-// x' = k x has a Newton matrix 1 - c h k, which is 0 for one k. bsimp's first is 1 - h k/2, and from 0 the
-// first step is 1e-6. GSL's error handler would end the program; without it bsimp makes 1e301 out of nothing.
+// x' = k x has the Newton matrix 1 - c h k, which is 0 for one k. For bsimp's first step, 1e-6 from 0, it is
+// 1 - h k/2. GSL's error handler would end the program; without it bsimp returns 1e301.
 TEST(SingularMatrix, IsNotTakenForASolvedStep) {
   for (const std::string& name : peer_names()) {
     // rosenbrock4 has 4/h - k.

@@ -1,4 +1,4 @@
-/// Libraries as their manuals run them, for benchmarks: they integrate the same equations to the same end.
+/// Libraries called as in their manuals, for benchmarks: they reach the same end state of the same equations.
 #include "nlmech/peers/ivp/native.hpp"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@
 namespace nlmech::peers::native_test {
 namespace {
 
-/// As far apart as two orders of the same sums may round: some eps of the terms, which are below 30.
+/// Largest difference of two orders of summation: some eps of the terms, which are below 30.
 template <class Problem, class Plain>
 void expect_same(const Plain& plain, const Problem& problem) {
   std::mt19937_64 engine(1);
@@ -61,8 +61,8 @@ int duffing_jacobian(double /*t*/, const double* x, double* dfdx, double* dfdt, 
   return 0;
 }
 
-/// After a period the oscillator is where it began. Ten digits are asked for, seven expected: errors of some
-/// steps add up.
+/// After a period the oscillator returns to its start. Ten digits are requested, seven expected, because the
+/// errors of the steps add up.
 constexpr double tolerance = 1e-10, expected = 1e-7;
 double period() { return problems::Duffing{}.period(1.0); }
 
@@ -94,8 +94,7 @@ TEST(Native, CvodeBringsTheOscillatorBack) {
     });
 }
 
-/// A matrix that is not symmetric, so that rows taken for columns would show: Newton's iteration would not
-/// converge.
+/// An unsymmetric matrix: with rows and columns exchanged Newton's iteration would not converge.
 TEST(Native, CvodeGetsItsMatrixByColumns) {
   if (!cvode_available()) GTEST_SKIP() << "this build has no CVODE";
   const NativeEquations stiff = {2,
@@ -126,7 +125,8 @@ TEST(Native, OdeintBringsTheOscillatorBack) {
   EXPECT_FALSE(odeint_natively({Odeint::Formula::rosenbrock4}, plain, 0, 1, x));
 }
 
-// ------------------------------------------------------------ the inlined Odeint is the same Odeint
+// ------------------------------------------------------------ the inlined Odeint equals the registered
+// Odeint
 
 OdeintDirect inlined(Odeint::Formula formula) {
   OdeintDirect method;
@@ -145,7 +145,7 @@ TEST(OdeintDirect, TakesTheSameSteps) {
       ASSERT_TRUE(a.status.ok() && b.status.ok()) << method.name();
       EXPECT_EQ(a.statistics.steps, b.statistics.steps) << method.name();
       EXPECT_EQ(a.statistics.right_hand_sides, b.statistics.right_hand_sides) << method.name();
-      // Compiled separately: rounding may differ, a thousandth of the tolerance at most.
+      // Compiled separately: rounding may differ, by at most a thousandth of the tolerance.
       EXPECT_LT((a.x - b.x).lpNorm<Eigen::Infinity>(), 1e-12) << method.name();
     }
   }

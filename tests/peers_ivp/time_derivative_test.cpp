@@ -1,4 +1,4 @@
-// The derivative by the time, which implicit formulas of peers ask for.
+// The derivative with respect to time, for implicit formulas of peers.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -48,7 +48,7 @@ TEST(TimeDerivative, IsADifferenceForProblemsInDouble) {
     // h^2/6 for h = 6e-6 max(1, |t|), and 2 eps |f|/h for its rounding.
     EXPECT_NEAR(dfdt[1], -std::sin(t), t == 50 ? 2e-8 : 3e-10);
   }
-  // At the ends of a segment it stays inside: one-sided, h/2 max |d2f/dt2|.
+  // At the ends of a segment the difference stays inside: one-sided, h/2 max |d2f/dt2|.
   equations.enter(1, 2);
   for (const double t : {1.0, 2.0}) {
     equations.time_derivative(t, x.data(), dfdt.data());

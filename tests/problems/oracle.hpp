@@ -1,6 +1,6 @@
 /// @file
-/// What the tests of the problems judge by: closed forms and a Runge-Kutta method of a library, neither of
-/// which shares anything with the Taylor series of the references.
+/// References for the tests of the problems: closed forms and a Runge-Kutta method of Boost, independent of
+/// the Taylor series of the reference solutions.
 #pragma once
 
 #include <boost/math/special_functions/ellint_1.hpp>
@@ -22,8 +22,8 @@ using nlmech::tests::between;
 using nlmech::tests::epsilon;
 using nlmech::tests::Real;
 
-/// Position and velocity of the free oscillator that stands at its amplitude X at the time 0, by Boost's
-/// Jacobi functions in 50 digits: X cn(omega t), -X omega sn dn.
+/// Position and velocity of the free oscillator released at its amplitude X at time 0, by Boost's Jacobi
+/// functions in 50 digits: X cn(omega t), -X omega sn dn.
 inline Vector<Real, 2> free_oscillation(const Duffing& problem, const Real& amplitude, const Real& t) {
   const Real omega = sqrt(Real(problem.natural_frequency) * problem.natural_frequency +
                           problem.hardening * amplitude * amplitude);
@@ -33,7 +33,7 @@ inline Vector<Real, 2> free_oscillation(const Duffing& problem, const Real& ampl
   return {amplitude * cn, -amplitude * omega * sn * dn};
 }
 
-/// The state at time @p t1 by Odeint's Runge-Kutta-Fehlberg method of order 8 in T with local errors of
+/// The state at time @p t1 by Odeint's Runge-Kutta-Fehlberg method of order 8 in T with a local tolerance of
 /// @p tolerance.
 template <class T, class Problem>
 Vector<T, Problem::dimension> by_odeint(const Problem& problem, const Vector<T, Problem::dimension>& x0,
@@ -98,7 +98,7 @@ Vector<Real, n> reference_state(const std::string& problem, const std::string& p
   return x;
 }
 
-/// Greatest difference of two states.
+/// Largest difference of two states.
 template <class A, class B>
 double distance(const A& a, const B& b) {
   double greatest = 0;

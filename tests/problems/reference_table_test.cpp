@@ -1,5 +1,5 @@
-/// The tables of reference states are judged themselves: by closed forms, by a method of a library, and by
-/// extrapolation of the midpoint rule in 62 digits.
+/// The tables of reference states against closed forms, a Runge-Kutta method of Boost, and extrapolation of
+/// the midpoint rule in 62 digits.
 #include <gtest/gtest.h>
 #include <boost/math/special_functions/ellint_1.hpp>
 
@@ -34,7 +34,7 @@ TEST(ReferenceTable, HasThirtyDigitsInEveryRow) {
   }
 }
 
-/// A number of the table as tools/oracles/rbf_ivp_ends.py has it.
+/// A number of the table, computed by tools/oracles/rbf_ivp_ends.py.
 struct Known {
   const char *problem, *t, *state, *digits, *parameters = "";
 };
@@ -66,7 +66,7 @@ const Known known[] = {
     {"three-dof", "200", "v2", "-0.1639274778294406028186595358216047758829", "as doubles"},
     {"three-dof", "200", "v3", "-0.2083204784161271014782796039371228087290", "as doubles"}};
 
-// Every digit: the difference is at most one unit of the last one, which may have been rounded or cut.
+// The difference is at most one unit of the last digit, which may be rounded or truncated.
 TEST(ReferenceTable, HasTheKnownDigits) {
   for (const Known& row : known) {
     const std::string digits = row.digits;
@@ -88,14 +88,14 @@ TEST(ReferenceTable, FreeOscillationIsAJacobiFunction) {
       1e-49);
 }
 
-// After the impact the oscillator is free: from the state at t = 1 the amplitude, by Boost's elliptic
-// integral the phase, and from these the states at 499 and 500.
+// After the impact the oscillator is free: the state at t = 1 gives the amplitude and, by Boost's elliptic
+// integral, the phase; these give the states at 499 and 500.
 TEST(ReferenceTable, ImpactLeavesAJacobiFunction) {
   const Duffing free;
   const Vector<Real, 2> at_one = reference_state<2>("impact", "", "1");
   const Real amplitude = free.amplitude(at_one), omega = free.argument_frequency(amplitude);
   const Real modulus = sqrt(free.elliptic_parameter(amplitude));
-  // Still rising at t = 1: the last quarter before the peak.
+  // The position still increases at t = 1: the last quarter period before the maximum.
   const Real phase = -Real(boost::math::ellint_1(modulus, Real(acos(at_one[0] / amplitude))));
   for (const char* t : {"499", "500"}) {
     const Real since_peak = Real(t) - 1 + phase / omega;
@@ -106,7 +106,7 @@ TEST(ReferenceTable, ImpactLeavesAJacobiFunction) {
   EXPECT_LT(abs(reference("impact", "", "1", "energy") - free.energy(at_one)), 1e-49);
 }
 
-/// Distance of a state of the table to that by Odeint in long double.
+/// Distance of a state of the table from that of Odeint in long double.
 template <int n, class Problem>
 double miss(const Problem& problem, const std::string& parameters, const std::string& t,
             long double tolerance) {
@@ -115,8 +115,8 @@ double miss(const Problem& problem, const std::string& parameters, const std::st
                   by_odeint<long double, Problem>(problem, x0, 0, std::stold(t), tolerance));
 }
 
-// Runge-Kutta-Fehlberg, an error of `tolerance` a step: over some hundred steps, with errors that grow
-// tenfold at most.
+// Runge-Kutta-Fehlberg with an error of `tolerance` a step, over some hundred steps; errors grow at most
+// tenfold.
 TEST(ReferenceTable, AgreesWithARungeKuttaMethod) {
   EXPECT_LT(miss<2>(TextProblem("impact"), "", "0.5", 1e-18L), 1e-17);
   const Vector<long double, Eigen::Dynamic> half =
@@ -132,8 +132,8 @@ TEST(ReferenceTable, AgreesWithARungeKuttaMethod) {
 }
 
 // The Test Set for Initial Value Problem Solvers (Bari) gives y1(2), y2(2) of the same equation in the time
-// t/mu for mu = 1000, so x = y1 and v = y2/mu; all its digits but the last two, which rounding may have
-// taken. No row of the table reaches so far, but the series in long double that judges the chapter does.
+// t/mu for mu = 1000, so x = y1 and v = y2/mu; its last two digits may be affected by rounding. The table
+// does not contain this time; the tested series in long double is the reference of the chapter.
 TEST(ReferenceStates, AgreeWithThePublishedEndStateOfAStiffProblem) {
   const TextProblem problem("van-der-pol", {{"mu", 1000}});
   const long double end = 2000;
@@ -146,12 +146,12 @@ TEST(ReferenceStates, AgreeWithThePublishedEndStateOfAStiffProblem) {
   EXPECT_LT(std::abs(found[0][1] * 1000 + 0.8928097010247975L), 1e-13L);
 }
 
-// ---- tables/reference/problem_set.csv, the judge of chapter integrators, is judged itself: by closed forms,
-// by the digits of the test set of Bari, by another kind of method, and by other tables.
+// ---- tables/reference/problem_set.csv, the reference of chapter integrators, against closed forms, the
+// digits of the test set of Bari, another kind of method, and other tables.
 
 using namespace nlmech::chapters::integrators;
 
-/// The states of a problem by time, as they stand in the table.
+/// The states of a problem in the table, by time.
 std::map<double, std::vector<Real>> states_of(const std::string& problem) {
   std::ifstream in(NLMECH_SOURCE_DIR "/tables/reference/problem_set.csv");
   std::map<double, std::vector<Real>> states;
@@ -165,7 +165,7 @@ std::map<double, std::vector<Real>> states_of(const std::string& problem) {
   return states;
 }
 
-/// Of problem_set_conditions.csv.
+/// Condition number of a problem from problem_set_conditions.csv.
 double condition_of(const std::string& problem) {
   std::ifstream in(NLMECH_SOURCE_DIR "/tables/reference/problem_set_conditions.csv");
   std::string line;
@@ -178,7 +178,7 @@ double condition_of(const std::string& problem) {
   throw std::runtime_error("no condition of " + problem);
 }
 
-/// Greatest relative difference.
+/// Largest relative difference.
 double miss(const std::vector<Real>& a, const std::vector<Real>& b) {
   double worst = 0;
   for (std::size_t i = 0; i < a.size(); ++i)
@@ -198,8 +198,8 @@ TEST(ProblemSet, EachHasSixteenStates) {
   EXPECT_EQ(states_of("friction").size(), 16U);
 }
 
-// Newton's iteration for Kepler's equation in 50 digits, from the doubles that the problem begins with: these
-// make an ellipse whose size is not quite 1.
+// Kepler's equation by Newton's iteration in 50 digits, from the initial state in doubles: its ellipse has a
+// semi-major axis of not exactly 1.
 TEST(ProblemSet, KeplerMovesOnItsEllipse) {
   for (const double e : {0.1, 0.7, 0.99}) {
     const ivp::State x0 = TextProblem("kepler", {{"eccentricity", e}}).initial_state();
@@ -219,7 +219,7 @@ TEST(ProblemSet, KeplerMovesOnItsEllipse) {
   }
 }
 
-// Jacobi's functions; the phase at the end of 10 000 periods is 5e4, so that 50 digits leave 45.
+// Jacobi's functions in 50 digits: the phase after 10 000 periods is 5e4, which leaves 45 digits.
 TEST(ProblemSet, DuffingIsAJacobiFunction) {
   const std::pair<const char*, double> hardenings[] = {
       {"duffing", 1}, {"duffing-1e6", 1e6}, {"duffing-10000", 1}};
@@ -231,8 +231,8 @@ TEST(ProblemSet, DuffingIsAJacobiFunction) {
   }
 }
 
-// The parameters of the test set are decimals and ours the doubles next to them: relative differences of up
-// to 2^-53, of which each of a handful counts; and the last digit printed.
+// The parameters of the test set are decimal numbers, those of the table their nearest doubles: a handful of
+// relative differences of up to 2^-53, and the last printed digit.
 TEST(ProblemSet, EndsAsTheTestSetSays) {
   const std::pair<const char*, const char*> names[] = {
       {"pleiades", "Pleiades"}, {"pollution", "Pollution"}, {"hires", "HIRES"}, {"robertson", "Robertson"}};
@@ -246,9 +246,9 @@ TEST(ProblemSet, EndsAsTheTestSetSays) {
   }
 }
 
-// A period after its start the satellite is where it was, as far as the doubles of its start, of the period
-// and of the moon's mass say. There, beside the moon, errors are some ten times those of the median over the
-// judged times.
+// After a period the satellite returns to its initial state, within the rounding of the initial state, the
+// period and the mass of the moon to doubles. Close to the moon errors are some ten times those of the median
+// over the compared times.
 TEST(ProblemSet, ArenstorfsOrbitCloses) {
   const std::vector<Real> end = states_of("arenstorf").rbegin()->second;
   const double bound = 40 * condition_of("arenstorf") * 0x1p-53;
@@ -257,7 +257,7 @@ TEST(ProblemSet, ArenstorfsOrbitCloses) {
     EXPECT_NEAR(static_cast<double>(end[static_cast<std::size_t>(i)]), begin[i], bound) << i;
 }
 
-// Van der Pol by collocation, against Taylor series in 60 digits; the pendulum against a series in long
+// Van der Pol by collocation against Taylor series in 60 digits; the pendulum against a series in long
 // double.
 TEST(ProblemSet, CollocationAgreesWithTaylorSeries) {
   const std::vector<Real> end = states_of("van-der-pol-1000").rbegin()->second;
@@ -272,7 +272,7 @@ TEST(ProblemSet, CollocationAgreesWithTaylorSeries) {
   const Vector<long double, Eigen::Dynamic> x0 = pendulum.initial_state().cast<long double>();
   ASSERT_TRUE(reference_states(pendulum, x0, 0.0L, std::span<const long double>(times), found).ok());
   for (std::size_t k = 0; const auto& state : states) {
-    // 12 000 steps of long double, relative to the greatest component.
+    // 12 000 steps in long double; errors relative to the largest component.
     for (int i = 0; i < 4; ++i)
       EXPECT_NEAR(static_cast<double>(found[k][i] -
                                       static_cast<long double>(state.second[static_cast<std::size_t>(i)])),
@@ -281,7 +281,7 @@ TEST(ProblemSet, CollocationAgreesWithTaylorSeries) {
   }
 }
 
-// The same equation in Runge-Kutta-Fehlberg steps of long double.
+// The same equations by Runge-Kutta-Fehlberg steps in long double.
 TEST(ProblemSet, TaylorSeriesAgreeWithARungeKuttaMethod) {
   const auto check = [](const char* name) {
     const TextProblem problem(name);
@@ -289,7 +289,7 @@ TEST(ProblemSet, TaylorSeriesAgreeWithARungeKuttaMethod) {
     const auto found =
         by_odeint<long double, TextProblem>(problem, x0, problem.initial_time, problem.final_time, 1e-18L);
     const std::vector<Real> x = states_of(name).rbegin()->second;
-    // An error of 1e-18 in each of some thousand steps, multiplied by the condition.
+    // An error of 1e-18 in each of some thousand steps, times the condition number.
     for (int i = 0; i < problem.size(); ++i)
       EXPECT_NEAR(static_cast<double>(found[i] / static_cast<long double>(x[static_cast<std::size_t>(i)])), 1,
                   1e-14 * condition_of(name))

@@ -19,7 +19,7 @@ ReferenceTrajectory<Long, Problem> trajectory(const Problem& problem, double t1,
   return {problem, problem.initial_state().template cast<Long>(), 0, t1, options};
 }
 
-// In 50 digits against the Jacobi function: everything but rounding cancels, some hundred steps of it.
+// In 50 digits against the Jacobi function: rounding errors of some hundred steps only.
 TEST(ReferenceStates, OfTheFreeOscillatorInFiftyDigits) {
   const Duffing problem{.natural_frequency = 1.25, .hardening = 3};
   const std::vector<Real> times = {0, 0.125, 1, Real(10) / 3, 10};
@@ -32,9 +32,9 @@ TEST(ReferenceStates, OfTheFreeOscillatorInFiftyDigits) {
     EXPECT_LT(distance(states[i], free_oscillation(problem, 1, times[i])), 1e-46) << times[i];
 }
 
-// In long double to t = 500. Every one of N = 3800 steps of h = 0.13 rounds its increment h x' by eps, one
-// way or the other; an error at time s shifts the phase by up to |d omega/dX| (500 - s) < 300 times itself:
-// 300 sqrt(N) h eps = 2.6e-16.
+// In long double to t = 500. Each of N = 3800 steps of h = 0.13 has a random rounding error of its increment
+// h x' of eps; an error at time s shifts the phase by up to |d omega/dX| (500 - s) < 300 times itself: 300
+// sqrt(N) h eps = 2.6e-16.
 TEST(ReferenceTrajectory, FollowsTheJacobiFunctionForAHundredPeriods) {
   const auto solution = trajectory(TextProblem("duffing"), 500);
   ASSERT_TRUE(solution.status().ok()) << solution.status().text();
@@ -42,8 +42,8 @@ TEST(ReferenceTrajectory, FollowsTheJacobiFunctionForAHundredPeriods) {
     EXPECT_LT(distance(solution(t), free_oscillation(Duffing{}, 1, t)), 2.6e-16) << t;
 }
 
-// The same estimate by the table: the impact leaves an orbit of half the amplitude (h = 0.2, N = 2500, phase
-// 150); the three masses are 500 steps of a damped system, whose errors do not grow beyond 10 times.
+// The same estimate for the table: after the impact the orbit has half the amplitude (h = 0.2, N = 2500,
+// phase 150); the three masses are a damped system in 500 steps, whose errors grow at most tenfold.
 TEST(ReferenceTrajectory, EndsAtTheStatesOfTheTable) {
   const auto impact = trajectory(TextProblem("impact"), 500);
   for (const char* t : {"0.5", "1", "499", "500"})
@@ -54,8 +54,9 @@ TEST(ReferenceTrajectory, EndsAtTheStatesOfTheTable) {
             10 * 23 * long_epsilon);
 }
 
-// Parameters rounded to double are another problem: its load is out of step by 200 eps in the end, and the
-// resonant chain answers with some 5e-15. A double-precision method must be judged by that solution.
+// Parameters rounded to double define another problem: the phase of its load differs by 200 eps in the end,
+// and the state of the resonant chain by some 5e-15. A double-precision method must be compared with the
+// solution of the rounded problem.
 TEST(ReferenceTrajectory, TellsRoundedParametersFromExactOnes) {
   const double shift = distance(reference_state<6>("three-dof", "as doubles", "200"),
                                 reference_state<6>("three-dof", "", "200"));
@@ -65,7 +66,7 @@ TEST(ReferenceTrajectory, TellsRoundedParametersFromExactOnes) {
 
 RC_GTEST_PROP(ReferenceTrajectory, IsSmoothAcrossItsSteps, ()) {
   static const auto solution = trajectory(TextProblem("duffing"), 50);
-  // Two nearby times may lie in two series: they differ by f dt and the rounding of the first.
+  // Two close times may lie in different steps: the states differ by f dt and the rounding of the first.
   const Long t = *between(0, 49.9), dt = 1e-12L;
   Vector<Long, Eigen::Dynamic> slope(2);
   static const TextProblem duffing("duffing");
@@ -81,7 +82,7 @@ TEST(ReferenceTrajectory, DoesNotDependOnOrderAndStep) {
     ASSERT_TRUE(chosen.status().ok());
     EXPECT_LT(distance(chosen(20), reference_state<2>("van-der-pol", "mu=10", "20")), 1e-17) << order;
   }
-  // With a loose tolerance it takes fewer steps, and is as loose.
+  // A larger tolerance gives fewer steps and a larger error.
   const auto loose = trajectory(TextProblem("duffing"), 20, {.order = 12, .tolerance = 1e-8});
   EXPECT_LT(loose.steps(), trajectory(TextProblem("duffing"), 20).steps());
   const double error = distance(loose(20), free_oscillation(Duffing{}, 1, 20));
@@ -90,7 +91,7 @@ TEST(ReferenceTrajectory, DoesNotDependOnOrderAndStep) {
 }
 
 TEST(ReferenceTrajectory, StopsAtAnnouncedTimes) {
-  // Force and state at 1/2 and 1 are those of the table only if no series reaches across a corner.
+  // The states at 1/2 and 1 equal those of the table only if no series crosses a corner of the force.
   const std::vector<Long> times = {0.5L, 1};
   std::vector<Vector<Long, Eigen::Dynamic>> states;
   const Vector<Long, Eigen::Dynamic> rest = Vector<Long, Eigen::Dynamic>::Zero(2);
@@ -110,11 +111,11 @@ TEST(ReferenceTrajectory, OfNoLengthIsItsStart) {
 TEST(ReferenceTrajectory, SumsAreCompensated) {
   Vector<double, 1> sum(1.0), carry(0.0);
   for (int i = 0; i < 1000; ++i) detail::add_compensated(sum, carry, Vector<double, 1>(epsilon / 8));
-  EXPECT_EQ(sum[0], 1 + 125 * epsilon);  // plainly added, the sum would still be 1
+  EXPECT_EQ(sum[0], 1 + 125 * epsilon);  // without compensation the sum would still be 1
   EXPECT_EQ(carry[0], 0);
 }
 
-// Sums of a million such steps are exact if their exponents lie within 53 - 8 - 20 of each other.
+// Sums of a million such step sizes are exact if their exponents differ by at most 53 - 8 - 20.
 RC_GTEST_PROP(ReferenceTrajectory, StepsAreShortBinaryNumbers, ()) {
   const double log2 = *between(-40, 10), step = detail::short_step<double>(log2);
   RC_ASSERT(step <= std::exp2(log2) && step > std::exp2(log2) * (1 - 1.0 / 256));
@@ -122,7 +123,7 @@ RC_GTEST_PROP(ReferenceTrajectory, StepsAreShortBinaryNumbers, ()) {
   RC_ASSERT(scaled == std::floor(scaled));
 }
 
-/// x' = 3 t^2: its solution is a polynomial, which any step gets right.
+/// x' = 3 t^2: its solution is a polynomial, exact for every step size.
 struct Cubic {
   static constexpr int dimension = 1;
   template <class T>
@@ -144,12 +145,12 @@ TEST(ReferenceTrajectory, SaysWhereASolutionEnds) {
   EXPECT_LE(solution.end(), 0.5L + 8 * long_epsilon);
   EXPECT_GE(solution.end(), 0.5L - 1e-15L);
   EXPECT_LT(solution.steps(), 2000U);
-  // y(0.49) = 1/sqrt(1 - 0.98), whose condition is 0.98/0.04 = 25.
+  // y(0.49) = 1/sqrt(1 - 0.98) has the condition number 0.98/0.04 = 25.
   EXPECT_NEAR(static_cast<double>(solution(0.49L)[0] / std::sqrt(50.0L) - 1), 0, 100 * 0x1p-53);
   EXPECT_THROW((void)solution(0.75L), std::invalid_argument);
 }
 
-/// x' = sqrt(1 - t): not a number beyond t = 1.
+/// x' = sqrt(1 - t), which is NaN for t > 1.
 struct Root {
   static constexpr int dimension = 1;
   template <class T>
@@ -165,7 +166,8 @@ TEST(ReferenceTrajectory, ReportsWhatIsNotANumber) {
   EXPECT_EQ(beyond.end(), 1.5);
   const ReferenceTrajectory<double, Root> up_to(Root{}, Vector<double, 1>(0.0), 0, 3);
   EXPECT_FALSE(up_to.status().ok());
-  // Within eps^(2/3) = 4e-11 of its end the solution's (1 - t)^(3/2) is below rounding, and so is its end.
+  // Within eps^(2/3) = 4e-11 of t = 1 the term (1 - t)^(3/2) of the solution is below rounding, hence also
+  // the end of the trajectory.
   EXPECT_NEAR(up_to.end(), 1, 1e-10);
 }
 

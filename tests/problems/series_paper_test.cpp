@@ -13,7 +13,7 @@ using Real = ExtendedReal<50>;
 Vector<double, Eigen::Dynamic> end(const TextProblem& problem, double end) {
   std::vector<Vector<Real, Eigen::Dynamic>> states;
   const std::vector<Real> times = {end};
-  // 25 digits are enough for sixteen, with ten lost in 50 units of time of a chaotic motion.
+  // 25 digits suffice for a result of sixteen: a chaotic motion of 50 units of time loses ten.
   const ReferenceOptions options{.order = 40, .tolerance = 1e-32};
   const Vector<Real, Eigen::Dynamic> x0 = problem.initial_state().cast<Real>();
   const Status status =
@@ -68,8 +68,8 @@ TEST(SeriesPaper, WithoutWindTheProjectileStaysInItsPlane) {
   EXPECT_EQ(x[4], 0);
 }
 
-// The initial velocities -0.00125 and 0.0005 are taken as doubles: 1e-19 beside the decimals, which the
-// encounters before t = 1000 do not enlarge beyond the last digit. Momentum and energy are kept.
+// The initial velocities -0.00125 and 0.0005 as doubles differ by 1e-19 from the decimals; the encounters
+// before t = 1000 do not amplify this beyond the last digit. Momentum and energy are conserved.
 TEST(SeriesPaper, FourBodiesKeepMomentumAndEnergy) {
   const TextProblem bodies("bodies");
   const ReferenceTrajectory<long double, TextProblem> path(bodies, bodies.initial_state().cast<long double>(),
@@ -82,7 +82,8 @@ TEST(SeriesPaper, FourBodiesKeepMomentumAndEnergy) {
   for (int i = 0; i < 4; ++i) EXPECT_LT(abs(after[i] - before[i]), 1e-17) << i;
   // oracle: algebraic_series_motions bodies *
   const auto x = path(3000);
-  // Double's 1e-16 grows by the encounters to t = 3000 to about 1e-12 (sensitivity of the reference).
+  // The rounding of doubles, 1e-16, is amplified by the encounters to about 1e-12 at t = 3000 (sensitivity of
+  // the reference).
   const double body4[] = {-0.2510470313435667, 3.071464269641001, 0.9195961609759894};
   const double body1[] = {1.882222659858648, 2.142167279707004, 0.1432282180354737};
   for (int c = 0; c < 3; ++c) {
@@ -91,7 +92,7 @@ TEST(SeriesPaper, FourBodiesKeepMomentumAndEnergy) {
   }
 }
 
-// By hand: two bodies at distance 2 pull with G m/4.
+// By hand: two bodies at distance 2 attract each other with G m/4.
 TEST(SeriesPaper, TwoBodiesByHand) {
   const TextProblem pair("bodies", {{"gravity", 8}, {"m1", 1}, {"m2", 3}, {"m3", 0}, {"m4", 0}});
   Vector<double, Eigen::Dynamic> x = pair.initial_state(), f(24);

@@ -1,4 +1,4 @@
-/// What problems say of themselves: the equation as text, bounds, conserved sums, closed forms.
+/// Statements of the problems: the equation as text, bounds, conserved quantities, closed forms.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -26,25 +26,24 @@ RC_GTEST_PROP(Texts, SumsOfConcentrationsAreConserved, ()) {
   std::vector<double> x(3), y(8);
   for (double& component : x) component = *between(-1, 1);
   for (double& component : y) component = *between(-1, 1);
-  // Terms up to k3 = 3e7, and to k_plus; a handful of roundings.
+  // Terms up to k3 = 3e7 or k_plus; a handful of rounding errors.
   RC_ASSERT(Text("robertson").drift(x) <= 8 * 3e7 * epsilon);
   RC_ASSERT(Text("hires", {{"k_plus", *between(0, 1e4)}}).drift(y) <= 8 * 1e4 * epsilon);
 }
 
-/// A place of the plane at a distance from the origin of 0.5 to 2.
+/// A point of the plane at a distance of 0.5 to 2 from the origin.
 Vector<double, 2> place() {
   const double angle = *between(0, 6.28), distance = *between(0.5, 2);
   return {distance * std::cos(angle), distance * std::sin(angle)};
 }
 
-// Terms are products of velocities up to 2, accelerations up to 8 and their factors: below 64, some ten of
-// them.
+// Some ten terms, products of velocities up to 2, accelerations up to 8 and their factors: below 64.
 RC_GTEST_PROP(Texts, MotionsOfBodiesConserveWhatTheySay, ()) {
   const Vector<double, 2> q = place(), v = place();
   const Text kepler("kepler", {{"mu", *between(0.5, 2)}});
   RC_ASSERT(kepler.equations.conserved().size() == 2);
   RC_ASSERT(kepler.drift({q[0], q[1], v[0], v[1]}) <= 1000 * epsilon);
-  // Half a unit from the earth and a tenth from the moon at least: the cubes of distances above 1e-3.
+  // The distance is at least 0.5 from the earth and 0.1 from the moon: cubes of distances above 1e-3.
   const Text arenstorf("arenstorf", {{"moon", *between(0, 0.5)}});
   RC_ASSERT(arenstorf.equations.conserved().size() == 1);
   RC_ASSERT(arenstorf.drift({q[0], *between(0.5, 2), v[0], v[1]}) <= 1000 * epsilon);
@@ -55,11 +54,12 @@ RC_GTEST_PROP(Texts, StarsConserveMomentaAndEnergy, ()) {
   std::vector<double> x = stars.equations.initial_state("", "");
   for (double& component : x) component += *between(-0.4, 0.4);
   RC_ASSERT(stars.equations.conserved().size() == 4);
-  // Stars are 0.2 apart at least: masses of 7 at 1/0.04, times velocities and distances of 5, 42 pairs.
+  // The distance of two stars is at least 0.2: masses of 7 over 0.04, times velocities and distances of 5, 42
+  // pairs.
   RC_ASSERT(stars.drift(x) <= 1e6 * epsilon);
 }
 
-// Bodies are 0.7 apart at least, in units of G m = 1: attractions of 10, velocities of 1, 48 products.
+// The distance of two bodies is at least 0.7, with G m = 1: attractions of 10, velocities of 1, 48 products.
 RC_GTEST_PROP(Texts, BodiesConserveMomentumAndEnergy, ()) {
   Text bodies("bodies", {{"gravity", 1}, {"m1", *between(0.5, 2)}});
   std::vector<double> x = bodies.equations.initial_state("", "");
@@ -74,7 +74,7 @@ RC_GTEST_PROP(Texts, SulphurIsConserved, ()) {
   RC_ASSERT(Text("pollution").drift(y) == 0);
 }
 
-// The damper alone lessens the energy, at the rate c r'^2.
+// Only the damper changes the energy, at the rate -c r'^2.
 RC_GTEST_PROP(Texts, DamperTakesEnergyFromThePendulum, ()) {
   const double damping = *between(0, 10);
   Text pendulum("spring-pendulum", {{"stiffness", 100}, {"damping", damping}});
@@ -85,7 +85,7 @@ RC_GTEST_PROP(Texts, DamperTakesEnergyFromThePendulum, ()) {
   RC_ASSERT(std::abs(rate + damping * stretching * stretching) <= 1e4 * epsilon);
 }
 
-// Force and damper alone change the energy, at the rate (f cos w t - c x') x'; terms below 32, ten of them.
+// Only force and damper change the energy, at the rate (f cos w t - c x') x'; ten terms below 32.
 RC_GTEST_PROP(Texts, OscillatorsTurnPowerIntoEnergy, ()) {
   const double c = *between(0, 2), f = *between(-2, 2), w = *between(0, 2), t = *between(0, 10);
   const std::vector<double> x = {*between(-1, 1), *between(-1, 1)};
@@ -105,7 +105,7 @@ RC_GTEST_PROP(Texts, OscillatorsTurnPowerIntoEnergy, ()) {
   RC_ASSERT(std::abs(Text("two-dof", set).rate(energy, y, t) - both) <= 320 * epsilon);
 }
 
-// Along x' = x/(mu (1 - x^2)) there is no acceleration; elsewhere it is mu (1 - x^2) times the distance.
+// For x' = x/(mu (1 - x^2)) the acceleration is 0; otherwise it is mu (1 - x^2) times the difference of x'.
 RC_GTEST_PROP(Texts, VanDerPolsOscillatorCreeps, ()) {
   const double mu = *between(1, 100), x = *between(1.1, 2), creep = x / (mu * (1 - x * x)),
                away = *between(-1, 1);
@@ -116,7 +116,7 @@ RC_GTEST_PROP(Texts, VanDerPolsOscillatorCreeps, ()) {
   }
 }
 
-// Divergence of Lorenz's flow, -(sigma + 1 + b), and its rest at w = r - 1, u = v = sqrt(b (r - 1)).
+// Divergence of Lorenz's flow, -(sigma + 1 + b), and its equilibrium w = r - 1, u = v = sqrt(b (r - 1)).
 TEST(Texts, LorenzsFlowRestsAndShrinks) {
   const TextProblem lorenz("lorenz");
   const double side = std::sqrt(72.0);
@@ -129,7 +129,8 @@ TEST(Texts, LorenzsFlowRestsAndShrinks) {
   EXPECT_NEAR(j.trace(), -(10 + 1 + 8. / 3), 32 * epsilon);
 }
 
-// In circles: speed sqrt(mu/r) and period 2 pi sqrt(r^3/mu), so a quarter of it brings x to y.
+// Circular orbit: speed sqrt(mu/r) and period 2 pi sqrt(r^3/mu); after a quarter of it the position is on the
+// y axis.
 TEST(Texts, TwoBodiesGoInCircles) {
   const TextProblem circle("two-body", {{"mu", 1}});
   Vector<double, 3> a;
@@ -169,7 +170,7 @@ RC_GTEST_PROP(Texts, ChainsConserveTheirEnergy, ()) {
   RC_ASSERT(Text("duffing-chain", set).drift(x) <= 700 * epsilon);
 }
 
-// Where all masses are displaced alike, only the springs to the walls are stretched.
+// Equal displacements of all masses stretch only the springs to the walls.
 TEST(Texts, ChainPullsAtItsWalls) {
   Vector<double, Eigen::Dynamic> x = Vector<double, Eigen::Dynamic>::Constant(20, 0.5), f(20);
   TextProblem("duffing-chain")(0.0, x, f);
@@ -178,7 +179,7 @@ TEST(Texts, ChainPullsAtItsWalls) {
   EXPECT_EQ(f[19], f[10]);
 }
 
-/// Does the vector field point inwards wherever a component is at its lower bound?
+/// Does the vector field point inwards wherever a component equals its lower bound?
 bool points_inwards(const TextProblem& problem) {
   Vector<double, Eigen::Dynamic> lower, upper;
   if (!problem.bounds(lower, upper)) return false;
@@ -200,7 +201,7 @@ RC_GTEST_PROP(Texts, ConcentrationsStayPositive, ()) {
   RC_ASSERT(points_inwards(TextProblem("pollution", {{"light", *between(0, 2)}})));
 }
 
-// With them concentrations could become negative.
+// With negative rates concentrations could become negative.
 TEST(Texts, RefuseNegativeRates) {
   EXPECT_THROW(TextProblem("robertson", {{"k2", -1}}), InputError);
   EXPECT_THROW(TextProblem("hires", {{"k_plus", -1}}), InputError);
@@ -214,7 +215,7 @@ rc::Gen<Duffing> any_duffing() {
   });
 }
 
-// The closed form satisfies the equation: its second derivative by differences in 50 digits, h^2 f''''/12.
+// The closed form satisfies the equation: second derivative by differences in 50 digits, error h^2 f''''/12.
 RC_GTEST_PROP(DuffingEquation, IsSolvedByTheJacobiFunction, ()) {
   const Duffing problem{*between(0.5, 3), *between(0, 5)};
   const Real amplitude = *between(0.1, 2), t = *between(0, 10), h = 1e-12;
@@ -222,12 +223,12 @@ RC_GTEST_PROP(DuffingEquation, IsSolvedByTheJacobiFunction, ()) {
   const Real second = (x(t + h) - 2 * x(t) + x(t - h)) / (h * h);
   Vector<Real, 1> a;
   problem.text().acceleration(t, Vector<Real, 1>(x(t)), Vector<Real, 1>(Real(0)), a);
-  // The square of the frequency is rounded in the text. Greatest fourth derivative: (omega^2)^2 X with
-  // omega^2 = 9 + 5 * 4, times small factors.
+  // The text rounds the square of the frequency. Largest fourth derivative: (omega^2)^2 X with omega^2 = 9 +
+  // 5 * 4, times small factors.
   RC_ASSERT(abs(second - a[0]) <= Real(1e-24) * 29 * 29 * 2 * 20 + Real(9 * 2 * epsilon));
 }
 
-// dE/dt = grad E . f vanishes: the gradient by dual numbers, from the energy alone. The text says the same.
+// dE/dt = grad E . f is zero: gradient by dual numbers from the energy. The text declares the same invariant.
 RC_GTEST_PROP(DuffingEnergy, IsInvariant, ()) {
   const Duffing problem = *any_duffing();
   const ivp::State x{*between(-2, 2), *between(-2, 2)};
@@ -254,8 +255,8 @@ RC_GTEST_PROP(DuffingAmplitude, IsWhereTheOrbitTurns, ()) {
   RC_ASSERT(abs(problem.amplitude(Vector<Real, 2>(x, v)) - amplitude) < Real(1e-47));
 }
 
-// Against Boost's complete elliptic integral in 50 digits. A softening spring has an imaginary modulus: then
-// through K(m) = K(m/(m-1))/sqrt(1-m).
+// Against Boost's complete elliptic integral in 50 digits. A softening spring has an imaginary modulus: K(m)
+// = K(m/(m-1))/sqrt(1-m).
 RC_GTEST_PROP(DuffingPeriod, IsFourTimesTheQuarterPeriod, ()) {
   const Duffing problem{*between(0.5, 3), *between(-0.2, 5)};
   const double amplitude = *between(0.01, 1);
@@ -271,22 +272,22 @@ RC_GTEST_PROP(DuffingPeriod, IsFourTimesTheQuarterPeriod, ()) {
 
 TEST(DuffingPeriod, OfExtremeOscillators) {
   const double two_pi = 6.283185307179586477;
-  // Linear: exact. Very hard: 4 K(1/2)/sqrt(eta) with K(1/2) = Gamma(1/4)^2/(4 sqrt(pi)) = 1.854...
+  // Linear: exact. Very stiff: 4 K(1/2)/sqrt(eta) with K(1/2) = Gamma(1/4)^2/(4 sqrt(pi)) = 1.854...
   EXPECT_NEAR((Duffing{2, 0}.period(5.0)), two_pi / 2, 4 * epsilon * two_pi);
   EXPECT_NEAR((Duffing{0, 1e6}.period(1.0)), 4 * 1.8540746773013719184e-3, 4 * epsilon * 7.5e-3);
-  // Close to the separatrix w^2 + eta X^2 = 0 the period grows without bound; beyond it there is none.
+  // Near the separatrix w^2 + eta X^2 = 0 the period is unbounded; beyond it there is no period.
   EXPECT_GT((Duffing{1, -1}.period(1 - 1e-12)), 30);
   EXPECT_TRUE(std::isnan(Duffing{1, -1}.period(1.0)));
   EXPECT_TRUE(std::isnan(Duffing{1, -1}.period(2.0)));
   EXPECT_TRUE(std::isnan(Duffing{1, -1}.period(std::nan(""))));
-  // The Table 4.1 value 4.77 is 4.768 rounded up: P = 4.768022029...
+  // Table 4.1 prints 4.77, which is 4.768 rounded: P = 4.768022029...
   EXPECT_NEAR(Duffing{}.period(1.0), 4.768022029102461, 1e-14);
 }
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 double before(double t) { return std::nextafter(t, -infinity); }
 
-/// The oscillator under an impact; its acceleration at rest in the middle is the force.
+/// The oscillator under an impact; at rest at x = 0 its acceleration is the force.
 struct Impact {
   explicit Impact(const program::Settings& settings = {}) : text("impact", settings) {}
   template <class T>
@@ -298,7 +299,7 @@ struct Impact {
   TextProblem text;
 };
 
-// Eq. 4.24 with a (t1 - t) for the printed a (1 - t). The two differ once t1 is not 1: the corrected force is
+// Eq. 4.24 with a (t1 - t) instead of the printed a (1 - t). For t1 other than 1 the corrected force is
 // continuous and ends at 0, the printed one is neither.
 TEST(ImpactForce, IsATriangleForEveryDuration) {
   for (const double t1 : {1.0, 3.0, 0.25}) {
@@ -311,12 +312,13 @@ TEST(ImpactForce, IsATriangleForEveryDuration) {
     for (const double outside : {-1.0, before(0), 0.0, t1, t1 + 1, 1e300})
       EXPECT_EQ(problem.force(outside), 0);
   }
-  // An impact of three units: the printed branch jumps from +3 to -1 in its middle.
+  // An impact of duration 3: the printed force jumps from +3 to -1 at its middle.
   const Impact problem({{"slope", 2}, {"duration", 3}});
   const auto printed = [](double t) { return 2 * (1 - t); };
   EXPECT_NEAR(problem.force(before(1.5)) - problem.force(1.5), 0, 4 * epsilon * 3);
   EXPECT_EQ(problem.force(1.5) - printed(1.5), 4);
-  // Its momentum is the area of the triangle. Rectangles are exact for straight pieces; a rounding each.
+  // Its momentum is the area of the triangle. The midpoint rule is exact for linear pieces; a rounding error
+  // each.
   const auto momentum = [](const auto& force) {
     double sum = 0;
     for (int k = 0; k < 300; ++k) sum += force((k + 0.5) / 100) / 100;
@@ -364,7 +366,7 @@ TEST(ImpactDiscontinuities, LieStrictlyBetweenInTheDirectionOfTravel) {
   EXPECT_THROW(TextProblem("impact", {{"duration", -1}}), InputError);
 }
 
-// Between announced times the force is a polynomial, at each of them its slope jumps: found by looking.
+// Between announced times the force is a polynomial; at each of them its slope jumps.
 RC_GTEST_PROP(ImpactDiscontinuities, AreWhereTheSlopeOfTheForceJumps, ()) {
   const Impact problem({{"slope", *between(0.5, 3)}, {"duration", *between(0.1, 4)}});
   const auto slope = [&](double t) { return problem.force(Dual<double, 1>::variable(t, 0)).partial[0]; };
@@ -378,8 +380,8 @@ RC_GTEST_PROP(ImpactDiscontinuities, AreWhereTheSlopeOfTheForceJumps, ()) {
   }
 }
 
-// Its closed form satisfies y' = s y^3: its slope by dual numbers, from the closed form alone. Close to its
-// end the root of 1 - 2 s y0^2 t is ill-conditioned, hence up to 0.9 of the way.
+// The closed form satisfies y' = s y^3: slope by dual numbers from the closed form. Near the pole the root of
+// 1 - 2 s y0^2 t is ill-conditioned, so the test covers 0.9 of the interval.
 RC_GTEST_PROP(BlowUpEquation, IsSolvedByItsClosedForm, ()) {
   using D = Dual<double, 1>;
   const double s = *between(0.5, 2), y0 = *between(0.5, 2), t = *between(-1, 0.9) / (2 * s * y0 * y0);
@@ -389,8 +391,8 @@ RC_GTEST_PROP(BlowUpEquation, IsSolvedByItsClosedForm, ()) {
   RC_ASSERT(std::abs(f[0] - y.partial[0]) <= 128 * epsilon * std::abs(f[0]));
 }
 
-// ---- The equations of the three masses are judged by mechanics: power, momentum, and the published error of
-// a method that was run on them.
+// ---- The equations of the three masses against mechanics (power, momentum) and the published error of a
+// method.
 
 using program::Settings;
 
@@ -398,7 +400,7 @@ constexpr const char* energy =
     "m1/2*x1'^2 + m2/2*x2'^2 + m3/2*x3'^2 + k1/2*x1^2 + l1/4*x1^4 + k2/2*(x1 - x2)^2 + l2/4*(x1 - x2)^4 + "
     "k3/2*(x2 - x3)^2 + l3/4*(x2 - x3)^4 + k4/2*x3^2 + l4/4*x3^4";
 
-/// All seventeen parameters at random, masses away from 0.
+/// All seventeen parameters at random, masses not near 0.
 Settings random_chain() {
   Settings chain;
   for (const char* name : {"m1", "m2", "m3", "c1", "c2", "c3", "c4", "k1", "k2", "k3", "k4", "l1", "l2", "l3",
@@ -413,15 +415,15 @@ std::vector<double> random_state() {
   return x;
 }
 
-/// The power that load and dampers bring in.
+/// Power of the load and the dampers.
 double power(const Settings& chain, const std::vector<double>& x, double t) {
   const auto dissipated = [&chain](const char* c, double speed) { return chain.at(c) * speed * speed; };
   return chain.at("force") * std::cos(chain.at("frequency") * t) * x[4] - dissipated("c1", x[3]) -
          dissipated("c2", x[3] - x[4]) - dissipated("c3", x[4] - x[5]) - dissipated("c4", x[5]);
 }
 
-// Energy, load and dampers are independent statements of mechanics; each product is below 2 * 8, and some
-// sixty of them are summed.
+// Energy, load and dampers are independent statements of mechanics; some sixty products below 2 * 8 are
+// summed.
 RC_GTEST_PROP(ThreeMasses, TurnPowerIntoEnergy, ()) {
   const Settings chain = random_chain();
   const auto x = random_state();
@@ -429,7 +431,7 @@ RC_GTEST_PROP(ThreeMasses, TurnPowerIntoEnergy, ()) {
   RC_ASSERT(std::abs(Text("three-dof", chain).rate(energy, x, t) - power(chain, x, t)) <= 60 * 16 * epsilon);
 }
 
-// Each of the two misprints by itself, with the other damper left out.
+// Each of the two misprints alone, without the other damper.
 TEST(ThreeMasses, TurnPowerIntoEnergyWithEachDamper) {
   const std::vector<double> x = {0.3, -0.7, 0.5, 0.9, -0.4, 0.2};
   const auto expect = [&x](const char* id, double c1, double c2) {
@@ -447,7 +449,7 @@ TEST(ThreeMasses, TurnPowerIntoEnergyWithEachDamper) {
   expect("rbf_ivp-4.25-c2", 0, 0.8);
 }
 
-// Without walls and load, inner forces come in pairs: the momentum does not change. The printed equation
+// Without walls and load the inner forces cancel in pairs: the momentum is constant. The printed equation
 // changes it by c2 (x1' - x2').
 RC_GTEST_PROP(ThreeMasses, KeepTheirMomentumWithoutWalls, ()) {
   Settings chain = random_chain();
@@ -481,15 +483,14 @@ double rms_error_of_rk4(const program::Problem& problem) {
   return std::sqrt(sum / steps);
 }
 
-// The publication prints 4.6e-3. It was computed with the corrected equation: the printed one gives 6.1e-3.
-// Half a unit of the last printed digit.
+// The publication prints 4.6e-3, which the corrected equation gives; the printed equation gives 6.1e-3.
+// Tolerance: half a unit of the last printed digit.
 TEST(ThreeMasses, WereRunWithoutTheMisprint) {
   EXPECT_NEAR(rms_error_of_rk4(TextProblem("three-dof")), 4.6e-3, 0.05e-3);
   EXPECT_GT(rms_error_of_rk4(three_dof_as_printed()), 5.9e-3);
 }
 
-// A cubic term that is switched off is not formed: an infinite stretch of an element without one stays
-// linear.
+// A cubic term with coefficient zero is not evaluated: an infinite cube does not affect a linear element.
 TEST(ThreeMasses, FormNoCubicTermThatIsZero) {
   const auto first = [](const Settings& chain) {
     Vector<double, 3> a;

@@ -1,5 +1,5 @@
 /// @file
-/// A problem that is a text, and the rates of expressions along its solutions.
+/// A problem given as text, and the time derivatives of expressions along its solutions.
 #pragma once
 
 #include <algorithm>
@@ -14,12 +14,12 @@
 
 namespace nlmech::problems::tests {
 
-/// Equations of which a test asks what they conserve.
+/// Equations whose conserved quantities are tested.
 struct Text {
-  /// Of the library.
+  /// A problem of the library.
   explicit Text(std::string_view name, const program::Settings& settings = {})
       : Text({std::string(name), std::string(text_of(name))}, settings) {}
-  /// Of a test.
+  /// A problem of the test.
   explicit Text(const program::SourceText& source, const program::Settings& settings = {})
       : equations(source, settings) {}
 
@@ -27,7 +27,7 @@ struct Text {
     const auto all = problem_texts();
     return std::ranges::find(all, name, &ProblemText::name)->text;
   }
-  /// Derivatives by the time of expressions in the graph, at time 0 or @p t.
+  /// Time derivatives of the expressions @p of of the graph at the state @p x and the time @p t.
   [[nodiscard]] std::vector<double> rates(const std::vector<program::NodeId>& of,
                                           const std::vector<double>& x, double t = 0) const {
     program::Graph graph = equations.graph();
@@ -37,12 +37,12 @@ struct Text {
                 [&](int i, double value) { values[static_cast<std::size_t>(i)] = value; });
     return values;
   }
-  /// The derivative of an expression by the time.
+  /// Time derivative of an expression at the state @p x and the time @p t.
   [[nodiscard]] double rate(const std::string& expression, const std::vector<double>& x, double t = 0) {
     const program::NodeId node = equations.expression("expression", expression);
     return rates({node}, x, t)[0];
   }
-  /// Greatest rate of what is said to be conserved.
+  /// Largest absolute rate of the declared conserved quantities.
   [[nodiscard]] double drift(const std::vector<double>& x) const {
     double most = 0;
     for (const double rate : rates(equations.conserved(), x)) most = std::max(most, std::abs(rate));
@@ -52,8 +52,8 @@ struct Text {
   program::Equations equations;
 };
 
-/// Eq. 4.25 of Elgohary 2015 as it is printed: three-dof with c1 x1 for c1 x1', and c2 (x2' - x2') = 0 for
-/// c2 (x1' - x2') in the second equation.
+/// Eq. 4.25 of Elgohary 2015 as printed: three-dof with c1 x1 instead of c1 x1', and c2 (x2' - x2') = 0
+/// instead of c2 (x1' - x2') in the second equation.
 [[nodiscard]] inline program::SourceText three_dof_text_as_printed() {
   std::string text(Text::text_of("three-dof"));
   const auto replace = [&text](const std::string& what, const std::string& by) {
@@ -63,7 +63,7 @@ struct Text {
   replace("+ e2 - e3", "+ e2 - c2 (x1' - x2') - e3");
   return {"as printed", text};
 }
-/// The same as a problem.
+/// The equation as printed, as a problem.
 [[nodiscard]] inline program::Problem three_dof_as_printed() {
   return program::Problem(program::Equations(three_dof_text_as_printed()));
 }

@@ -1,4 +1,5 @@
-/// Dual numbers: every function against its derivative in closed form, in 50 digits; edges; Jacobians.
+/// Dual numbers: every function against its derivative in closed form, in 50 digits; limits of the domain;
+/// Jacobians.
 #include <gtest/gtest.h>
 #include <boost/math/constants/constants.hpp>
 #include <boost/math/special_functions/erf.hpp>
@@ -15,7 +16,7 @@ namespace {
 
 using D = Dual<double, 2>;
 
-/// A function of one variable: by dual numbers, its value and its derivative in 50 digits, and where to test.
+/// A function of one variable in dual numbers, its value and its derivative in 50 digits, and test points.
 struct Function {
   const char* name;
   D (*dual)(const D&);
@@ -24,7 +25,7 @@ struct Function {
   double low, high;
 };
 
-// The arithmetic in dual numbers is written through generic functions, so that scalar operands are used too.
+// Generic functions write the arithmetic, so that scalar operands are tested as well.
 const Function functions[] = {
     {"sqrt", [](const D& x) { return sqrt(x); }, [](const Real& x) { return Real(sqrt(x)); },
      [](const Real& x) { return Real(1 / (2 * sqrt(x))); }, 1e-3, 1e3},
@@ -80,8 +81,8 @@ const Function functions[] = {
 
 class DualFunction : public ::testing::TestWithParam<Function> {};
 
-// Eight units in the last place: a rule has at most three operations and two library functions of at most two
-// units each. Both partial derivatives follow, with the factors 3 and -0.5 of the argument's.
+// Eight units in the last place: a rule has at most three operations and two library functions with at most
+// two units each. Both partial derivatives, with the factors 3 and -0.5 of the argument.
 TEST_P(DualFunction, HasItsDerivative) {
   const Function& f = GetParam();
   for (int i = 0; i <= 1000; ++i) {
@@ -102,7 +103,7 @@ INSTANTIATE_TEST_SUITE_P(All, DualFunction, ::testing::ValuesIn(functions), [](c
   return name + "_" + std::to_string(tested.index);
 });
 
-// Rounding p - 1 turns the power by eps |p log x| beyond the eight units of the rule.
+// Rounding of p - 1 changes the power by eps |p log x|, in addition to the eight units of the rule.
 RC_GTEST_PROP(DualPower, HasBothPartialDerivatives, ()) {
   const double x = *between(0.05, 20), p = *between(-6, 6);
   const D base = D::variable(x, 0), exponent = D::variable(p, 1);
@@ -116,7 +117,7 @@ RC_GTEST_PROP(DualPower, HasBothPartialDerivatives, ()) {
   RC_ASSERT(abs(pow(base, exponent).partial[1] - by_exponent) <= tolerance * abs(by_exponent));
 }
 
-/// Random value and partial derivatives, away from 0 where it divides.
+/// Random value and partial derivatives; the value is a divisor, so it is not near 0.
 rc::Gen<D> any_dual() {
   return rc::gen::map(rc::gen::tuple(between(0.5, 2), between(-2, 2), between(-2, 2)), [](const auto& t) {
     D x = std::get<0>(t);
@@ -125,15 +126,15 @@ rc::Gen<D> any_dual() {
   });
 }
 
-/// Are two results equal but for @p units in the last place of the @p scale of their terms?
+/// Do two results differ by at most @p units in the last place of the @p scale of their terms?
 bool close(const D& a, const D& b, double scale, int units) {
   const double tolerance = units * epsilon * scale;
   return std::abs(a.value - b.value) <= tolerance && std::abs(a.partial[0] - b.partial[0]) <= tolerance &&
          std::abs(a.partial[1] - b.partial[1]) <= tolerance;
 }
 
-// Identities that no rule of differentiation is built from. Values and partial derivatives are at most 2, so
-// that the terms of a product of three stay below 3 * 8 and the quotients below 2^5.
+// Identities that no rule of differentiation uses. Values and partial derivatives are at most 2, so the terms
+// of a product of three stay below 3 * 8 and the quotients below 2^5.
 RC_GTEST_PROP(DualArithmetic, IsThatOfAField, ()) {
   const D a = *any_dual(), b = *any_dual(), c = *any_dual();
   RC_ASSERT(close(a * (b + c), a * b + a * c, 24, 8));
@@ -165,7 +166,7 @@ const double inf = std::numeric_limits<double>::infinity();
 
 TEST(DualEdges, AConstantFactorMeetsInfinityAsANumberDoes) {
   D x = D::variable(inf, 0);
-  // By the rule for two dual numbers this would be 2 * 1 + inf * 0 = NaN.
+  // The rule for two dual numbers would give 2 * 1 + inf * 0 = NaN.
   EXPECT_EQ((2.0 * x).partial[0], 2);
   EXPECT_EQ((x / 2.0).partial[0], 0.5);
   EXPECT_EQ((x + 1.0).partial[0], 1);
@@ -196,7 +197,7 @@ TEST(DualEdges, PowersAtZero) {
   EXPECT_EQ(pow(x, 2), D(0.0));
   EXPECT_EQ(pow(x, 1.5), D(0.0));
   EXPECT_EQ(pow(x, D::variable(2, 1)), D(0.0));
-  // As documented: products follow IEEE arithmetic.
+  // As documented, products follow IEEE arithmetic.
   EXPECT_TRUE(std::isnan((x * sqrt(x)).partial[0]));
 }
 
@@ -216,7 +217,7 @@ TEST(DualEdges, AbsoluteValueAtZeroIsDerivedFromTheRight) {
 }
 
 TEST(DualEdges, TanhKeepsItsSlopeWhereItIsAlmostOne) {
-  // Exact to the eight units of any rule, though tanh(25) is 1 in doubles; beyond cosh's range it is 0.
+  // Within eight units, although tanh(25) is 1 in doubles; beyond the range of cosh the result is 0.
   const Real exact = 1 / (cosh(Real(25)) * cosh(Real(25)));
   const D y = tanh(D::variable(25, 0));
   EXPECT_EQ(y.value, 1);
@@ -231,7 +232,7 @@ TEST(DualEdges, AnglesKeepTheirDerivativesInAllQuadrantsAndAtAllSizes) {
       for (const double y : {-4 * size, 4 * size}) {
         const D angle = atan2(D::variable(y, 0), D::variable(x, 1));
         EXPECT_EQ(angle.value, std::atan2(y, x));
-        // Four operations of half a unit each: within four units.
+        // Four operations with half a unit each: within four units.
         EXPECT_NEAR(angle.partial[0], x / size / 25 / size, 4 * epsilon / size);
         EXPECT_NEAR(angle.partial[1], -y / size / 25 / size, 4 * epsilon / size);
       }
@@ -272,10 +273,10 @@ TEST(DualType, EqualsInValueAndPartialDerivatives) {
   EXPECT_EQ(D(), D(0.0));
 }
 
-// ---- Jacobian and Hessian matrices of a function that uses everything, against differences in 50 digits:
-// the oracle knows no rule of differentiation.
+// ---- Jacobian and Hessian matrices of a function of all operations, against differences in 50 digits, which
+// use no rule of differentiation.
 
-/// Of three variables in (0.5, 1.5): values, first and second derivatives below 200 there.
+/// A function of three variables in (0.5, 1.5): values, first and second derivatives below 200.
 template <class T>
 Vector<T, 2> tangle(const Vector<T, 3>& x) {
   using std::abs, std::cos, std::cosh, std::exp, std::log, std::pow, std::sin, std::sinh, std::sqrt, std::tan,
@@ -296,8 +297,8 @@ RC_GTEST_PROP(DualJacobian, IsThatByDifferencesInFiftyDigits, ()) {
   const Vector<Dual<double, 3>, 2> y = tangle(variables(x));
   const Matrix<double, 2, 3> jacobian = jacobian_of(y);
   const Vector<Real, 3> exact = x.cast<Real>();
-  // Truncation h^2 f'''/6 and rounding 1e-50 / h stay below 1e-28; doubles round each of some twenty terms
-  // below 200 by a few units: 64 units of 200 bound them.
+  // Truncation h^2 f'''/6 and rounding 1e-50/h stay below 1e-28; each of some twenty terms below 200 has a
+  // few units of rounding: 64 units of 200 bound them.
   const Real h = 1e-16;
   for (int j = 0; j < 3; ++j) {
     const Vector<Real, 2> slope =

@@ -1,4 +1,4 @@
-/// What typed equations mean: unknowns, definitions, highest derivatives, initial values, and their numbers.
+/// Typed equations: unknowns, definitions, highest derivatives, initial values, and their numerical values.
 #include "nlmech/program/equations.hpp"
 
 #include <fmt/format.h>
@@ -40,11 +40,11 @@ TEST(Equations, TheOneOfTheManual) {
   EXPECT_TRUE(e.second_order());
   const std::vector<double> f = slopes(e, {0.5, -2}, 3);
   EXPECT_EQ(f[0], -2);
-  // Rounding of five terms, none above 0.5.
+  // Rounding errors of five terms of at most 0.5.
   EXPECT_NEAR(f[1], 0.2 * std::cos(3.3) + 0.2 - 0.5 - 0.375, 5 * 1.2e-16);
 }
 
-// The text names components first where it gives their initial values first.
+// The initial values that come first in the text determine the first components.
 TEST(Equations, ComponentsAreInTheOrderOfTheText) {
   EXPECT_EQ(read("x' = z; y' = x; z' = y").state_names(), (Names{"x", "z", "y"}));
   EXPECT_EQ(read("x(0) = 1; y(0) = 2; x' = z; y' = x; z' = y").state_names(), (Names{"x", "y", "z"}));
@@ -79,7 +79,7 @@ TEST(Equations, CoupledByNumbers) {
 }
 
 TEST(Equations, CoupledByTheState) {
-  // A double pendulum of unit masses and lengths beside its solution by Eigen.
+  // A double pendulum of unit masses and lengths against a solution by Eigen.
   const Equations e = read(
       "2 a'' + b'' cos(a - b) + b'^2 sin(a - b) + 2 g sin(a) = 0;"
       "b'' + a'' cos(a - b) - a'^2 sin(a - b) + g sin(b) = 0; g = 9.81");
@@ -91,7 +91,7 @@ TEST(Equations, CoupledByTheState) {
       {-q * q * std::sin(a - b) - 2 * g * std::sin(a), p * p * std::sin(a - b) - g * std::sin(b)}};
   const Eigen::VectorXd expected = m.fullPivLu().solve(r);
   const std::vector<double> f = slopes(e, {a, b, p, q});
-  // A condition of some 7, and a dozen roundings.
+  // A condition number of about 7 and a dozen rounding errors.
   EXPECT_NEAR(f[2], expected[0], 1e-14 * expected.norm());
   EXPECT_NEAR(f[3], expected[1], 1e-14 * expected.norm());
 }
@@ -120,7 +120,7 @@ RC_GTEST_PROP(Equations, AreSolved, ()) {
   const Eigen::VectorXd expected = m.fullPivLu().solve(b);
   for (int i = 0; i < n; ++i) {
     const auto place = std::find(e.state_names().begin(), e.state_names().end(), "x" + std::to_string(i));
-    // Diagonally heavy: a condition of some tens.
+    // Diagonally dominant: a condition number of some tens.
     RC_ASSERT(std::abs(f[static_cast<std::size_t>(place - e.state_names().begin())] - expected[i]) <=
               1e-13 * (1 + expected.norm()));
   }
@@ -128,7 +128,7 @@ RC_GTEST_PROP(Equations, AreSolved, ()) {
 
 TEST(Equations, DefinitionsAndSettings) {
   const std::string text = "x'' + k/m x = 0; m = 2; k = m c; c = 8";
-  EXPECT_THROW((void)read(text), InputError);  // k/m x
+  EXPECT_THROW((void)read(text), InputError);  // k/m x is ambiguous
   const std::string clear = "x'' + (k/m) x = 0; m = 2; k = m c; c = 8";
   EXPECT_EQ(slopes(read(clear), {1, 0})[1], -8);
   EXPECT_EQ(slopes(read(clear, {{"c", 3}}), {1, 0})[1], -3);
@@ -143,13 +143,13 @@ TEST(Equations, DefinitionsOfStateAndTime) {
             (std::vector<double>{0.8, 1.4}));
 }
 
-// A definition that holds a highest derivative is no parameter.
+// A definition that contains a highest derivative is no parameter.
 TEST(Equations, ParametersAreNumbers) {
   EXPECT_EQ(read("F = 3 x''; 0 = F + k x", {{"k", 2}}).parameters().size(), 1U);
 }
 
-// Leading minors are 0 at some of these times, where the whole determinant is not: no order of pivots is
-// good.
+// Leading minors are 0 at some of these times, but the determinant is not: elimination without pivoting
+// fails.
 TEST(Equations, CoupledWithoutPivots) {
   const Equations e = read(
       "s a' + b' + c' + d' = 1; a' + s b' + d' = 2; c' s + a' + d' = 3; a' + b' - c' + s d' = 4; s = t/3");
@@ -162,7 +162,7 @@ TEST(Equations, CoupledWithoutPivots) {
     const double condition = svd.singularValues()[0] / svd.singularValues()[3];
     const Eigen::VectorXd expected = m.fullPivLu().solve(Eigen::VectorXd::LinSpaced(4, 1, 4));
     const std::vector<double> f = slopes(e, {0, 0, 0, 0}, t);
-    // Modified Gram-Schmidt is backward stable: the condition, times a few roundings a column.
+    // Modified Gram-Schmidt is backward stable: the condition number times a few rounding errors a column.
     for (std::size_t i = 0; i < 4; ++i)
       EXPECT_NEAR(f[i], expected[static_cast<int>(i)], 64 * 2.2e-16 * condition * expected.norm()) << t;
   }
@@ -207,7 +207,7 @@ TEST(Equations, MaySayNothing) {
   EXPECT_FALSE(problem.bounds(none, none));
 }
 
-// A name, unless an expression follows.
+// `conserved` is a name, unless an expression follows.
 TEST(Equations, ConservedIsAName) {
   EXPECT_EQ(slopes(read("x' = conserved; conserved = 3"), {0}), (std::vector<double>{3}));
   EXPECT_EQ(slopes(read("conserved x' = 6; conserved = 3"), {0}), (std::vector<double>{2}));
@@ -218,7 +218,7 @@ TEST(Equations, Expressions) {
   Equations e = read("x'' = -k x; k = 4");
   const Program p(e.graph(), {e.expression("--event", "x = 1"), e.expression("--event", "k x' t")});
   std::vector<double> values;
-  // The graph has grown since: the program is made of it as it is now.
+  // The graph has grown: a new program uses its present state.
   const Program q(e.graph(), {e.expression("--event", "x = 1"), e.expression("--event", "k x' t")});
   q.run(2.0, Vector<double, 2>(3, 5), 0, 2, [&](int, double v) { values.push_back(v); });
   EXPECT_EQ(values, (std::vector<double>{2, 40}));
@@ -242,11 +242,11 @@ TEST(Equations, LargeSystems) {
   EXPECT_EQ(f[n + 8], 1);
 }
 
-// ---- Typed equations give the numbers that C++ gives for the same formula.
+// ---- Typed equations give the same numbers as C++ for the same formula.
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
-/// The right-hand side of `x' = text` (and y' = 0) at t, x, y.
+/// The right-hand side of `x' = text` (with y' = 0) at t, x, y.
 double value(const std::string& text, double t = 0, double x = 0, double y = 0) {
   const Equations equations(SourceText("test", "x' = " + text + "; y' = 0 x + 0 y"));
   const Problem problem(equations);
@@ -285,7 +285,7 @@ TEST(Typed, ProductsSideBySide) {
 TEST(Typed, Functions) {
   const double t = 0.3, x = 0.7, y = -1.2;
   const auto expect = [&](const std::string& text, double expected) {
-    // Each of them is one call of the same library function, but for the powers: those are products.
+    // Each is one call of the same library function, except the powers, which are products.
     EXPECT_NEAR(value(text, t, x, y), expected, 8 * eps * (1 + std::abs(expected))) << text;
   };
   expect("sqrt(x)", std::sqrt(x));
@@ -308,7 +308,7 @@ TEST(Typed, Functions) {
   expect("x^100", std::pow(x, 100));
 }
 
-/// A function by other formulas, in a series of 50 digits.
+/// The function by other formulas, as a series in 50 digits.
 using RealSeries = PowerSeries<tests::Real>;
 struct ByFormula {
   const char* text;
@@ -347,19 +347,20 @@ TEST(Typed, FunctionsHaveTheTaylorCoefficientsOfTheirFormulas) {
           << f.text << " " << k;
     ivp::Jacobian j;
     system.jacobian(0, x, j);
-    // The slope of exact is by t, which is that by x times 1/2.
+    // exact has the slope in t, which is the slope in x times 1/2.
     EXPECT_NEAR(j(1, 0), 2 * double(exact[1]), 16 * eps * std::abs(2 * double(exact[1]))) << f.text;
   }
 }
 
-// Where the formulas lose digits in double: four roundings, and functions of one or two units.
+// Arguments where the formulas lose digits in double. Tolerance: four rounding errors, and functions of one
+// or two units.
 TEST(Typed, FunctionsKeepTheirDigitsAtTheEdges) {
   const auto expect = [](const char* text, double at, const RealSeries& exact) {
     EXPECT_NEAR(value(text, 0, at), double(exact[0]), 8 * eps * std::abs(double(exact[0])))
         << text << " " << at;
   };
   for (const double at : {1e-300, -1e-9, 1e-3, -1e9, 1e150}) {
-    const tests::Real x = abs(tests::Real(at));  // odd; the formula loses digits below 0
+    const tests::Real x = abs(tests::Real(at));  // odd function; the formula loses digits below 0
     const tests::Real y = x < 1e-20 ? x : tests::Real(log(x + sqrt(x * x + 1)));
     expect("asinh(x)", at, tests::Real(at < 0 ? -y : y));
   }
@@ -424,7 +425,7 @@ TEST(Typed, OperationsOnNumbers) {
   EXPECT_EQ(value("x - x"), 0);
 }
 
-// What is zero as a formula is zero; x^0 is 1; what is not a number decides nothing.
+// A factor of zero gives zero; x^0 is 1; NaN in a condition gives NaN.
 TEST(Typed, ZerosAndNumbersThatAreNone) {
   EXPECT_EQ(value("0 log(x)", 0, -1), 0);
   EXPECT_EQ(value("0/x", 0, 0), 0);
@@ -439,7 +440,7 @@ TEST(Typed, ZerosAndNumbersThatAreNone) {
   EXPECT_EQ(value("abs(-2) + sign(-3) + max(-1, -2)"), 0);
 }
 
-// By one function where they change on one surface.
+// Terms that change on the same surface share one switching function.
 TEST(Typed, SwitchesOnOneSurface) {
   const auto switches = [](const std::string& text) {
     return Problem(Equations(SourceText("test", text))).switches();
@@ -453,7 +454,7 @@ TEST(Typed, SwitchesOnOneSurface) {
   EXPECT_EQ(switches("x'' = sign(x) + heaviside(-x) + if(2 x < 0, 1, 3) + if(0 <= x, x, 0)"), 1);
 }
 
-// Three dry brakes at rest together: each holds its mass with the share of its friction that it takes.
+// Three masses with dry friction at rest: each sticks with its own fraction of the friction force.
 TEST(Typed, StaysOnSeveralSurfaces) {
   const Equations equations(SourceText("test",
                                        "x'' = a - sign(x'); y'' + x'' = b - sign(y') - sign(x') + a;"
@@ -467,12 +468,12 @@ TEST(Typed, StaysOnSeveralSurfaces) {
   EXPECT_EQ(f, Eigen::VectorXd::Zero(5));
   std::vector<double> shares(3), rates(3);
   stuck.surfaces(0.0, x, shares, rates);
-  std::sort(shares.begin(), shares.end());  // the order of the functions is the text's business
+  std::sort(shares.begin(), shares.end());  // the order of the switching functions depends on the text
   EXPECT_EQ(shares, (std::vector<double>{0.375, 0.5, 0.75}));
   EXPECT_EQ(rates, (std::vector<double>{0, 0, 0}));
 }
 
-/// The same formula in C++.
+/// The formula in C++.
 struct Tangle {
   static constexpr int dimension = 2;
   template <class T>
@@ -488,7 +489,7 @@ constexpr const char* tangle =
     "x' = atan(x y) exp(-x) + asin(x/2) - acos(y/3) + sqrt(1 + x^2) (1 + y^2)^1.5 + t;"
     "y' = atan2(y, x) - erf(x y) + log(2 + x)/cosh(y) + tanh(t)*sin(x) - x^3 + 2/(1 + y^2)";
 
-// Of x^y at 1 it is y, however large y is: here it has all its digits in double.
+// The derivative of x^y in x at 1 is y, also for large y: exact in double.
 TEST(Typed, DerivativesOfSteepPowers) {
   const ivp::System system{Problem(Equations(SourceText("test", "x' = x^(y^2); y' = 0 x")))};
   const double p = 0x1p17;
@@ -535,7 +536,7 @@ TEST(Typed, SharesWhatIsTheSame) {
   EXPECT_EQ(Program(equations.graph(), equations.slopes()).instructions(), 10u);
 }
 
-// ---- Linear terms and harmonic loads of typed equations, against what one reads in them.
+// ---- Linear terms and harmonic loads of typed equations against values found by hand.
 
 using nlmech::tests::between;
 using nlmech::tests::epsilon;
@@ -569,7 +570,7 @@ TEST(LinearTerms, AreMultipliedOut) {
   EXPECT_EQ(found.load[1].cosine, 0.125);
 }
 
-// Sines of numbers are the library's on one side and the compiler's on the other.
+// Sines of numbers may differ between library and compiler.
 TEST(LinearTerms, HarmonicsHaveFrequenciesAndPhases) {
   const LinearTerms found =
       terms_of("x' = 2 cos(3 t + 0.25) - sin(5 t)/4 + cos(1) + t sin(t) + cos(t^2) + x cos(t) - x/(x^2 + 1)");
@@ -584,15 +585,15 @@ TEST(LinearTerms, HarmonicsHaveFrequenciesAndPhases) {
   EXPECT_EQ(found.load[2].sine, -0.25);
 }
 
-// A term whose factor overflows stays among those that are not solved exactly.
+// A term whose factor overflows is not treated as linear.
 TEST(LinearTerms, AreFinite) {
   const LinearTerms found = terms_of("x' = 1e200 (1e200 (x + 1)) + y; y' = 0");
   EXPECT_EQ(found.a, (Eigen::Matrix2d() << 0, 1, 0, 0).finished());
   EXPECT_TRUE(found.load.empty());
 }
 
-// A polynomial in the state whose only terms of the time alone are harmonics: its linear terms are the
-// Jacobian at the origin, its load is the right-hand side there.
+// A polynomial in the state whose terms of time alone are harmonics: its linear terms are the Jacobian at the
+// origin, its load is the right-hand side there.
 RC_GTEST_PROP(LinearTerms, AreTheDerivativeOfAPolynomialAtTheOrigin, ()) {
   const Settings set = {{"a", *between(-2, 2)},
                         {"b", *between(-2, 2)},
@@ -609,13 +610,13 @@ RC_GTEST_PROP(LinearTerms, AreTheDerivativeOfAPolynomialAtTheOrigin, ()) {
   system.jacobian(0, ivp::State::Zero(3), jacobian);
   const double t = *between(0, 5);
   system.rhs(t, ivp::State::Zero(3), slopes);
-  // Of y: (1 + y^2) has no linear term, and cos times y^2 is no load.
+  // For y: (1 + y^2) has no linear term, and cos times y^2 is no load.
   RC_ASSERT((found.a - jacobian).cwiseAbs().maxCoeff() <= 64 * epsilon);
   // Arguments up to 20 radians.
   for (int i = 0; i < 3; ++i) RC_ASSERT(std::abs(value(found.load, i, t) - slopes[i]) <= 256 * epsilon);
 }
 
-// A part that stands in many places is looked at once: 2^60 paths lead to x here.
+// A shared subexpression is analysed once: here 2^60 paths lead to x.
 TEST(LinearTerms, OfSharedPartsTakeNoTime) {
   std::string text = "x' = a60; a0 = x";
   for (int i = 1; i <= 60; ++i) {
@@ -625,7 +626,7 @@ TEST(LinearTerms, OfSharedPartsTakeNoTime) {
   EXPECT_EQ(system_of(text).linear_terms().a(0, 0), 1);
 }
 
-// Announced, in the direction of travel; what depends on the state is still a switch.
+// Times are announced in the direction of integration; a dependence on the state remains a switch.
 TEST(KnownTimes, AreAnnounced) {
   using Times = std::vector<double>;
   const ivp::System ramp = system_of("x' = max(0, t - 1) - 2 max(t - 2, 0) + sign(3 - t) + abs(t)");
@@ -645,14 +646,14 @@ TEST(KnownTimes, AreAnnounced) {
   EXPECT_EQ(system_of("x' = max(x, t)").switches(), 1);
 }
 
-/// x' at a time.
+/// x' at the time t.
 double rate(const ivp::System& system, double t) {
   ivp::State f;
   system.rhs(t, ivp::State::Zero(system.size()), f);
   return f[0];
 }
 
-// Whole multiples of what doubles hold exactly; at a jump the value is that just after it.
+// Multiples that are exact in double; at a jump the value is the limit from the right.
 TEST(KnownTimes, OfWholeNumbers) {
   using Times = std::vector<double>;
   const ivp::System down = system_of("x' = floor(t)"), up = system_of("x' = ceil(t)"),
@@ -696,14 +697,14 @@ TEST(KnownTimes, OfConditions) {
   const ivp::System one = system_of("x' = if(3 - 2 t > 0, 5, 7)");
   EXPECT_EQ(one.discontinuities(0, 5), (Times{1.5}));
   EXPECT_EQ(rate(one, 1.5), 7);
-  // Of the steps of steps: equality lasts.
+  // Steps of steps: equality holds over an interval.
   const ivp::System even =
       system_of("x' = mod(floor(t), 2) + 10 sign(floor(t) - 2) + 100 if(floor(t) > 2, 1, 0)");
   EXPECT_EQ(even.discontinuities(0.5, 4), (Times{1, 2, 3}));
   EXPECT_EQ(rate(even, 1.5), 1 - 10);
   EXPECT_EQ(rate(even, 2.5), 0);
   EXPECT_EQ(rate(even, 3.5), 1 + 10 + 100);
-  // A state decides by the rest.
+  // A condition that depends on a state is a switch.
   EXPECT_EQ(system_of("x' = if(x > mod(t, 1), 1, 0)").switches(), 1);
 }
 
@@ -713,7 +714,7 @@ TEST(KnownTimes, MoreThanAMillionAreRefused) {
                std::invalid_argument);
 }
 
-// Halves and quarters: the lines through the rows are exact.
+// Halves and quarters: the linear interpolation is exact.
 TEST(Tables, AreFunctionsOfTheTime) {
   using Times = std::vector<double>;
   const TableReader reader = [](const std::string& name) {

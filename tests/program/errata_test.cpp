@@ -1,5 +1,5 @@
-/// Recurrences of Filipich and Rosales as printed and as corrected, against closed forms and series
-/// arithmetic in 50 digits that share nothing with them.
+/// Recurrences of Filipich and Rosales as printed and as corrected, against independent closed forms and
+/// series arithmetic in 50 digits.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -26,8 +26,8 @@ Real sum_of(const std::vector<Real>& c, const Real& at) {
 }
 double value(const std::vector<Real>& c, const Real& at) { return static_cast<double>(sum_of(c, at)); }
 
-// Eq. 20: the sum begins with s = 1. With s = 0 it contains B_0 D_i, which is sought: solved for it, the
-// printed equation has 2 B_0 where B_0 belongs.
+// Eq. 20: the sum starts with s = 1. With s = 0 it contains the unknown as B_0 D_i; solved for it, the
+// printed equation has 2 B_0 instead of B_0.
 TEST(PaperErrata, Eq20TheUnknownStandsInItsOwnSum) {
   const S f = exp(tau()), g = 2 + sin(tau()), quotient = exp(tau()) / (2 + sin(tau()));
   const auto divide = [&](const Real& b0) {
@@ -41,7 +41,7 @@ TEST(PaperErrata, Eq20TheUnknownStandsInItsOwnSum) {
   };
   const std::vector<Real> corrected = divide(g[0]), printed = divide(2 * g[0]);
   for (std::size_t i = 0; i <= terms; ++i) EXPECT_LT(abs(corrected[i] - quotient[i]), tiny);
-  // Of the sum 0.1^21 over the radius, 2.05, is left out: nothing.
+  // The truncation error is 0.1^21 over the radius, 2.05: negligible.
   const Real at = Real(1) / 10;
   expect_erratum("algebraic_series-20", {.printed = value(printed, at),
                                          .corrected = value(corrected, at),
@@ -49,7 +49,7 @@ TEST(PaperErrata, Eq20TheUnknownStandsInItsOwnSum) {
                                          .tolerance = epsilon});
 }
 
-// Eqs. 24-26 from P_10, which the paper leaves out.
+// Eqs. 24-26 from P_10, which the paper does not give.
 std::vector<Real> fractional_power(const S& f, int n, std::size_t count, const Real& first) {
   const auto size = static_cast<std::size_t>(n);
   std::vector<std::vector<Real>> p(size + 1, std::vector<Real>(count + 1, Real(0)));
@@ -73,20 +73,20 @@ std::vector<Real> fractional_power(const S& f, int n, std::size_t count, const R
   return p[1];
 }
 
-/// f = 1 + 0.3 tau + 0.2 tau^2, whose zeros lie at the distance sqrt(5); f(1) = 1.5.
+/// f = 1 + 0.3 tau + 0.2 tau^2, with zeros at the distance sqrt(5); f(1) = 1.5.
 S quadratic(std::size_t count) {
   const S t = S::variable(0, count);
   return 1 + Real(3) / 10 * t + Real(2) / 10 * t * t;
 }
 
-// Eq. 23 with i = 0 is P_10^n = A_0, from which the recurrence starts.
+// Eq. 23 with i = 0 is P_10^n = A_0, the start of the recurrence.
 TEST(PaperErrata, Eqs24To26StartFromEq23) {
   const S f = quadratic(60);
   EXPECT_NEAR(value(fractional_power(f, 5, 60, pow(f[0], Real(1) / 5)), 1), std::pow(1.5, 0.2), epsilon);
 }
 
-// The recurrence is right as printed, and the note that n = 5 needs 3000 terms is not: sixty give 24 digits
-// at tau = 1 where the nearest zero of f lies beyond, and none give much where it lies on the circle.
+// The recurrence is correct as printed; the note that n = 5 needs 3000 terms is wrong: sixty terms give 24
+// digits at tau = 1 if the nearest zero of f lies beyond, and few digits if it lies on the circle.
 TEST(PaperErrata, Eqs24To26DependOnTheNearestZeroNotOnN) {
   const std::size_t count = 60;
   const S f = quadratic(count);
@@ -101,8 +101,8 @@ TEST(PaperErrata, Eqs24To26DependOnTheNearestZeroNotOnN) {
     if (abs(sum - reference) > 1e-10) needed = i + 1;
   }
   EXPECT_LT(abs(sum - reference), 1e-22);
-  // Darboux: two zeros at the distance sqrt(5) make terms of 2 i^(-6/5) sqrt(5)^-i/|Gamma(-1/5)|, but for the
-  // phase, which is worth a few of them. Where that is 1e-10:
+  // Darboux: two zeros at the distance sqrt(5) give terms of 2 i^(-6/5) sqrt(5)^-i/|Gamma(-1/5)|, up to the
+  // phase, which is worth a few terms. The number of terms for 1e-10:
   double theory = 20;
   for (int turn = 0; turn < 50; ++turn) {
     const double factor = 2 / std::abs(std::tgamma(-0.2)) * std::pow(theory, -1.2);
@@ -111,8 +111,8 @@ TEST(PaperErrata, Eqs24To26DependOnTheNearestZeroNotOnN) {
   expect_erratum(
       "algebraic_series-26-terms",
       {.printed = 3000, .corrected = static_cast<double>(needed), .oracle = theory, .tolerance = 0.15});
-  // f = 1 - tau: the recurrence for any exponent, 3000 terms, at tau = 1 where the value is 0. The partial
-  // sums of (1 - tau)^p at 1 are the product of (1 - p/k), about 3000^-p/Gamma(1 - p) = 0.173.
+  // f = 1 - tau: the recurrence for any exponent, 3000 terms, at tau = 1, where the exact value is 0. The
+  // partial sums of (1 - tau)^p at 1 are the product of (1 - p/k), about 3000^-p/Gamma(1 - p) = 0.173.
   std::vector<double> line = {1, -1};
   line.resize(3001);
   const PowerSeries<double> root = pow(PowerSeries<double>(line), 0.2);
@@ -122,8 +122,8 @@ TEST(PaperErrata, Eqs24To26DependOnTheNearestZeroNotOnN) {
   EXPECT_GT(far, 0.17);
 }
 
-// Before Eq. 36 the coefficients of tau^2 v'' about tau = 1 are said to come from (20), which divides; (30)
-// multiplies. v = exp(tau - 1), at tau = 1.2.
+// Before Eq. 36 the text takes the coefficients of tau^2 v'' about tau = 1 from (20), a quotient; correct is
+// (30), a product. v = exp(tau - 1), at tau = 1.2.
 TEST(PaperErrata, Eq36IsAProduct) {
   std::vector<Real> v = {1}, product, quotient;  // A_i
   for (std::size_t i = 1; i <= terms + 2; ++i) v.push_back(v.back() / static_cast<int>(i));
@@ -147,7 +147,7 @@ TEST(PaperErrata, Eq36IsAProduct) {
                                          .tolerance = epsilon});
 }
 
-// Eq. 41 lets step p begin at t = p - 1. It begins where step p - 1 ends.
+// Eq. 41 starts step p at t = p - 1. It starts where step p - 1 ends.
 TEST(PaperErrata, Eq41StepsAdjoin) {
   const double T = 0.35;
   const int p = 4;
@@ -158,7 +158,7 @@ TEST(PaperErrata, Eq41StepsAdjoin) {
 }
 
 // "The domain of each tau is unitary which ensures the convergence": dx/dt = -x^2 from 1 has the solution
-// 1/(1 + t), smooth for all t >= 0, and its series about t has the radius 1 + t, whatever T is.
+// 1/(1 + t), smooth for all t >= 0; its series about t has the radius 1 + t, for any T.
 TEST(PaperErrata, Eq41AUnitDomainDoesNotConverge) {
   const auto solve = [](int steps, int order) {
     const Real T = Real(2) / steps;
@@ -173,14 +173,14 @@ TEST(PaperErrata, Eq41AUnitDomainDoesNotConverge) {
     }
     return static_cast<double>(x);
   };
-  // Eight steps of a quarter: 4^-21 is left out of each.
+  // Eight steps of 0.25: the truncation error of each is 4^-21.
   expect_erratum("algebraic_series-41-convergence",
                  {.printed = solve(1, 20), .corrected = solve(8, 20), .oracle = 1.0 / 3, .tolerance = 1e-12});
-  EXPECT_GT(std::abs(solve(1, 40)), 1e4 * std::abs(solve(1, 20)));  // more terms make it worse
+  EXPECT_GT(std::abs(solve(1, 40)), 1e4 * std::abs(solve(1, 20)));  // more terms increase the error
 }
 
-// Eq. 52 prints B_1i = omega T for i = 0, where x = omega T tau has it at i = 1, as Eq. 53 says. The cosine
-// by Eqs. 15, 50 and 55 at tau = 1/2.
+// Eq. 52 prints B_1i = omega T for i = 0; x = omega T tau has it at i = 1, as in Eq. 53. The cosine by Eqs.
+// 15, 50 and 55 at tau = 1/2.
 TEST(PaperErrata, Eq52TheCoefficientOfALine) {
   const Real wT = Real(35) / 100;
   const S x = wT * tau();
@@ -226,8 +226,8 @@ TEST(PaperErrata, Eq56TheBracketOfTheCosine) {
                                          .tolerance = 4 * epsilon});
 }
 
-// ---- Equations of section 4 of Filipich and Rosales as printed and as corrected: against exact derivatives,
-// an orbit in closed form, and the classical Runge-Kutta rule on the equations in physical time.
+// ---- Equations of section 4 of Filipich and Rosales as printed and as corrected, against exact derivatives,
+// an orbit in closed form, and the classical Runge-Kutta method on the equations in physical time.
 
 /// The sum of all coefficients: the value at tau = 1.
 template <class T>
@@ -246,7 +246,7 @@ const Real beta = 0.01, g = 10, height = 1000, wind = 1000, T = 0.01, u0 = 400, 
 std::array<Real, 3> projectile(bool air_of_velocity) {
   std::vector<Real> x = {0, T * u0}, z = {0, T * v0};
   for (int k = 0; k < 2; ++k) {
-    // u_k, w_k: coefficients of the bracket times e^{-z/h}; x and z are known to order k + 1.
+    // u_k, w_k: coefficients of the bracket times e^{-z/h}; x and z are known up to order k + 1.
     std::vector<Real> dx, dz;
     for (std::size_t j = 1; j < x.size(); ++j) {
       dx.push_back(static_cast<int>(j) * x[j]);
@@ -262,8 +262,8 @@ std::array<Real, 3> projectile(bool air_of_velocity) {
   return {x[2], z[2], x[3]};
 }
 
-// x and z along a step, from the exact derivatives in physical time: z'' = -beta e^{-z/h} z' - g at z = 0
-// with z' = v_0, and x'' = -beta e^{-z/h} (x' - wind z).
+// Series of x and z in a step, from the exact derivatives in physical time: z'' = -beta e^{-z/h} z' - g at z
+// = 0 with z' = v_0, and x'' = -beta e^{-z/h} (x' - wind z).
 TEST(PaperErrata, Eqs58To60TheFactorTOfTheVelocity) {
   const Real z2 = -beta * v0 - g, x2 = -beta * u0;  // second derivatives at t = 0
   const Real x3 = beta * v0 / height * u0 - beta * (x2 - wind * v0);
@@ -277,10 +277,10 @@ TEST(PaperErrata, Eqs58To60TheFactorTOfTheVelocity) {
                         .tolerance = epsilon});
   };
   show("algebraic_series-58-exponent", projectile(true)[0], 0);
-  // A twice in (60): the last line leaves z's coefficient in x.
+  // A occurs twice in (60): the last line gives x a coefficient of z.
   show("algebraic_series-60", corrected[1], 0);
-  // The brackets of (58) for a body that goes with the wind, dx/dt = V: x' = T V. Nothing drags it, whatever
-  // the unit of beta is.
+  // The brackets of (58) for a body that moves with the wind, dx/dt = V: x' = T V. The drag is zero for any
+  // unit of beta.
   const Real speed = T * wind;
   expect_erratum("algebraic_series-58-factor", {.printed = static_cast<double>(Real(speed - T * T * wind)),
                                                 .corrected = static_cast<double>(Real(speed - T * wind)),
@@ -292,7 +292,7 @@ TEST(PaperErrata, Eqs58To60TheFactorTOfTheVelocity) {
 // ------------------------------------------------------------ bodies (61-64)
 
 /// x of the first of two bodies of mass 1 at tau = 1: (63) with @p constant for G and (64) with sigma the
-/// coefficients of R^-3. They turn about each other at the distance 1, once in 2 pi, for G = 1/2.
+/// coefficients of R^-3. The bodies move on a circle at the distance 1 with period 2 pi for G = 1/2.
 double first_body(const Real& step, const Real& constant) {
   std::vector<Real> x = {Real(-1) / 2, 0}, y = {0, -step / 2};
   for (int k = 0; k < 24; ++k) {
@@ -312,7 +312,7 @@ TEST(PaperErrata, Eqs61To64TheAttractionOfTwoBodies) {
   expect_erratum(
       "algebraic_series-61",
       {.printed = first_body(step, G), .corrected = corrected, .oracle = circle, .tolerance = epsilon});
-  // What is not defined has no value.
+  // The printed equation is undefined.
   expect_erratum("algebraic_series-64", {.printed = std::numeric_limits<double>::quiet_NaN(),
                                          .corrected = corrected,
                                          .oracle = circle,
@@ -321,8 +321,8 @@ TEST(PaperErrata, Eqs61To64TheAttractionOfTwoBodies) {
 
 // ------------------------------------------------------------ oscillators (67-70)
 
-// Eq. 67: A_{i+1} = sigma (B_i - A_i)/(i + 1). From (0, 1, 0) over one step of 0.05, 30 terms: 1e-13 is left
-// out, with a radius of 0.15.
+// Eq. 67: A_{i+1} = sigma (B_i - A_i)/(i + 1). From (0, 1, 0) over one step of 0.05 with 30 terms: the
+// truncation error is 1e-13, for a radius of 0.15.
 TEST(PaperErrata, Eq67TheSignOfTheLorenzEquation) {
   const double step = 0.05, sigma = 10 * step, r = 28 * step, b = 8.0 / 3 * step;
   const auto recurrence = [&](double sign) {
@@ -353,8 +353,8 @@ TEST(PaperErrata, Eq67TheSignOfTheLorenzEquation) {
                   .tolerance = 1e-11});
 }
 
-// Eq. 69 calls alpha_i what must be the braces of Eq. 56, the coefficients of f(t) in the step; alpha_i are
-// those of the cosine in Eq. 50. Step p = 3 of T = 0.1, from u = 3, u' = 4; 20 terms leave out 1e-14.
+// Eq. 69 uses alpha_i for the braces of Eq. 56, the coefficients of f(t) in the step; alpha_i are those of
+// the cosine in Eq. 50. Step p = 3 of T = 0.1, from u = 3, u' = 4; the truncation error of 20 terms is 1e-14.
 TEST(PaperErrata, Eq69TheForceOfTheStep) {
   const double step = 0.1, P = 0.05 * step, Q = step * step, B = 7.5 * step * step;
   const auto recurrence = [&](bool printed) {
@@ -383,8 +383,9 @@ TEST(PaperErrata, Eq69TheForceOfTheStep) {
                   .tolerance = 1e-12});
 }
 
-// Eq. 70 has sin 2 T tau in every step. With t_0 = pi that is the first step's; in step p it is
-// sin 2 (T (tau + p - 1) + t_0). p = 3, T = 0.125 from x = -0.5, dx/dt = 0.1; 30 terms leave out nothing.
+// Eq. 70 has sin 2 T tau in every step. With t_0 = pi this is correct for the first step only; in step p it
+// is sin 2 (T (tau + p - 1) + t_0). p = 3, T = 0.125 from x = -0.5, dx/dt = 0.1; the truncation error of 30
+// terms is negligible.
 TEST(PaperErrata, Eq70ThePhaseOfTheStep) {
   const double step = 0.125, A = 0.306 * step * step, B = 5 * step, t0 = std::acos(-1.0) + 2 * step;
   const auto recurrence = [&](double phase) {

@@ -1,4 +1,4 @@
-/// Intervals: results hold what numbers of the operands lead to, and are not much wider.
+/// Interval arithmetic: results contain the values of all numbers in the operands, and are not much wider.
 #include "nlmech/program/interval.hpp"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 namespace nlmech::program::interval_test {
 namespace {
 
-// x' = text; the slope at t and x, for any type of number.
+// The slope of x' = text at t and x, for any type of number.
 class Typed {
  public:
   explicit Typed(const std::string& text)
@@ -58,8 +58,8 @@ const char* const texts[] = {"x + t - 2",
                              "asinh(x) + acosh(2 + t)",
                              "floor(t) mod(t, 3) x"};
 
-// Any interval, and any numbers in it: the value in long double, which is as good as exact here, is among the
-// bounds.
+// For any interval and numbers within it the value in long double, which is practically exact here, lies
+// within the bounds.
 RC_GTEST_PROP(Interval, HoldsEveryValue, ()) {
   const Typed f(*rc::gen::elementOf(std::vector<std::string>(std::begin(texts), std::end(texts))));
   const auto drawn = [] {
@@ -80,7 +80,7 @@ RC_GTEST_PROP(Interval, HoldsEveryValue, ()) {
   }
 }
 
-// Of one number: some roundings of the terms, which are below 1e5 here.
+// For intervals of one number: some rounding errors of the terms, which are below 1e5 here.
 TEST(Interval, OfANumberIsNarrow) {
   for (const char* text : texts) {
     const program::Interval bounds = Typed(text)(program::Interval(1.3), program::Interval(7.7));

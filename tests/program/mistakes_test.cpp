@@ -1,4 +1,4 @@
-/// A mistake in an equation is pointed at, with a sentence that says what was expected.
+/// Input errors in equations: the message marks the place and states what was expected.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 namespace nlmech::program::mistakes_test {
 namespace {
 
-/// What is said of a text; "" if it is accepted.
+/// The message for a text; "" if it is accepted.
 std::string refusal(const std::string& text, const Settings& settings = {}) {
   return tests::thrown<InputError>([&] { return Equations(SourceText("E", text), settings); });
 }
@@ -175,7 +175,7 @@ TEST(Mistake, OfASetting) {
   EXPECT_EQ(refusal("x' = a; a = 1; a > 0", {{"a", -2}}),
             "--set a=-2: the equations have a meaning for a > 0 alone");
   EXPECT_EQ(refusal("x' = a; a = 1; a > 0", {{"a", 2}}), "");
-  // Conditions come before what they protect.
+  // Conditions are checked before the expressions that they protect.
   EXPECT_EQ(refusal("x' = 1/a; b = 1/a; a = 1; a > 0; x(0) = 1/a", {{"a", 0}}),
             "--set a=0: the equations have a meaning for a > 0 alone");
   const std::string derived = refusal("x' = b; b = 2 a; a = 1; b > 0", {{"a", -1}});
@@ -212,7 +212,8 @@ TEST(Mistake, DepthIsBounded) {
   EXPECT_TRUE(tests::holds(refusal(std::string(1'000'001, ' ')), "longer than 1000000 bytes"));
 }
 
-// Definitions that double, towers of choices and long lists of highest derivatives: shared, or refused.
+// Definitions that double, nested choices and long lists of highest derivatives: shared subexpressions, or
+// refused.
 TEST(Mistake, GrowthIsBounded) {
   std::string doubling = "x' = a60; a0 = 1 + x";
   for (int i = 1; i <= 60; ++i) doubling += fmt::format("; a{0} = a{1} a{1} + a{1}", i, i - 1);
@@ -223,7 +224,7 @@ TEST(Mistake, GrowthIsBounded) {
   EXPECT_EQ(refusal(choices), "");
   EXPECT_LT(Equations(SourceText("E", choices)).graph().nodes(), 1000);
 
-  // 1500 highest derivatives, each scaled by each of 1500 factors: two million operations.
+  // 1500 highest derivatives, each multiplied by each of 1500 factors: two million operations.
   std::string sum = "F = x0'", product = "0 = F";
   for (int i = 1; i < 1500; ++i) {
     sum += fmt::format(" + x{}'", i);
@@ -242,7 +243,7 @@ TEST(Mistake, LongSumsAreNone) {
   EXPECT_EQ(refusal(sum), "");
 }
 
-/// Random sentences of the language's words: each is read or refused. tests/randomised has many more of them.
+/// Random sequences of the language's tokens are read or refused. More of them: tests/randomised.
 TEST(Mistake, NoTextBreaksTheReader) {
   const char* const words[] = {"x",  "x'", "x''", "y",     "y'",   "t",    "a",      "1",     "2.5",
                                "+",  "-",  "*",   "/",     "^",    "(",    ")",      "=",     ";",

@@ -1,5 +1,5 @@
 /// @file
-/// Numbers of 50 digits, and random ones.
+/// Numbers of 50 digits, and random numbers.
 #pragma once
 
 #include "nlmech/support/extended_real.hpp"

@@ -1,4 +1,4 @@
-/// Power series against closed forms in 50 digits, and identities that no recurrence is built from.
+/// Power series against closed forms in 50 digits, and identities that no recurrence uses.
 #include <gtest/gtest.h>
 #include <boost/math/constants/constants.hpp>
 
@@ -25,7 +25,7 @@ Real sine_derivative(const Real& x, int k) {
   return values[k % 4];
 }
 
-/// Compares @p series with its closed form; @p units in the last place of the coefficient itself.
+/// Compares @p series with its closed form; @p units in the last place of each coefficient.
 template <class T>
 void expect_coefficients(const PowerSeries<T>& series, ClosedForm exact, int units) {
   ASSERT_EQ(series.size(), order + 1);
@@ -41,9 +41,9 @@ class PowerSeriesOf : public ::testing::Test {};
 using Types = ::testing::Types<double, long double, Real>;
 TYPED_TEST_SUITE(PowerSeriesOf, Types);
 
-// A coefficient goes through k recurrences of up to k terms. All terms have one sign in these series, but for
-// the sine and the root, so that errors add up to some k units; the figures allow two units for each of 30
-// orders, and three where terms alternate.
+// A coefficient results from k recurrences of up to k terms. Except for the sine and the root all terms of
+// these series have one sign, so errors add up to some k units. Tolerance: two units for each of 30 orders,
+// and three where terms alternate.
 TYPED_TEST(PowerSeriesOf, ClosedForms) {
   using S = PowerSeries<TypeParam>;
   const S s = S::variable(0, order);
@@ -70,7 +70,7 @@ TYPED_TEST(PowerSeriesOf, ClosedForms) {
       90);
 }
 
-// The error of a product is bounded by what its own terms can do: k + 1 roundings of sums and products.
+// Error bound of a product: k + 1 rounding errors of sums and products of its terms.
 RC_GTEST_PROP(PowerSeriesProduct, IsRightToTheRoundingOfItsTerms, ()) {
   const auto a = *rc::gen::container<std::vector<double>>(12, between(-1, 1));
   const auto b = *rc::gen::container<std::vector<double>>(15, between(-1, 1));
@@ -86,7 +86,8 @@ RC_GTEST_PROP(PowerSeriesProduct, IsRightToTheRoundingOfItsTerms, ()) {
   }
 }
 
-/// c_0 in [1, 2), the others in (-1, 1): the reciprocal's coefficients grow by a factor 2 an order at most.
+/// c_0 in [1, 2), the others in (-1, 1): the coefficients of the reciprocal grow at most by a factor 2 an
+/// order.
 rc::Gen<PowerSeries<Real>> any_series() {
   return rc::gen::map(
       rc::gen::pair(between(1, 2), rc::gen::container<std::vector<double>>(11, between(-1, 1))),
@@ -99,7 +100,7 @@ rc::Gen<PowerSeries<Real>> any_series() {
 
 bool close(const PowerSeries<Real>& a, const PowerSeries<Real>& b) {
   if (!a.is_constant() && !b.is_constant() && a.size() != b.size()) return false;
-  // 1e-50 of rounding, times what three series that grow like 2^k make of it: 12^3 * 2^36 < 1.2e14.
+  // Rounding of 1e-50 times the growth of three series like 2^k: 12^3 * 2^36 < 1.2e14.
   for (std::size_t k = 0; k < 12; ++k) {
     if (abs(a[k] - b[k]) > 1e-34) return false;
   }
@@ -184,14 +185,14 @@ TEST(PowerSeriesInEigen, FillsVectors) {
   EXPECT_EQ(dot[2], 4);
 }
 
-// ---- The functions of power series that have a differential equation, against closed forms in 50 digits and
-// identities that no recurrence is built from.
+// ---- Functions of power series that satisfy a differential equation, against closed forms in 50 digits and
+// identities that no recurrence uses.
 
 using S = PowerSeries<Real>;
 const Real real_epsilon = std::numeric_limits<Real>::epsilon();
 
-// All of the identities lose some digits to cancellation in 30 orders; 1000 units of 50 digits leave no room
-// for a wrong recurrence.
+// The identities lose some digits to cancellation in 30 orders; 1000 units of 50 digits still detect any
+// wrong recurrence.
 void expect_equal(const S& a, const S& b) {
   ASSERT_EQ(a.size(), b.size());
   for (std::size_t k = 0; k < a.size(); ++k)
@@ -271,9 +272,9 @@ TEST(PowerSeriesFunctions, OfConstants) {
   }
 }
 
-// ---- A growing series computes what a power series does, one coefficient a pass.
+// ---- A growing series computes the coefficients of a power series, one in each pass.
 
-/// Every operation and function, with constants on both sides and constants of constants.
+/// Every operation and function, with constants as either operand and constants of constants.
 template <class S>
 std::array<S, 16> tangle(const S& a, const S& b) {
   const S one = 1, two = one + 1;
@@ -304,7 +305,7 @@ std::array<S, 16> tangle(const S& a, const S& b) {
 
 constexpr std::size_t growing_order = 12;
 
-// The recurrences are the same, so are their roundings: every coefficient is equal to the last bit.
+// The recurrences and their rounding are the same: coefficients are bitwise equal.
 RC_GTEST_PROP(GrowingSeries, EqualsAPowerSeries, ()) {
   std::vector<double> a = {*between(1, 2)}, b = {*between(1, 2)};
   for (std::size_t k = 1; k <= growing_order; ++k) {
@@ -313,7 +314,7 @@ RC_GTEST_PROP(GrowingSeries, EqualsAPowerSeries, ()) {
   }
   const auto whole = tangle(PowerSeries<double>(a), PowerSeries<double>(b));
   SeriesMemory<double> memory;
-  for (int use = 0; use < 2; ++use) {  // the second time in memory that has been used
+  for (int use = 0; use < 2; ++use) {  // the second time in used memory
     memory.start(growing_order);
     auto x = GrowingSeries<double>::variable(memory), y = GrowingSeries<double>::variable(memory);
     for (std::size_t k = 0; k <= growing_order; ++k) {

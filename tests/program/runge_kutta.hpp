@@ -1,5 +1,5 @@
 /// @file
-/// The classical Runge-Kutta rule, written out: a solution that owes nothing to series or to the library.
+/// The classical Runge-Kutta method, independent of series and of the library.
 #pragma once
 
 #include <array>
@@ -7,8 +7,8 @@
 
 namespace nlmech::tests {
 
-/// The state at @p t1 of dx/dt = field(t, x) from @p x at @p t0 in @p steps equal steps: the error falls with
-/// their fourth power, and roundings of eps each add up.
+/// The state at @p t1 of dx/dt = field(t, x) from @p x at @p t0 by @p steps equal steps: the error decreases
+/// with their fourth power, and rounding errors of eps a step add up.
 template <std::size_t n, class Field>
 [[nodiscard]] std::array<double, n> runge_kutta(const Field& field, std::array<double, n> x, double t0,
                                                 double t1, int steps) {

@@ -1,4 +1,4 @@
-/// The tape and the unrolled recurrence against series in 50 digits that grow with the same equations; lanes.
+/// The tape and the unrolled recurrence against series in 50 digits of the same equations; SIMD lanes.
 #include "nlmech/program/recorded.hpp"
 
 #include <gtest/gtest.h>
@@ -19,8 +19,8 @@
 namespace nlmech::tests::tape_test {
 namespace {
 
-/// Every operation that a right-hand side may have, with constants on both sides, on the time, and in sums
-/// that the tape gathers.
+/// Every operation of a right-hand side, with constants as either operand, functions of time, and sums that
+/// the tape merges.
 struct Tangle {
   static constexpr int dimension = 3;
   template <class T>
@@ -38,7 +38,7 @@ struct Tangle {
   }
 };
 
-/// Functions that a tape makes of their slopes: each of a state, of the time and of a constant.
+/// Functions that a tape computes from their derivatives: each of a state, of the time and of a constant.
 struct Inverses {
   static constexpr int dimension = 3;
   template <class T>
@@ -52,7 +52,7 @@ struct Inverses {
   }
 };
 
-/// A few operations to the highest order.
+/// Few operations, for the highest orders.
 struct Few {
   static constexpr int dimension = 3;
   template <class T>
@@ -63,7 +63,7 @@ struct Few {
   }
 };
 
-/// Every operation of an unrolled series, with constants on both sides and on the time.
+/// Every operation of an unrolled series, with constants as either operand and functions of time.
 struct Unrollable {
   static constexpr int dimension = 3;
   template <class T>
@@ -81,10 +81,10 @@ struct Unrollable {
   }
 };
 
-/// Where all of them are defined.
+/// A point where all of them are defined.
 const Vector<double, 3> point(0.6, 1.2, 0.9);
 
-/// Those that this processor has, of which a single series has kernels for two.
+/// Instruction sets of this processor; single series have kernels for two of them.
 std::vector<InstructionSet> sets() {
   std::vector<InstructionSet> all;
   for (const auto set : {InstructionSet::baseline, InstructionSet::avx2, InstructionSet::avx512}) {
@@ -123,8 +123,8 @@ std::vector<std::vector<Real>> exact(const Problem& problem, double t,
   return c;
 }
 
-/// Errors grow like the coefficients themselves: they are measured by the smallest geometric series above
-/// all of them. 64 k roundings for a coefficient that is made of some forty operations of up to k terms.
+/// Errors grow like the coefficients: they are relative to the smallest geometric series above all of them.
+/// Tolerance: 64 k rounding errors for a coefficient of some forty operations with up to k terms.
 template <class Coefficients>
 void expect_coefficients(const std::vector<std::vector<Real>>& reference, const Coefficients& computed,
                          double scale) {
@@ -188,13 +188,13 @@ void expect_unrolled(const Problem& problem, const std::vector<int>& orders) {
 }
 
 TEST(Unrolled, HasTheCoefficientsOfTheSolution) {
-  // Every order is code of its own: all operations to the first ones, a few to the highest.
+  // Every order has code of its own: all operations for the first orders, a few for the highest.
   expect_unrolled<9>(Unrollable{}, {1, 2, 3, 4, 5, 7, 8, 9});
   constexpr int most = unrolled::most_order;
   expect_unrolled<most>(Few{}, {1, 2, most / 4, most / 2, most / 2 + 1, most - 1, most});
 }
 
-// A tape does not depend on where it was recorded.
+// A tape is valid for other times and states than those of the recording.
 TEST(Tape, HoldsElsewhere) {
   const Tangle problem;
   const Vector<double, 3> other(0.9, 0.8, 1.3);
@@ -243,7 +243,7 @@ TEST(Tape, OfConstantsIsEmpty) {
   }
 }
 
-// A - (B - C) must not become A - B + C: with B and C large nothing would be left of A.
+// A - (B - C) must not become A - B + C: for large B and C this would cancel A.
 struct Cancelling {
   static constexpr int dimension = 3;
   template <class T>
@@ -287,7 +287,7 @@ TEST(Tape, RefusesBranchesThatAreNotAnnounced) {
   EXPECT_TRUE(holds(complaint({.on_state = true}, false), "branches on the state"));
 }
 
-// The branch is taken as at the time of the recording.
+// The branch is that of the time of the recording.
 TEST(Tape, TakesTheAnnouncedBranch) {
   for (const double t : {0.25, 0.75}) {
     TapeExpansion expansion;
@@ -312,12 +312,12 @@ TEST(Tape, ComesOutTheSameEveryTime) {
   }
 }
 
-// Series side by side: each lane has the bits of a series alone, whatever stands in the others.
+// Several series in SIMD lanes: each is bitwise equal to a single series, whatever the other lanes contain.
 
-/// NaN and the signs of zeros, too.
+/// Bitwise equality, including NaN and the signs of zeros.
 bool same(double a, double b) { return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b); }
 
-/// The kernel whose sums a lane has.
+/// The kernel of a single series that gives bitwise equal sums.
 InstructionSet alone(InstructionSet set) {
   return set == InstructionSet::baseline ? set : InstructionSet::avx2;
 }
@@ -359,7 +359,7 @@ TEST(TapeLanes, HaveTheBitsOfOne) {
   expect_same(Few{}, {2, 3, 4, 9, 26, 40, 100});
 }
 
-/// With constants in all places that have one.
+/// Constants at all positions that admit one.
 struct Constants {
   static constexpr int dimension = 3;
   double p = 0.5;
@@ -371,7 +371,7 @@ struct Constants {
   }
 };
 
-// Each lane has constants of its own; what has other operations is refused.
+// Each lane has its own constants; a tape with other operations is refused.
 TEST(TapeLanes, HaveTheirOwnConstants) {
   const auto of = [](double p) { return program::record(Constants{p}, 0, 3, false).tape(); };
   for (const InstructionSet set : sets()) {
@@ -392,12 +392,12 @@ TEST(TapeLanes, HaveTheirOwnConstants) {
         for (int k = 0; k <= 20; ++k) EXPECT_EQ(lanes.coefficients(i, k)[lane], one.coefficients(i)[k]);
       }
     }
-    EXPECT_FALSE(lanes.fits(of(1 / 0.3)));  // a power of 1, and another number of operations
+    EXPECT_FALSE(lanes.fits(of(1 / 0.3)));  // an exponent of 1, and another number of operations
     EXPECT_FALSE(lanes.fits(program::record(Few{}, 0, 3, false).tape()));
   }
 }
 
-// What is infinite or NaN in one lane stays there.
+// Infinity or NaN in one lane does not affect the other lanes.
 TEST(TapeLanes, KeepToThemselves) {
   const Tape tape = program::record(Few{}, 0.3, 3, false).tape();
   for (const InstructionSet set : sets()) {
@@ -418,8 +418,8 @@ TEST(TapeLanes, KeepToThemselves) {
   }
 }
 
-// Sums of the series against Horner's rule; the order of the sum is that of a single series, whose bits
-// integrations are held to. Each of the terms of some 1 may round once or twice.
+// Sums of the series against Horner's rule; the order of summation is that of a single series. Each of the
+// terms of about 1 is rounded once or twice.
 TEST(TapeLanes, AddUp) {
   const Tape tape = program::record(Few{}, 0.3, 3, false).tape();
   for (const InstructionSet set : sets()) {

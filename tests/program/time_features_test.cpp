@@ -1,4 +1,4 @@
-/// Where functions of time wake after a rest.
+/// Times at which functions of time change after an interval of rest.
 #include "nlmech/program/time_features.hpp"
 
 #include <fmt/format.h>
@@ -20,8 +20,8 @@ std::vector<double> places(const std::string& right, double t0, double t1) {
   return TimeFeatures(equations.graph(), equations.slopes()).between(t0, t1);
 }
 
-// A pulse of any width at any time: beyond 5.3 widths it is below 1e-12. The first place is before it, by no
-// more than a few widths, and no gap between places is longer than a few widths.
+// A pulse of any width at any time; beyond 5.3 widths it is below 1e-12. The first time is before the pulse,
+// by at most some widths, and no gap between times around it is longer than some widths.
 RC_GTEST_PROP(TimeFeatures, PulsesAreFound, ()) {
   const double width = std::pow(10, -*rc::gen::inRange(0, 110) / 10.),
                middle = *rc::gen::inRange(250, 750) / 10.;
@@ -43,10 +43,10 @@ TEST(TimeFeatures, OtherShapes) {
   EXPECT_TRUE(is_near(places("(1 + tanh(100 (t - 5))) (1 - tanh(100 (t - 5.5)))", 0, 10), 5, 0.3));
   EXPECT_TRUE(is_near(places("x + 1/cosh((t - 70)/1e-4)", 0, 100), 70, 5e-3));
   EXPECT_TRUE(is_near(places("erf(1e5 (t - 3))", 0, 100), 3, 1e-3));
-  // A train of pulses: some places for each.
+  // A train of pulses: some times for each.
   const auto train = places("exp(-(sin(t)/0.01)^2)", 1, 100);
   for (int k = 1; k <= 31; ++k) EXPECT_TRUE(is_near(train, k * std::acos(-1.), 0.3)) << k;
-  // A burst: its start alone.
+  // A burst: only its start.
   const auto burst = places("exp(-((t - 50)/10)^8) sin(1000 t)", 0, 100);
   EXPECT_TRUE(is_near(burst, 35, 5));
   EXPECT_LE(burst.size(), 40U);

@@ -1,5 +1,5 @@
-/// Random systems of equations for every solver by its name: whatever is called a root has a residual, in
-/// long double, that the tolerance allows.
+/// Random systems of equations for every solver by its name: each reported root has a residual, in long
+/// double, within the tolerance.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -24,15 +24,15 @@ using algebraic::Report;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr int most = 5;  // unknowns
+constexpr int most = 5;  // the largest number of unknowns
 enum class Shape { product, chain, exponential, saturating, no_root, root };
 
 /// F_i = scale_i f((A x)_i), with a root for most shapes.
 struct RandomSystem {
   Shape shape{};
   int n = 1, degree = 1;
-  MatrixXd a;      ///< of x
-  MatrixXd roots;  ///< of f, a row a component
+  MatrixXd a;  ///< factors of x
+  MatrixXd roots;  ///< roots of f, a row for each component
   VectorXd scale;
   double steepness = 1;
 
@@ -78,7 +78,7 @@ RandomSystem random_system(Draw& draw) {
   for (int i = 0; i < s.n; ++i) {
     for (int j = 0; j < s.n; ++j) s.a(i, j) += apart * draw.uniform(-1, 1);
     for (int k = 0; k < 3; ++k) s.roots(i, k) = size * draw.uniform(-1, 1);
-    if (draw.chance(0.1)) s.roots(i, 1) = s.roots(i, 0);  // singular there
+    if (draw.chance(0.1)) s.roots(i, 1) = s.roots(i, 0);  // a double root
     s.scale[i] = draw.chance(0.3) ? draw.signed_log(1e-12, 1e12) : 1;
   }
   return s;
@@ -104,8 +104,8 @@ void derivative(const RandomSystem& s, const VectorXd& x, MatrixXd& b) {
   }
 }
 
-/// A component in long double. Where its root has an argument below 0 by less than the roundings of the sum
-/// that this is in double, the double may be that of 0, and so is this.
+/// A component in long double. If the argument at the root is negative by less than the rounding error of the
+/// sum in double, the value is that of argument 0, as in double.
 long double exact_component(const RandomSystem& s, const std::vector<long double>& x, int i) {
   if (s.shape != Shape::root) return s.component(x, i);
   long double y = 0, size = 0;
@@ -118,7 +118,7 @@ long double exact_component(const RandomSystem& s, const std::vector<long double
   return is_edge ? -s.scale[i] * std::abs(static_cast<long double>(s.roots(i, 0))) : s.component(x, i);
 }
 
-/// |F| in long double, and how far that in double is from it.
+/// |F| in long double, and the deviation of |F| in double from it.
 struct Judge {
   double length = 0, rounding = 0;
 };
@@ -174,7 +174,7 @@ TEST(RandomisedAlgebraic, ARootHasTheResidualThatWasAskedFor) {
   });
 }
 
-// 9 * 2^-60 below 0 in long double, 0 in double: there F is -|r| in both.
+// The argument is 9 * 2^-60 below 0 in long double and 0 in double: F is -|r| in both.
 TEST(RandomisedAlgebraic, TheEdgeOfADomainIsKnownToRounding) {
   const RandomSystem s{.shape = Shape::root,
                        .n = 2,
@@ -187,7 +187,7 @@ TEST(RandomisedAlgebraic, TheEdgeOfADomainIsKnownToRounding) {
   EXPECT_TRUE(std::isnan(judge(s, VectorXd{{1 - 0x1p-20, 1}}).length));
 }
 
-/// V = sum of w_i f(y_i) with y = A x: wells, so that there are minima, saddles and maxima.
+/// V = sum of w_i f(y_i) with y = A x: wells, so that V has minima, saddle points and maxima.
 struct Wells : algebraic::Potential {
   MatrixXd a, hessian;
   VectorXd weight, place;
@@ -237,7 +237,7 @@ TEST(RandomisedAlgebraic, TheEnergyEndsInAMinimum) {
     if (!report.status.ok()) return Case::refused(report.status.text());
     const std::string what = fmt::format("n = {}, tolerance {:.3g}", n, method.tolerance);
     wells.linearise(x);
-    // The matrix is known to eps of its norm; in a place that is a minimum to rounding.
+    // The matrix has an error of eps times its norm, at a point that is a minimum up to rounding.
     const MatrixXd shifted = wells.hessian + 1e-12 * wells.hessian.norm() * MatrixXd::Identity(n, n);
     if (Eigen::LLT<MatrixXd>(shifted).info() != Eigen::Success) return Case::wrong(what + ": no minimum");
     const auto exact = wells.gradient<long double>(x);

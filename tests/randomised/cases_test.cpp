@@ -1,4 +1,5 @@
-/// The machine itself: it finds what is wrong, says how to repeat it, and is not content with nothing.
+/// The framework of randomised tests: it detects wrong cases, reports how to repeat them, and rejects empty
+/// tests.
 #include "tests/randomised/randomised.hpp"
 
 #include <gtest/gtest-spi.h>
@@ -18,7 +19,7 @@ TEST(Randomised, FindsTheOneWrongCaseOfAHundred) {
         testing::ScopedFakeTestPartResultReporter::INTERCEPT_ONLY_CURRENT_THREAD, &results);
     randomised_test({.quick = 100, .full = 100}, one_wrong);
   }
-  ASSERT_EQ(results.size(), 2);  // the case, and that there is one
+  ASSERT_EQ(results.size(), 2);  // the case, and the fact that there is one
   EXPECT_NE(std::string(results.GetTestPartResult(0).message()).find("case 41 "), std::string::npos);
   EXPECT_NE(std::string(results.GetTestPartResult(0).message()).find("error 2, allowed 1; the answer"),
             std::string::npos);
@@ -56,7 +57,7 @@ TEST(Randomised, DrawsTheCornersAndStaysWithinTheRange) {
     highest += x == 1e5;
     EXPECT_TRUE(std::isfinite(draw.any_finite()));
   }
-  EXPECT_GT(lowest, 20);  // a corner's share: 2000 / 8 / 3 = 83 on average, standard deviation 9
+  EXPECT_GT(lowest, 20);  // share of one special value: 2000/8/3 = 83 on average, standard deviation 9
   EXPECT_GT(highest, 20);
 }
 

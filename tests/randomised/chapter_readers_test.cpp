@@ -1,4 +1,4 @@
-/// Readers of the chapters' own files: a spacecraft, and two orbits, as TOML.
+/// Readers of the chapters' input files, a spacecraft and two orbits in TOML.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -53,7 +53,7 @@ TEST(RandomisedReaders, TwoOrbitsAsToml) {
   });
 }
 
-// Each dot of a key is a table in a table.
+// Each dot of a key creates a nested table.
 TEST(RandomisedReaders, KeysOfManyTables) {
   for (const std::size_t tables : {100U, 1900U, 30'000U, 1'000'000U}) {
     std::string key;

@@ -1,6 +1,5 @@
-/// Equations as a user types them: any text is read or refused at a place, within bounds; and what a random
-/// expression is worth, with its derivatives and its Taylor coefficients, is what a tree of the test's own
-/// says in 60 digits.
+/// Typed equations: any text is read within bounds or refused at a place; values, derivatives and Taylor
+/// coefficients of random expressions agree with a separate expression tree in 60 digits.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -33,7 +32,7 @@ const std::vector<std::string>& examples() {
   return all;
 }
 
-/// Words of the language in any order.
+/// Words of the language in random order.
 std::string babble(Draw& draw) {
   static const std::vector<std::string> words = {"x",
                                                  "x'",
@@ -82,14 +81,14 @@ std::string babble(Draw& draw) {
   return text;
 }
 
-// A message points at a place: a line that says what, the line of the text, and a caret.
+// Does the message consist of a description, the line of the text, and a caret?
 bool points(const std::string& message) {
   const auto lines = std::count(message.begin(), message.end(), '\n');
   return message.size() < 1500 && message.starts_with("E:") && lines == 2 && message.back() == '^';
 }
 
-// What is accepted can be evaluated, and is not larger than its text allows: a character makes a few
-// operations, and powers up to 64 a dozen, of each of four highest derivatives.
+// An accepted text can be evaluated, and its graph is bounded: each character adds a few operations, and
+// powers up to 64 a dozen, for each of four highest derivatives.
 bool is_bounded(const std::string& text) {
   const Equations equations(SourceText("E", text));
   const auto most = 200 * (static_cast<int>(text.size()) + 10);
@@ -117,13 +116,13 @@ TEST(RandomisedEquations, AnyTextIsReadOrRefused) {
   });
 }
 
-// Error over its bound: what roundings of every operation change in 60 digits, some hundred times.
+// Error over its bound: some hundred times the effect of rounding every operation, evaluated in 60 digits.
 double ratio(double got, const Estimate& exact) {
   if (!std::isfinite(got)) return std::numeric_limits<double>::infinity();
   return static_cast<double>(abs(Real(got) - exact.value)) / static_cast<double>(exact.spread);
 }
 
-/// `x' = first, y' = second`, definitions among them, at a point.
+/// `x' = first, y' = second` with definitions, and a point.
 struct Trial {
   explicit Trial(Draw& draw) : trees{Tree(draw), Tree(draw)} {
     for (double& p : point) p = draw.chance(0.2) ? draw.whole(-2, 2) : draw.uniform(-3, 3);
@@ -137,7 +136,7 @@ struct Trial {
   std::string text;
 };
 
-// Without a word about cases that the oracle does not know: it keeps away from edges of definition.
+// Cases near limits of a domain are undecided, without a report: the oracle excludes them.
 template <class Judge>
 Case judged(Draw& draw, const Judge& judge) {
   const Trial trial(draw);
@@ -145,7 +144,7 @@ Case judged(Draw& draw, const Judge& judge) {
     const std::optional<double> worst = judge(trial);
     return worst ? Case::judged(*worst, 1, trial.where()) : Case::undecided();
   } catch (const InputError& error) {
-    // A part that is not finite whatever the state.
+    // Refused correctly if a part is not finite for any state.
     const bool known = trial.trees[0].value(trial.point) && trial.trees[1].value(trial.point);
     return known ? Case::wrong(trial.where() + " is refused: " + error.what()) : Case::refused();
   }
@@ -178,7 +177,7 @@ TEST(RandomisedEquations, ValuesAndDerivatives) {
   });
 }
 
-// Coefficients grow like powers of the first one: exp(12 pi/y) of 1e52 has a sixth of 1e327.
+// Coefficients grow as powers of the first one: for exp(12 pi/y) of size 1e52 the sixth is 1e327.
 bool is_beyond_doubles(const std::array<std::vector<Estimate>, 2>& coefficients) {
   return std::ranges::any_of(coefficients, [](const auto& of) {
     return std::ranges::any_of(of, [](const Estimate& c) { return abs(c.value) > 1e280; });

@@ -14,14 +14,14 @@ namespace {
 
 using Series = PowerSeries<Real>;
 
-// A rounding is amplified by chance more than by these runs in one case of many: hence the factor.
+// In rare cases a rounding error is amplified more than in these runs: hence the factor.
 constexpr int runs = 4;
 constexpr double margin = 200;
 
 Real lead(const Real& x) { return x; }
 Real lead(const Series& x) { return x[0]; }
 
-// 1 + a rounding, of either sign, that belongs to a node and a run.
+// 1 + a rounding error of random sign, determined by node and run.
 Real disturbance(std::size_t node, int run) {
   if (run == 0) return 1;
   std::uint64_t h = (node + 1) * 0x9e3779b97f4a7c15U + static_cast<std::uint64_t>(run) * 0xbf58476d1ce4e5b9U;
@@ -31,7 +31,7 @@ Real disturbance(std::size_t node, int run) {
 }
 
 Real disturbed(const Real& x, std::size_t node, int run) { return x * disturbance(64 * node, run); }
-// Each coefficient has a rounding of its own.
+// Each coefficient has its own rounding error.
 Series disturbed(const Series& x, std::size_t node, int run) {
   if (x.is_constant()) return Series(disturbed(x[0], node, run));
   std::vector<Real> all;
@@ -39,22 +39,25 @@ Series disturbed(const Series& x, std::size_t node, int run) {
   return Series(std::move(all));
 }
 
-// A library's power is rounded once.
+// A power of a library has one rounding error.
 Real power(const Real& a, const Real& b, std::size_t /*node*/, int /*run*/) { return exp(b * log(a)); }
-// A series is made of logarithm, product and exponential, each coefficient of which is rounded.
+// The power of a series consists of logarithm, product and exponential, with rounding errors in each
+// coefficient.
 Series power(const Series& a, const Series& b, std::size_t node, int run) {
   constexpr std::size_t unused = 1000;  // trees have fewer nodes
   return exp(disturbed(b * disturbed(log(a), node + unused, run), node + 2 * unused, run));
 }
 
-// Of the true value and disturbed ones. @param scale of parts that may cancel whatever the disturbances:
-// y^4/y^4 has the derivative 0 with each of them, and not with roundings.
+// Estimate from the exact value and the disturbed ones. @param scale size of terms that cancel whatever the
+// disturbances: the derivative of y^4/y^4 is 0 for each of them, but not with rounding.
 std::optional<Estimate> estimate(const std::vector<Real>& values, const Real& scale = 0) {
   Real spread = 0;
   for (const Real& v : values) spread = std::max(spread, Real(abs(v - values[0])));
-  // What no rounding changes may still have one in the last place, or be a sum of subnormal products.
+  // A value that no disturbance changes may still have an error in the last place, or be a sum of subnormal
+  // products.
   spread = margin * spread + 4 * abs(values[0]) * 0x1p-53 + margin * scale * 0x1p-53 + Real(1e-250);
-  if (!isfinite(spread) || spread > 1e-6 * (1 + abs(values[0]))) return std::nullopt;  // nothing to judge
+  if (!isfinite(spread) || spread > 1e-6 * (1 + abs(values[0])))
+    return std::nullopt;  // too uncertain for a comparison
   return Estimate{values[0], spread};
 }
 
@@ -64,7 +67,8 @@ const std::vector<std::string> unary = {"sqrt", "exp",   "log",   "sin",   "cos"
                                         "cot",  "asinh", "acosh", "atanh", "step", "heaviside"};
 const std::vector<std::string> binary = {"+", "-", "*", "*", "/", "+", "^", "atan2", "min", "max"};
 const std::vector<std::string> comparisons = {"<", "<=", ">", ">="};
-const std::vector<std::string> of_time = {"floor", "ceil", "frac", "mod"};  // these alone; and they jump
+const std::vector<std::string> of_time = {"floor", "ceil", "frac",
+                                          "mod"};  // functions of time alone, with jumps
 
 bool is_in(const std::vector<std::string>& names, const std::string& name) {
   return std::ranges::find(names, name) != names.end();
@@ -109,7 +113,7 @@ int Tree::grow(Draw& draw, int depth) {
   return static_cast<int>(nodes_.size()) - 1;
 }
 
-// Ranks: 0 a sum, 1 a product, 2 with a sign, 3 a power, 4 a name, a number, a call or a bracket.
+// Ranks: 0 a sum, 1 a product, 2 with a sign, 3 a power, 4 a name, number, call or parenthesis.
 std::string Tree::written(int node, int rank, const std::string& prefix) const {
   const Node& n = nodes_[static_cast<std::size_t>(node)];
   if (n.named && node + 1 < static_cast<int>(nodes_.size())) return prefix + std::to_string(node);
@@ -124,7 +128,7 @@ std::string Tree::written_here(const Node& n, int& rank, const std::string& pref
     return fmt::format("{}({} t + {}{})", n.what, n.rate, n.start,
                        n.what == "mod" ? fmt::format(", {}", n.number) : "");
   if (n.a < 0) return n.what;
-  if (is_in(comparisons, n.what))  // blank: the other way round
+  if (is_in(comparisons, n.what))  // blank: the negated comparison
     return fmt::format("if({}({} {} {}), {}, {})", n.blank ? "not " : "", part(n.c, 0), n.what, part(n.d, 0),
                        part(n.blank ? n.b : n.a, 0), part(n.blank ? n.a : n.b, 0));
   if (n.what == "^n") {
@@ -283,15 +287,15 @@ std::optional<Estimate> Tree::derivative(const std::array<double, 3>& point, int
     before[static_cast<std::size_t>(by)] -= h;
     return Real((evaluate(at, run, edge) - evaluate(before, run, edge)) / (2 * h));
   };
-  const Real h = 1e-22;  // of the 60 digits 38 are left
+  const Real h = 1e-22;  // 38 of the 60 digits remain
   for (int run = 0; run <= runs; ++run) values.push_back(difference(h, run));
-  // The error, h^2/6 of the third derivative, is a third of the change by a step twice as long. That
+  // The error, h^2/6 times the third derivative, is a third of the change for the doubled step. The third
   // derivative of x^p is p^2 times the first.
   const Real change = abs(difference(2 * h, 0) - values[0]);
   if (edge || change > 1e-18 * (1 + abs(values[0]))) return std::nullopt;
   const auto whole = value(point);
   if (!whole) return std::nullopt;
-  const double variable = std::abs(point[static_cast<std::size_t>(by)]);  // parts as large as f/x may cancel
+  const double variable = std::abs(point[static_cast<std::size_t>(by)]);  // terms of size f/x may cancel
   return estimate(values, (1 + abs(whole->value)) * (variable > 0 ? 1 + 1 / variable : 1));
 }
 

@@ -1,6 +1,6 @@
 /// @file
-/// Random expressions with a value of their own: a tree that writes itself as a user would, and is evaluated
-/// in 60 digits without the code under test.
+/// Random expressions with independent values: a tree that is written as typed text and evaluated in 60
+/// digits without the tested code.
 #pragma once
 
 #include <array>
@@ -16,26 +16,27 @@ namespace nlmech::randomised {
 /// 60 digits.
 using Real = ExtendedReal<60>;
 
-/// A true value, and how far double precision may be from it.
+/// An exact value, and the error bound of double precision.
 struct Estimate {
   Real value;   ///< exact to 1e-30
-  Real spread;  ///< the largest change when each operation is disturbed by a rounding, many times over
+  Real spread;  ///< a multiple of the largest change when each operation has a rounding error
 };
 
 /// An expression of t, x and y.
 class Tree {
  public:
-  /// Random, of some ten operations.
+  /// A random expression of some ten operations.
   explicit Tree(Draw& draw);
 
-  /// `left = expression`, and the parts that have a name as definitions behind it.
+  /// `left = expression`, followed by the named parts as definitions.
   [[nodiscard]] std::string text(const std::string& left, const std::string& prefix) const;
-  /// At (t, x, y); nothing near the edge of a function's definition, a kink, or the range of double.
+  /// The value at (t, x, y); empty near limits of a domain, kinks, and the range of double.
   [[nodiscard]] std::optional<Estimate> value(const std::array<double, 3>& point) const;
-  /// The derivative by t, x or y, by differences.
+  /// The derivative by t, x or y from differences; empty as for value().
   [[nodiscard]] std::optional<Estimate> derivative(const std::array<double, 3>& point, int by) const;
 
-  /// On any type of number, disturbed for the run @p run > 0. Sets @p edge where value() gives nothing.
+  /// Evaluates in any type of number, with rounding errors for @p run > 0. Sets @p edge where value() is
+  /// empty.
   template <class T>
   T evaluate(const std::array<T, 3>& at, int run, bool& edge) const;
 
@@ -48,7 +49,7 @@ class Tree {
     double rate = 0, start = 0;  // floor(rate t + start)
     bool named = false;          // a definition
     bool blank = false;          // a product without its sign
-    std::string digits;          // of a number
+    std::string digits;          // digits of a number
   };
   int grow(Draw& draw, int depth);
   [[nodiscard]] std::string written(int node, int rank, const std::string& prefix) const;
@@ -58,10 +59,10 @@ class Tree {
   template <class T>
   T apply(std::size_t node, const std::vector<T>& known, int run, bool& edge) const;
 
-  std::vector<Node> nodes_;  // operands before what they are operands of; the last is the whole
+  std::vector<Node> nodes_;  // operands precede their operation; the last node is the root
 };
 
-/// Taylor coefficients of the solution of x' = first, y' = second from a point on: [component][order].
+/// Taylor coefficients of the solution of x' = first, y' = second from a point: [component][order].
 [[nodiscard]] std::optional<std::array<std::vector<Estimate>, 2>> solution(const std::array<Tree, 2>& trees,
                                                                            const std::array<double, 3>& point,
                                                                            int order);

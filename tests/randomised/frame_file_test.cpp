@@ -1,4 +1,4 @@
-/// Whatever a file of a frame holds, it makes a frame that stands, or a sentence says what is wrong.
+/// A file of a frame in any state gives a stable frame or a message that names the error.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -18,7 +18,7 @@ using chapters::homotopy::parse_frame;
 
 constexpr std::int64_t all_of_them = 300'000;
 
-/// Is it a frame at rest, with a load or a given displacement, and a stiffness that resists it?
+/// Is it a frame at rest with a load or a prescribed displacement, and a positive stiffness?
 bool stands_in(const std::string& text, const std::optional<std::string>& load_case) {
   const auto file = parse_frame(text, "frame.toml", load_case);
   const frames::NamedFrame f = build_frame(file, 2);

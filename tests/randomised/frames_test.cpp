@@ -1,5 +1,5 @@
-/// Random toggles: limit points, bifurcations and equilibria, held to dense eigenvalues, long double, scans
-/// of a function of one unknown, and walks of another step.
+/// Random toggles: limit points, bifurcation points and equilibria against dense eigenvalues, long double,
+/// scans of a function of one unknown, and paths with other step sizes.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -41,7 +41,7 @@ std::string words_of(const Toggle& t) {
   return fmt::format("height {:.17g}, EA {:.17g}, {} elements", t.height, t.ea, t.elements);
 }
 
-/// All critical points of a walk with a first load and a turn.
+/// All critical points of a path with the given first load and turn.
 Status walk(const ToggleFrame& whole, const Toggle& t, double first, double turn,
             std::vector<CriticalPoint>& found) {
   frames::LoadedFrame equations(whole.frame, whole.load);
@@ -54,8 +54,8 @@ Status walk(const ToggleFrame& whole, const Toggle& t, double first, double turn
   return follow(path, is_through, 4000, found);
 }
 
-/// The smallest eigenvalue of the dense tangent, scaled by that at rest, over the largest; and |F| in long
-/// double over what axial forces and displacements make of it.
+/// The smallest eigenvalue of the dense tangent, with rows and columns scaled by the tangent at rest; |F| in
+/// long double relative to the terms of axial forces and displacements.
 struct Singular {
   double eigenvalue = 0, force = 0;
 };
@@ -94,10 +94,10 @@ TEST(RandomisedFrames, CriticalPointsAreSingularAndTheSameForEveryStep) {
     double worst = 0;
     for (const CriticalPoint& c : found) {
       const Singular s = singular_at(whole, c);
-      // Places of bifurcations come by interpolation over a twentieth of a step.
+      // Bifurcation points are interpolated within a twentieth of a step.
       worst = std::max({worst, s.eigenvalue / 1e-6, s.force / 1e-9});
     }
-    // A walk of short steps.
+    // A path with short steps.
     Toggle own = t;
     const frames::TogglePath other = critical_points(own);
     std::vector<CriticalPoint> fine;
@@ -115,7 +115,7 @@ TEST(RandomisedFrames, CriticalPointsAreSingularAndTheSameForEveryStep) {
   });
 }
 
-/// What the half toggle of one element carries at a drop, less the load, in long double.
+/// Load of the half toggle of one element at a drop, minus @p load, in long double.
 long double rest_of(const ToggleFrame& half, double drop, double load) {
   frames::Frame::Displacements<long double> f;
   const frames::Frame::Displacements<long double> x =
@@ -125,7 +125,7 @@ long double rest_of(const ToggleFrame& half, double drop, double load) {
                      : std::numeric_limits<long double>::quiet_NaN();
 }
 
-/// Drops where a half toggle of one element carries a load, by a scan of its one unknown, in order.
+/// Drops at which a half toggle of one element carries a load, ascending, by a scan of its one unknown.
 std::vector<double> drops_of(const ToggleFrame& half, double load, double end) {
   const auto rest = [&](double drop) {
     VectorXd f;
@@ -157,7 +157,7 @@ TEST(RandomisedFrames, EquilibriaOfOneElementAreThoseOfAScan) {
       "riks",   "crisfield",     "gdc",     "chow-yorke",          "newton-homotopy"};
   randomised_test({.quick = 60, .full = 30'000, .least_right = 0.3}, [&](Draw& draw) {
     Toggle t = random_toggle(draw, 1);
-    t.height = draw.log_uniform(0.05, 0.7);  // no member bows
+    t.height = draw.log_uniform(0.05, 0.7);  // below the buckling of a member
     const ToggleFrame half = make_frame(t);
     const double load = draw.signed_log(1e-3, 300);
     frames::Equilibrium equations(half.frame, half.load, load);
@@ -172,7 +172,7 @@ TEST(RandomisedFrames, EquilibriaOfOneElementAreThoseOfAScan) {
     Eigen::SparseMatrix<double> k;
     static_cast<void>(half.frame.tangent<double>(x, k));
     const double slope = std::abs(k.coeff(0, 0));
-    // |F| over the slope; next to a limit point the root of |F| over the curvature, EA/l^3 or so.
+    // |F| over the slope; near a limit point the square root of |F| over the curvature, about EA/l^3.
     const double distance =
         4 * std::min(report.bound / slope, std::sqrt(report.bound * 1e3 / t.ea) * t.length) + 1e-9 * t.height;
     const std::vector<double> drops = drops_of(half, load, 6 * t.height + 2);
@@ -180,14 +180,14 @@ TEST(RandomisedFrames, EquilibriaOfOneElementAreThoseOfAScan) {
     double nearest = HUGE_VAL;
     for (const double d : drops) nearest = std::min(nearest, std::abs(d + x[0]));
     const bool is_path = method.name == "riks" || method.name == "crisfield" || method.name == "gdc";
-    if (is_path) {  // the first on the path, from rest down or up
+    if (is_path) {  // the first on the path from rest, downwards or upwards
       const auto below = std::lower_bound(drops.begin(), drops.end(), 0.);
       if (load > 0 ? below == drops.end() : below == drops.begin()) return Case::undecided(what);
       const double first = load > 0 ? *below : *(below - 1);
       nearest = std::abs(first + x[0]);
       if (std::abs(x[0]) > std::abs(first)) return Case::judged(nearest, distance, what);
     }
-    // A scan misses two roots between neighbours: next to a limit load.
+    // The scan misses two roots between neighbouring points, near a limit load.
     const long double behind = rest_of(half, -x[0] - distance, load),
                       ahead = rest_of(half, -x[0] + distance, load);
     return Case::judged((behind > 0) != (ahead > 0) ? 0 : nearest, distance, what);
@@ -223,7 +223,7 @@ TEST(RandomisedFrames, EquilibriaCarryTheirLoadAndEnergiesAreLeast) {
           MatrixXd(k.array() / (scale * scale.transpose()).array()), Eigen::EigenvaluesOnly);
       if (spectrum.eigenvalues()[0] < -1e-9) return Case::wrong(what + ": no minimum");
     }
-    // F is computed in double to what a rounding of every axial force makes, or of every displacement.
+    // Rounding error of F in double: that of every axial force and every displacement.
     double axial = std::abs(load);
     for (std::size_t i = 0; i < half.frame.members().size(); ++i)
       axial = std::max(axial, std::abs(half.frame.member<double>(x, i).axial_force));

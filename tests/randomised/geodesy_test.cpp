@@ -1,5 +1,5 @@
-/// Every reverse transformation against the forward map in extended precision: points from the centre to the
-/// ends of double, on ellipsoids from discs to needles.
+/// Every reverse transformation against the forward transformation in extended precision: points from the
+/// centre to the range of double, on ellipsoids from discs to needles.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -41,7 +41,7 @@ Ellipsoid any_ellipsoid(Draw& draw) {
   return {a, any_flattening(draw)};
 }
 
-/// In the meridian: at any distance, near the surface, on the axes, near the evolute.
+/// Points of a meridian at any distance, near the surface, on the axes, and near the evolute.
 Cartesian any_point(Draw& draw, const Ellipsoid& e) {
   double r = 0, z = 0;
   const double size = std::max(e.a(), e.b());
@@ -59,7 +59,7 @@ Cartesian any_point(Draw& draw, const Ellipsoid& e) {
     }
     case 2: r = size * draw.log_uniform(1e-15, 10), z = draw.one_of({0.0, -0.0, 5e-324, -1e-300}); break;
     case 3: z = size * draw.signed_log(1e-15, 10), r = draw.one_of({0.0, 5e-324, 1e-200}); break;
-    case 4: {  // the astroid that normals touch
+    case 4: {  // the astroid (evolute) that the normals touch
       const double gap = std::abs((e.a() - e.b()) * (1 + e.b() / e.a())), c = std::cos(angle),
                    s = std::sin(angle);
       const double near = 1 + draw.signed_log(1e-16, 0.1);
@@ -73,8 +73,8 @@ Cartesian any_point(Draw& draw, const Ellipsoid& e) {
   return {r * std::cos(longitude), r * std::sin(longitude), z};
 }
 
-/// How far a position is from the given point, over what rounding of the point and of the latitude makes; and
-/// whether it is the closest foot: the only one in the quadrant of the point.
+/// Compares a position with the given point, relative to the rounding errors of the point and of the
+/// latitude; expects the closest foot: the only one in the quadrant of the point.
 Case judged(const Cartesian& p, const Ellipsoid& e, const Geodetic& g, double bound,
             const std::string& what) {
   const std::string all =
@@ -93,8 +93,8 @@ Case judged(const Cartesian& p, const Ellipsoid& e, const Geodetic& g, double bo
   const Wide along = std::abs(dr * c + dz * s), across = std::abs(dz * c - dr * s);
   const Wide scale = R + std::abs(h), turn = scale + std::abs(curvature + h) * std::abs(Wide(g.latitude));
   Wide error = std::max(along / (eps * scale), across / (eps * turn));
-  // On a disc as thin as this the rounding of a latitude near the pole moves the foot by more than the
-  // point's own size: then the numbers themselves are compared, with those of 50 digits.
+  // On such a thin disc the rounding of a latitude near the pole moves the foot by more than the size of the
+  // point: latitude and height are compared with those of 50 digits instead.
   if (a > b && curvature * eps > 1e-3L * scale) {
     const auto exact = reference::reverse(p, e);
     const double latitude = static_cast<double>(abs(abs(exact.latitude) - std::abs(g.latitude)));
@@ -102,7 +102,7 @@ Case judged(const Cartesian& p, const Ellipsoid& e, const Geodetic& g, double bo
     error = std::max(Wide(latitude) / (eps * std::abs(Wide(g.latitude))), Wide(height) / (eps * scale));
     return Case::judged(static_cast<double>(error), bound, "thin disc, " + all);
   }
-  // On the plane of symmetry and on the axis feet of other quadrants are no farther: by their closed forms.
+  // On the equatorial plane and on the axis feet in other quadrants are equally close: closed forms.
   if (z == 0 || r == 0) {
     Wide height = z == 0 ? r - a : std::abs(z) - b;
     if (z == 0 && a > b && r < (a - b) * (1 + b / a)) {
@@ -117,7 +117,8 @@ Case judged(const Cartesian& p, const Ellipsoid& e, const Geodetic& g, double bo
   return Case::judged(static_cast<double>(error), bound, all);
 }
 
-/// In roundings of |r| + |h|, and of the latitude times the radius on which the point turns.
+/// Allowed error in rounding errors of |r| + |h|, and of the latitude times the radius of rotation of the
+/// point.
 constexpr double allowed = 16;
 
 TEST(RandomisedGeodesy, ClosestPointIsTheClosest) {
@@ -157,8 +158,8 @@ TEST(RandomisedGeodesy, FastTransformationsOfAllInstructionSets) {
   });
 }
 
-// The Earth as the header says it: 4e-16 rad, and 2.5e-9 m below 100 km or 2.2e-8 m up to 35000 km. The
-// latitude by one step of Newton's iteration in extended precision from the one found.
+// Accuracy on the Earth as stated in the header: 4e-16 rad, and 2.5e-9 m below 100 km or 2.2e-8 m up to 35000
+// km. The reference latitude is one Newton step in extended precision from the result.
 TEST(RandomisedGeodesy, TheEarthToTheStatedAccuracy) {
   randomised::randomised_test({.quick = 2000, .full = 1'000'000}, [](Draw& draw) {
     const Ellipsoid e = Ellipsoid::wgs84();
@@ -178,8 +179,8 @@ TEST(RandomisedGeodesy, TheEarthToTheStatedAccuracy) {
   });
 }
 
-// The series says its own miss; a success is within a hundredth of the distance, and the miss is the true
-// one.
+// The series reports its residual; a success is within a hundredth of the distance, and the reported residual
+// is correct.
 TEST(RandomisedGeodesy, TheSeriesKnowsItsMiss) {
   randomised::randomised_test({.quick = 1000, .full = 300'000}, [](Draw& draw) {
     const Ellipsoid e = any_ellipsoid(draw);
@@ -202,8 +203,8 @@ TEST(RandomisedGeodesy, TheSeriesKnowsItsMiss) {
   });
 }
 
-// Forward for all ellipsoids and heights against the same equation in extended precision without its
-// cancellation.
+// Forward transformation for all ellipsoids and heights, against the same equation in extended precision
+// without cancellation.
 TEST(RandomisedGeodesy, ForwardOnEveryEllipsoid) {
   randomised::randomised_test({.quick = 2000, .full = 500'000}, [](Draw& draw) {
     const Ellipsoid e = any_ellipsoid(draw);

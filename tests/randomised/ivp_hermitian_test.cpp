@@ -1,5 +1,5 @@
-/// Hermitian operators with steps of their choice: what ends with success is held to exponentials of matrices
-/// in extended precision and to elliptic functions.
+/// Hermitian operators with adaptive steps: every success against matrix exponentials in extended precision
+/// and elliptic functions.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <Eigen/Core>
@@ -25,7 +25,7 @@ using Square = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
 using Column = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
-constexpr std::int64_t most_steps = 120'000;  // what asks for more is refused, and cheap
+constexpr std::int64_t most_steps = 120'000;  // integrations with more steps are refused, which is cheap
 constexpr std::array<std::int64_t, 12> counts = {16,  32,  33,  64,   68,     128,
                                                  137, 256, 528, 1024, 35'376, 262'144};
 
@@ -43,9 +43,9 @@ Square exponential(Square m) {
   return sum;
 }
 
-/// Condition of the first @p n components under dy/ds = m y from s = 0 to 1: the effect at the end of an
-/// error of one tolerance made at any s. That error is relative to the state at s: under a load near
-/// resonance the motion beats, and may end near rest.
+/// Condition number of the first @p n components for dy/ds = m y from s = 0 to 1: the effect at the end of an
+/// error of one tolerance at any s. The error is relative to the state at s, because a motion with beats may
+/// end near rest.
 /// @param of (growth, size): the effect by component, for the growth from s to the end and the size of y(s)
 template <class Of>
 ivp::State condition_of(const Square& m, const Column& y, Eigen::Index n, const Of& of) {
@@ -61,7 +61,7 @@ ivp::State condition_of(const Square& m, const Column& y, Eigen::Index n, const 
   return most;
 }
 
-/// Operators, their tolerance, and how they are called.
+/// A method, its tolerance, and the corresponding command.
 struct Asked {
   std::string method;
   ivp::Settings settings;
@@ -74,7 +74,7 @@ Asked ask(Draw& draw) {
   return {draw.one_of({"laier", "argyris", "hoff", "bazzi"}), {.tolerance = draw.log_uniform(1e-10, 1e-2)}};
 }
 
-/// A frequency that equal steps would meet at one phase, or any.
+/// A load frequency that equal steps sample at one phase, or any frequency.
 double load_frequency(Draw& draw, double interval) {
   if (draw.chance(0.5)) {
     constexpr double turn = 6.283185307179586;
@@ -83,8 +83,8 @@ double load_frequency(Draw& draw, double interval) {
   return draw.log_uniform(1e-2, 1e6) / interval;
 }
 
-/// The end of a run against the exact, in tolerances: errors of steps add up, and @p condition multiplies
-/// them.
+/// Compares the end state with the exact one, in tolerances: the errors of all steps add up, multiplied by @p
+/// condition.
 Case judge(const Asked& asked, const ivp::Solution& s, const Column& exact, double sure,
            const ivp::State& condition, const std::string& what) {
   if (!s.status.ok()) return Case::refused(s.status.text());
@@ -130,7 +130,7 @@ Case oscillator(Draw& draw) {
   y << x0[0], x0[1] / w, 1, 0;
   Column exact = (flow * y).head(2);
   exact[1] *= w;
-  // Rounding of the flow, and of w in the problem: by the angle.
+  // Rounding error of the flow and of w in the problem, proportional to the angle.
   const double radians = interval * std::max({natural, frequency, 1.0 / interval}) * (1 + ratio);
   const double size = static_cast<double>(flow.cwiseAbs().maxCoeff() * y.cwiseAbs().maxCoeff()), v = natural;
   const double sure =
@@ -168,7 +168,7 @@ Case duffing(Draw& draw) {
                rate = static_cast<double>(omega);
   const double sure =
       8 * eps * (1 + angle) * size * std::max(1.0, rate / (1 + static_cast<double>(std::abs(exact[1]))));
-  // An error of the amplitude changes the frequency: it grows with the angle.
+  // An error of the amplitude changes the frequency, so its effect grows with the angle.
   const double grown = 1 + angle, x = 1 + size, v = 1 + rate * size;
   const ivp::State condition{grown * (x + v / rate), grown * (v + rate * x)};
   return judge(
@@ -178,7 +178,7 @@ Case duffing(Draw& draw) {
                   p.natural_frequency, p.hardening, amplitude, interval, asked.words()));
 }
 
-// The chain without its cubic spring, under a load on the second mass.
+// The chain without its cubic spring, with a load on the second mass.
 Case chain(Draw& draw) {
   const double interval = draw.log_uniform(1e-2, 1e3);
   const double k1 = draw.log_uniform(0.1, 1e8), k4 = draw.chance(0.5) ? 0 : draw.log_uniform(0.1, 1e4),
@@ -198,16 +198,16 @@ Case chain(Draw& draw) {
   Square m = Square::Zero(8, 8);
   for (int i = 0; i < 6; ++i) {
     ivp::State f;
-    free.rhs(0, ivp::State::Unit(6, i), f);  // small whole numbers and parameters: exact to rounding
+    free.rhs(0, ivp::State::Unit(6, i), f);  // small integers and parameters: exact up to rounding
     m.col(i).head(6) = f.cast<Real>();
   }
-  m(4, 6) = force;  // over m2 = 1
+  m(4, 6) = force;  // divided by m2 = 1
   m(6, 7) = -frequency;
   m(7, 6) = frequency;
   Column y = Column::Zero(8);
   y.head(6) = x0.cast<Real>();
   y[6] = 1;
-  const Real scale = std::sqrt(std::max(Real(1), Real(k1)));  // velocities in units of the fastest motion
+  const Real scale = std::sqrt(std::max(Real(1), Real(k1)));  // velocities are scaled by the fastest motion
   for (int i = 3; i < 6; ++i) {
     m.row(i) /= scale;
     m.col(i) *= scale;

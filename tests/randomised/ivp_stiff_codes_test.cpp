@@ -1,4 +1,4 @@
-// adaptive-collocation on stiff problems without closed form, against two codes of other authors that agree.
+// adaptive-collocation on stiff problems without closed form, against two agreeing codes of other authors.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@ bool has_codes() {
          peers::peer_info("odeint-rosenbrock4").is_available();
 }
 
-/// A run and what is asked of it.
+/// An initial value problem with tolerances.
 struct Question {
   System system;
   State x0;
@@ -32,7 +32,8 @@ struct Question {
   double relative, absolute;
 };
 
-/// Truth is what a multistep and a one-step method with tolerances 1e-4 and 1e-3 times as large agree on.
+/// Reference: the common result of a multistep method with 1e-4 and a one-step method with 1e-3 times the
+/// tolerances.
 template <class Allowed>
 Case judge(const Question& q, Allowed allowed, const std::string& what) {
   const auto s =
@@ -56,7 +57,8 @@ Case judge(const Question& q, Allowed allowed, const std::string& what) {
   return Case::judged(std::min(ratio(s.x, bdf.x), ratio(s.x, rosenbrock.x)), 1, what);
 }
 
-/// Thirty tolerances of each component, and `more` of the change of time that errors of the phase amount to.
+/// Bound: thirty tolerances of each component, and the effect of a phase error of @p time_per_tolerance times
+/// the relative tolerance.
 auto tolerances(const Question& q, double time_per_tolerance) {
   return [&q, time_per_tolerance](const State& x) {
     State f(x.size());
@@ -69,7 +71,8 @@ auto tolerances(const Question& q, double time_per_tolerance) {
   };
 }
 
-// An error of a tolerance in x, which creeps at 1/mu, is mu tolerances of time, at every leap anew.
+// On the slow branch x moves at the rate 1/mu: an error of one tolerance in x is a time error of mu
+// tolerances, at every fast transition.
 TEST(RandomisedStiffCodes, VanDerPol) {
   if (!has_codes()) GTEST_SKIP() << "this build lacks the codes to compare with";
   randomised_test({.quick = 5, .full = 1500}, [](Draw& draw) {
@@ -99,7 +102,7 @@ TEST(RandomisedStiffCodes, Robertson) {
   });
 }
 
-// The last reaction comes to its end within some ten units of time: errors of the time at which it does.
+// The last reaction ends within about ten units of time, so errors of its time matter.
 TEST(RandomisedStiffCodes, Hires) {
   if (!has_codes()) GTEST_SKIP() << "this build lacks the codes to compare with";
   randomised_test({.quick = 5, .full = 1500}, [](Draw& draw) {

@@ -1,5 +1,5 @@
-// adaptive-collocation on stiff problems whose solutions are known: every success is right to 30 tolerances,
-// one and a half digits, times what the problem makes of errors.
+// adaptive-collocation on stiff problems with known solutions: every success is accurate to 30 tolerances,
+// one and a half digits, times the condition number.
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
@@ -27,12 +27,13 @@ using randomised::randomised_test;
 constexpr double digits_and_a_half = 30;
 constexpr double eps = 2.220446049250313e-16;
 
-/// x' = A (x - g(t)) + g'(t), g_i = a_i sin(w_i t + p_i) + b_i: solutions g + exp(A t) (x0 - g(0)). A is made
-/// of blocks (re, im; -im, re) in coordinates V. Of dynamic size, so that it is compiled once.
+/// x' = A (x - g(t)) + g'(t), g_i = a_i sin(w_i t + p_i) + b_i, with the solutions g + exp(A t) (x0 - g(0)).
+/// A consists of blocks (re, im; -im, re) in the coordinates V. The size is dynamic, so that it is compiled
+/// once.
 struct Forced {
   MatrixXd a = {}, v = {}, inverse = {};
-  VectorXd real;       // of the eigenvalues, pairs side by side
-  VectorXd imaginary;  // of the first of a pair; 0: none
+  VectorXd real;  // real parts of the eigenvalues; pairs are adjacent
+  VectorXd imaginary;  // imaginary part at the first of a pair; 0: none
   VectorXd amplitude, frequency, phase, mean;
 
   [[nodiscard]] VectorXd slope(double t, const VectorXd& x) const {
@@ -60,10 +61,10 @@ struct Forced {
   }
 };
 
-/// The same as a problem for double alone, with its Jacobian: quick to compile.
+/// The same problem for double only, with its Jacobian: compiles quickly.
 struct ForcedProblem {
   static constexpr int dimension = Eigen::Dynamic;
-  const Forced* p;  // outlives it
+  const Forced* p;  // must outlive this object
 
   [[nodiscard]] int size() const { return static_cast<int>(p->a.rows()); }
   void operator()(double t, const VectorXd& x, VectorXd& f) const { f = p->slope(t, x); }
@@ -89,7 +90,7 @@ Forced draw_forced(Draw& draw, Index n) {
     const double rate = draw.chance(0.15) ? 0 : draw.log_uniform(1e-3, 1e9);
     p.real[i] = blocks(i, i) = -rate;
     if (!is_pair) continue;
-    // From overdamped to hardly damped; a frequency that lives long is no more than a few thousand rad.
+    // From overdamped to weakly damped; a weakly damped frequency reaches at most a few thousand rad.
     p.imaginary[i] = rate > 100 ? rate * draw.log_uniform(0.01, 3) : draw.log_uniform(0.1, 300);
     p.real[i + 1] = blocks(i + 1, i + 1) = -rate;
     blocks(i, i + 1) = p.imaginary[i];
@@ -97,7 +98,7 @@ Forced draw_forced(Draw& draw, Index n) {
     ++i;
   }
   for (double& entry : random.reshaped()) entry = draw.normal();
-  // Turned, and sheared by at most 2: a condition of some tens.
+  // Rotated, and sheared by at most 2: a condition number of some tens.
   p.v = Eigen::HouseholderQR<MatrixXd>(random).householderQ();
   for (Index i = 0; i + 1 < n; ++i) p.v.col(i + 1) += draw.uniform(-2, 2) * p.v.col(i);
   p.inverse = p.v.inverse();
@@ -111,7 +112,7 @@ Forced draw_forced(Draw& draw, Index n) {
   return p;
 }
 
-/// Full turns of everything that turns undamped or is driven: each may add a tolerance.
+/// Number of periods of all weakly damped and driven motions: each may add an error of a tolerance.
 double turns(const Forced& p, double end) {
   double angle = (p.frequency.array() * (p.amplitude.array() > 0).cast<double>()).sum() * end;
   for (Index i = 0; i < p.real.size(); ++i) {
@@ -125,7 +126,7 @@ Case forced_case(Draw& draw, Index n) {
   const Forced p = draw_forced(draw, n);
   const double end = draw.log_uniform(1e-2, 30), tolerance = draw.log_uniform(1e-12, 1e-2);
   const double absolute = draw.chance(0.5) ? tolerance : tolerance * draw.log_uniform(1e-3, 1);
-  // On the smooth solution, or away from it: a transient.
+  // A start on the smooth solution, or away from it, with a transient.
   VectorXd x0 = p.forced(0);
   if (draw.chance(0.7)) {
     for (double& x : x0) x += draw.signed_log(1e-8, 10);
@@ -138,7 +139,7 @@ Case forced_case(Draw& draw, Index n) {
       p.v.cwiseAbs().rowwise().sum().maxCoeff() * p.inverse.cwiseAbs().rowwise().sum().maxCoeff();
   const double of_a_step = absolute + (tolerance + 100 * eps) * size;
   const double bound = digits_and_a_half * of_a_step * condition * (1 + turns(p, end));
-  // A itself is rounded: slow eigenvalues know those of fast ones.
+  // A is rounded: the errors of slow eigenvalues are relative to the fast ones.
   const double blur =
       eps * p.real.cwiseAbs().maxCoeff() * end * condition * (x0 - p.forced(0)).cwiseAbs().maxCoeff();
   const auto what =
@@ -212,7 +213,7 @@ TEST(RandomisedStiff, KapsProblem) {
                   {.steps = 100'000});
     if (!s.status.ok()) return Case::refused(s.status.text());
     const State exact{std::exp(-2 * end), std::exp(-end)};
-    // y1 follows y2^2, and has no less of the absolute error of y2 than 2 y2.
+    // y1 follows y2^2, so its absolute error is at least 2 y2 times that of y2.
     const double most =
         ((s.x - exact).cwiseAbs().array() / (absolute + (tolerance + 10 * eps) * exact.array())).maxCoeff();
     return Case::judged(most, digits_and_a_half * 2,

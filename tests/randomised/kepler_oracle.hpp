@@ -1,6 +1,6 @@
 /// @file
-/// Kepler's motion by its classical equation in any type of number, and random states: what the randomised
-/// tests over orbits and transfers share. Nothing of universal variables.
+/// Kepler's motion by its classical equation in any type of number, and random states, for the randomised
+/// tests of orbits and transfers; independent of universal variables.
 #pragma once
 
 #include <fmt/format.h>
@@ -37,7 +37,7 @@ template <class T>
   return sqrt(v.dot(v));
 }
 
-/// The root of a growing function between two bounds, by Newton's iteration kept inside a bracket.
+/// The root of an increasing function between two bounds, by bracketed Newton's iteration.
 template <class T, class F>
 [[nodiscard]] T root_of(const F& value_and_slope, T low, T high, T x) {
   using std::abs;
@@ -54,8 +54,8 @@ template <class T, class F>
   return x;
 }
 
-/// Where Kepler's motion leads to: E - e sin E = M, e sinh H - H = N, or Barker's equation, in the frame of
-/// the periapsis.
+/// Propagates Kepler's motion by E - e sin E = M, e sinh H - H = N, or Barker's equation, in the frame of the
+/// periapsis.
 template <class T>
 [[nodiscard]] BasicState<T> conic(const BasicState<T>& s, const T& t, const T& mu) {
   using std::abs, std::asinh, std::atan2, std::cos, std::cosh, std::floor, std::log, std::pow, std::sin,
@@ -113,7 +113,7 @@ template <class T>
   return static_cast<double>(T(length(d)));
 }
 
-/// A direction, one in four along an axis.
+/// A random direction, in one case of four along an axis.
 [[nodiscard]] inline Vector3<double> direction(Draw& draw) {
   if (draw.chance(0.25)) {
     Vector3<double> axis(0, 0, 0);
@@ -123,7 +123,8 @@ template <class T>
   return Vector3<double>(draw.normal(), draw.normal(), draw.normal()).normalized();
 }
 
-/// A state at the distance @p r with a speed in units of the circular one, at an angle from outwards.
+/// A state at the distance @p r, with @p speed in units of the circular speed, at @p angle from the outward
+/// direction.
 [[nodiscard]] inline State state_of(Draw& draw, double r, double mu, double speed, double angle) {
   const Vector3<double> out = direction(draw);
   Vector3<double> side = cross(out, direction(draw));
@@ -139,7 +140,8 @@ template <class T>
       s.position[0], s.position[1], s.position[2], s.velocity[0], s.velocity[1], s.velocity[2], time, mu);
 }
 
-/// Random conics with their corners: circles, parabolas, straight lines, at rest, grazing the centre.
+/// Random conics including special cases: circles, parabolas, straight lines, bodies at rest, passages near
+/// the centre.
 struct Motion {
   State start;
   double time, mu;

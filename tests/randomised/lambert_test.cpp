@@ -1,5 +1,5 @@
-/// Lambert's problem: each returned arc propagated by Kepler's classical equation, and their number by the
-/// least times.
+/// Lambert's problem: each returned arc is propagated by Kepler's classical equation, and the number of arcs
+/// compared with the minimum times.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -42,8 +42,8 @@ std::string words(const LambertProblem& p, const LambertArc& arc) {
       arc.long_way ? "--long-way" : "", arc.revolutions, arc.branch == LambertBranch::low ? "low" : "high");
 }
 
-/// Does the angular momentum have the sign that was asked for? In the plane of the positions, or of the
-/// normal.
+/// Does the angular momentum have the requested sign, relative to the plane of the positions or to the given
+/// normal?
 bool is_on_its_side(const LambertProblem& p, const LambertArc& arc, const LambertSolution& s) {
   const State ends{p.from, p.to}, start{p.from, s.v1};
   const auto wide = as<Real>(ends), leaving = as<Real>(start);
@@ -53,8 +53,8 @@ bool is_on_its_side(const LambertProblem& p, const LambertArc& arc, const Lamber
   return (h.dot(normal) > 0) != arc.long_way;
 }
 
-/// The miss of an arc over 8 kappa eps |r_2|. Where it matters, by more than 1e-6 |r_2|, the arc passes the
-/// centre on the side that was asked for.
+/// Miss of an arc over 8 kappa eps |r_2|. If it exceeds 1e-6 |r_2|, the arc must also pass the centre on the
+/// requested side.
 Case judged(const LambertProblem& p, const LambertArc& arc, const LambertSolution& s) {
   const State start{p.from, s.v1};
   const KeplerCondition kappa = kepler_condition(start, p.time, p.mu);
@@ -84,11 +84,11 @@ TEST(RandomisedLambert, EveryArcArrives) {
   });
 }
 
-/// The least time of M revolutions over the Lagrange angle alpha, from 0 to 2 pi, by golden section: t =
+/// Minimum time of M revolutions over Lagrange's angle alpha in (0, 2 pi), by golden-section search: t =
 /// sqrt(a^3/mu) (2 pi M + alpha - sin alpha - beta + sin beta), a = s/(2 sin^2(alpha/2)), sin(beta/2) =
-/// +-lambda sin(alpha/2). Positions a few roundings apart have lambda near 1 and the least time near alpha =
-/// pi, where the arcsine would lose half of its digits; cos^2(beta/2) = cos^2(alpha/2) + (c/s) sin^2(alpha/2)
-/// keeps them.
+/// +-lambda sin(alpha/2). For positions a few rounding errors apart lambda is near 1 and the minimum near
+/// alpha = pi, where the arcsine loses half of its digits; cos^2(beta/2) = cos^2(alpha/2) + (c/s)
+/// sin^2(alpha/2) does not.
 Wide least_time_by_angles(const LambertProblem& p, bool long_way, int revolutions) {
   const auto from = as<Wide>(State{p.from, p.to});
   const Wide r1 = length(from.position), r2 = length(from.velocity),
@@ -110,7 +110,7 @@ Wide least_time_by_angles(const LambertProblem& p, bool long_way, int revolution
   return time((low + high) / 2);
 }
 
-// Two arcs of M revolutions where there is time for them, none where there is not.
+// There are two arcs of M revolutions if the time exceeds the minimum, and none otherwise.
 TEST(RandomisedLambert, NoArcIsMissingAndNoneInvented) {
   randomised_test({.quick = 300, .full = 200'000}, [](Draw& draw) {
     const LambertProblem p = any_problem(draw);
@@ -134,7 +134,7 @@ TEST(RandomisedLambert, NoArcIsMissingAndNoneInvented) {
   });
 }
 
-// Finite numbers of any size: finite velocities that arrive, or a sentence.
+// Finite numbers of any size give finite velocities that reach the end, or a failure with a message.
 TEST(RandomisedLambert, AnyFiniteNumbers) {
   randomised_test({.quick = 1000, .full = 200'000, .least_right = 0.001}, [](Draw& draw) {
     LambertProblem p;
@@ -149,7 +149,7 @@ TEST(RandomisedLambert, AnyFiniteNumbers) {
   });
 }
 
-// What the command prints: within a millionth of the distance, by both methods.
+// Results of the command by both methods: within a millionth of the distance.
 TEST(RandomisedTransfer, EverySuccessArrives) {
   randomised_test({.quick = 30, .full = 20'000}, [](Draw& draw) {
     const LambertProblem l = any_problem(draw);
@@ -165,7 +165,7 @@ TEST(RandomisedTransfer, EverySuccessArrives) {
     }
     if (!t.status.ok()) return Case::refused();
     const auto end = conic<Real>({p.from, t.v1}, p.time, p.gravity.mu);
-    // Its own miss, and 8 kappa eps of what measured it.
+    // The reported miss, and 8 kappa eps of its measurement.
     const double kappa = kepler_condition({p.from, t.v1}, p.time, p.gravity.mu).position;
     return Case::judged(distance(p.to, end.position) / p.to.norm(), largest_miss + 8 * kappa * eps,
                         words(l, {}));

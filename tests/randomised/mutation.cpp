@@ -89,12 +89,12 @@ std::size_t place(Draw& draw, const std::string& text) {
   return static_cast<std::size_t>(draw.whole(0, static_cast<int>(text.size())));
 }
 
-/// Mostly short, sometimes very long.
+/// Usually short, sometimes very long.
 std::size_t length(Draw& draw) {
   return static_cast<std::size_t>(draw.log_uniform(1, draw.chance(0.02) ? 1e5 : 300));
 }
 
-/// A run of the characters of which numbers consist.
+/// Replaces a run of characters that form a number.
 void replace_number(Draw& draw, std::string& text) {
   const auto is_part = [](char c) {
     return (c >= '0' && c <= '9') || c == '.' || c == '-' || c == 'e' || c == '+';

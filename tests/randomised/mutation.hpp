@@ -1,5 +1,5 @@
 /// @file
-/// Texts that readers must survive: examples, damaged.
+/// Damaged examples as input for readers.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -12,20 +12,20 @@
 
 namespace nlmech::randomised {
 
-/// An example after one to six damages: bits turned over, parts lost, doubled, moved in from other examples;
-/// numbers in place of others (infinities, beyond the range, no numbers at all); long tokens, deep brackets,
-/// NUL, byte order marks, line ends of other systems, bytes that are no UTF-8. One in fifty is left whole.
+/// An example with one to six mutations: flipped bits; deleted, duplicated or inserted parts; replaced
+/// numbers (infinities, beyond the range, not numbers); long tokens, deep nesting, NUL, byte order marks,
+/// line ends of other systems, invalid UTF-8. One in fifty is unchanged.
 [[nodiscard]] std::string damaged(Draw& draw, const std::vector<std::string>& examples);
 
-/// What a reader may do with any text: return (right, if it says so by true), or throw an InputError whose
-/// message is one line, printable and shorter than 1 kB (refused). All else is wrong.
+/// A reader may return (right, if it returns true) or throw an InputError whose message is one printable line
+/// shorter than 1 kB (refused). Anything else is wrong.
 [[nodiscard]] Case read_or_refused(const std::string& text,
                                    const std::function<bool(const std::string&)>& read);
 
-/// Is it one line of at most 1 kB, without a control character, that says something?
+/// Is the message one line of at most 1 kB without control characters, and not empty?
 [[nodiscard]] bool is_sentence(const std::string& message);
 
-/// A text for a report, whatever is in it.
+/// A printable form of any text.
 [[nodiscard]] std::string shown(const std::string& text);
 
 /// The first lines of a file of the source tree. @throws std::runtime_error if it is not there

@@ -19,16 +19,14 @@ namespace {
 using nlmech::randomised::Case;
 using nlmech::randomised::randomised_test;
 
-/// Kepler's motion in long double where that has digits enough, else in 100: of a place and a speed that
-/// doubles can hold.
+/// Kepler's motion in 100 digits.
 BasicState<Real> exact(const Motion& m) { return conic<Real>(m.start, m.time, m.mu); }
 
 double ratio_of(double error, double size, double kappa) {
   return error == 0 ? 0 : error / (size * kappa * eps);
 }
 
-/// An ellipse or hyperbola far from the parabola and from straight lines, whose classical equation loses few
-/// digits.
+/// An ellipse or hyperbola far from parabolas and straight lines, whose classical equation loses few digits.
 bool is_plain(const Motion& m, const KeplerCondition& kappa) {
   const double r = m.start.position.norm(), share = m.start.velocity.squaredNorm() * r / m.mu;
   const double across = cross(m.start.position, m.start.velocity).norm();
@@ -36,7 +34,7 @@ bool is_plain(const Motion& m, const KeplerCondition& kappa) {
          across > 1e-2 * r * m.start.velocity.norm() && kappa.position < 1e6;
 }
 
-// Within 8 kappa eps of |r| and |v|, whatever the conic, or refused; a success has kappa eps < 1.
+// Every success is within 8 kappa eps of |r| and |v| and has kappa eps < 1, for any conic.
 TEST(RandomisedKepler, PropagationIsAsExactAsItsData) {
   randomised_test({.quick = 300, .full = 50'000}, [](Draw& draw) {
     const Motion m = any_motion(draw);
@@ -46,7 +44,7 @@ TEST(RandomisedKepler, PropagationIsAsExactAsItsData) {
     const std::string what =
         fmt::format("{} kappa {:.3g} {:.3g}", words(m.start, m.time, m.mu), kappa.position, kappa.velocity);
     if (!(64 * kappa.position * eps < 1)) return Case::wrong(what);
-    // The phase's error to second order, where the first vanishes.
+    // The second-order phase error, where the first-order term vanishes.
     const double share = m.start.velocity.squaredNorm() * m.start.position.norm() / m.mu, alpha = 2 - share;
     const double swing = alpha > 0 ? std::abs(m.time) * std::sqrt(m.mu / m.start.position.norm() * alpha) *
                                          alpha / m.start.position.norm() * (2 + 3 / alpha)
@@ -57,7 +55,7 @@ TEST(RandomisedKepler, PropagationIsAsExactAsItsData) {
                    v = static_cast<double>(length(end.velocity));
       return Case::judged(
           std::max(ratio_of(distance(found.state.position, end.position), r, kappa.position),
-                   // At rest the velocity has no digits of its own: then it is not judged.
+                   // At rest the velocity has no significant digits and is not compared.
                    kappa.velocity * eps < 1e-3
                        ? ratio_of(distance(found.state.velocity, end.velocity), v, kappa.velocity)
                        : 0),
@@ -67,8 +65,8 @@ TEST(RandomisedKepler, PropagationIsAsExactAsItsData) {
   });
 }
 
-// Near the parabola rounding of the energy decides how far out the body is: a success has digits there too,
-// and what has few of them is known to have few.
+// Near the parabola the rounding of the energy determines the distance: a success has digits there too, and a
+// small number of digits shows in the condition number.
 TEST(RandomisedKepler, NearTheParabolaDigitsAreCounted) {
   randomised_test({.quick = 400, .full = 20'000}, [](Draw& draw) {
     const double mu = draw.log_uniform(1e-6, 1e20), r = draw.log_uniform(1e-6, 1e12);
@@ -90,7 +88,7 @@ TEST(RandomisedKepler, NearTheParabolaDigitsAreCounted) {
   });
 }
 
-// Units at the ends of doubles change what is lost to underflow, and nothing else.
+// A change of units by powers of two changes no digit, except for underflow.
 TEST(RandomisedKepler, PowersOfTwoChangeNoDigit) {
   randomised_test({.quick = 500, .full = 300'000}, [](Draw& draw) {
     Motion m = any_motion(draw);
@@ -129,8 +127,8 @@ TEST(RandomisedKepler, PowersOfTwoChangeNoDigit) {
   });
 }
 
-/// kappa of the position by differences: the sum over all data of what a change by 1e-32 of each does to the
-/// end. Second derivatives are at most some kappa^2 < 1e24 of the first: 8 digits.
+/// kappa of the position by differences: sum over all data of the effect of a relative change of 1e-32.
+/// Second derivatives are at most about kappa^2 < 1e24 of the first: 8 digits.
 double condition_by_differences(const BasicState<Real>& start, const Real& time, const Real& mu) {
   const Real part("1e-32"), r = length(start.position), v = length(start.velocity);
   const BasicState<Real> end = conic<Real>(start, time, mu);
@@ -150,8 +148,8 @@ double condition_by_differences(const BasicState<Real>& start, const Real& time,
   return static_cast<double>(Real(sum / length(end.position) / part));
 }
 
-// A bound of 8 kappa eps needs no more than three digits of kappa. It has them, or is that of a gravity which
-// rounding of a few operations changes: after many revolutions that moves the end.
+// kappa is accurate to three digits, which suffices for a bound of 8 kappa eps, or equals that of a gravity
+// changed by a few rounding errors, which matters after many revolutions.
 TEST(RandomisedKepler, TheConditionIsThatOfDifferences) {
   randomised_test({.quick = 20, .full = 10'000}, [](Draw& draw) {
     const Motion m = any_motion(draw);
@@ -171,8 +169,8 @@ TEST(RandomisedKepler, TheConditionIsThatOfDifferences) {
   });
 }
 
-// There and back within 32 eps (times 1/(1 + e cos nu) by the true anomaly, in the circular speed by the time
-// since periapsis); e and a by their definitions in long double.
+// Round trips within 32 eps (times 1/(1 + e cos nu) for the true anomaly; relative to the circular speed for
+// the time since periapsis); e and a by their definitions in long double.
 TEST(RandomisedElements, ThereAndBack) {
   randomised_test({.quick = 1000, .full = 500'000}, [](Draw& draw) {
     const Motion m = any_motion(draw);
@@ -202,7 +200,7 @@ TEST(RandomisedElements, ThereAndBack) {
     try {
       back = state_of(e, m.mu);
     } catch (const std::invalid_argument&) {
-      return Case::judged(error, 1, what);  // so far out that the anomaly is the asymptote's
+      return Case::judged(error, 1, what);  // so far out that the true anomaly is that of the asymptote
     }
     const double amplified = 32 * eps * std::max(1.0, (1 + e.eccentricity) / far);
     error = std::max({error, (back.position - m.start.position).norm() / (amplified * static_cast<double>(r)),
@@ -212,7 +210,7 @@ TEST(RandomisedElements, ThereAndBack) {
   });
 }
 
-// Finite numbers of any size: finite elements and states, or a sentence.
+// Finite numbers of any size give finite elements and states, or a failure with a message.
 TEST(RandomisedElements, AnyFiniteNumbers) {
   randomised_test({.quick = 2000, .full = 500'000, .least_right = 0.01}, [](Draw& draw) {
     State s;
@@ -245,8 +243,8 @@ TEST(RandomisedElements, AnyFiniteNumbers) {
   });
 }
 
-// The series: each step adds 2 tolerance + 9 eps, in units of |r| and of the larger of |v| and the circular
-// speed, times the condition of the rest of the way.
+// Taylor series: each step adds 2 tolerance + 9 eps, in units of |r| and of the larger of |v| and the
+// circular speed, times the condition number of the remaining interval.
 TEST(RandomisedContinuation, IsWithinItsTolerance) {
   randomised_test({.quick = 100, .full = 10'000}, [](Draw& draw) {
     const Motion m = any_motion(draw);
@@ -272,7 +270,7 @@ TEST(RandomisedContinuation, IsWithinItsTolerance) {
   });
 }
 
-// Zonal terms: the energy and the angular momentum about the axis are kept to the rounding of their terms.
+// Zonal terms: energy and axial angular momentum are conserved to the rounding of their terms.
 TEST(RandomisedContinuation, ZonalInvariantsAreKept) {
   randomised_test({.quick = 100, .full = 50'000}, [](Draw& draw) {
     Gravity g{.mu = draw.log_uniform(1e-3, 1e16), .radius = draw.log_uniform(1e-3, 1e8)};
@@ -300,7 +298,7 @@ TEST(RandomisedContinuation, ZonalInvariantsAreKept) {
     };
     const double scale =
         std::max(s.position.norm() * s.velocity.norm(), c.x.position.norm() * c.x.velocity.norm());
-    // A step leaves out the tolerance of v, once more of r, and rounds both: 4 (tolerance + 4 eps) of v^2
+    // A step truncates at the tolerance in v, once more in r, and rounds both: 4 (tolerance + 4 eps) of v^2
     // each.
     const double allowed = 8 * n * (tolerance + 4 * eps);
     return Case::judged(std::max(drift / std::max(most, s.velocity.squaredNorm() / 2 + g.mu / r),

@@ -22,7 +22,7 @@ namespace nlmech::randomised {
 namespace {
 
 constexpr double corner_share = 0.125;
-constexpr std::size_t shown = 8;  // wrong cases that are printed
+constexpr std::size_t shown = 8;  // number of wrong cases that are printed
 
 /// SplitMix64: neighbouring seeds give unrelated numbers.
 std::uint64_t mixed(std::uint64_t x) {
@@ -32,7 +32,7 @@ std::uint64_t mixed(std::uint64_t x) {
   return x ^ (x >> 31);
 }
 
-/// A number of the name, the same on every machine (FNV-1a).
+/// Hash of the name, equal on every machine (FNV-1a).
 std::uint64_t hashed(std::string_view name) {
   std::uint64_t hash = 0xcbf29ce484222325U;
   for (const char c : name) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
@@ -49,7 +49,7 @@ bool is_full() {
   return text != nullptr && std::string_view(text) == "full";
 }
 
-/// An exception that the code under test may throw is a refusal; any other is what the machine looks for.
+/// An exception that the tested code may throw is a refusal; any other is a failure of the test.
 Case tried(const std::function<Case(Draw&)>& trial, Draw& draw) {
   try {
     return trial(draw);
@@ -66,7 +66,7 @@ Case tried(const std::function<Case(Draw&)>& trial, Draw& draw) {
 
 struct Counts {
   std::int64_t cases = 0, right = 0, wrong = 0, refused = 0, undecided = 0;
-  double worst = 0;  // greatest error over its bound among the right ones
+  double worst = 0;  // largest error over bound among the right cases
 
   void add(const Case& c) {
     ++cases;
@@ -81,7 +81,7 @@ struct Counts {
   }
 };
 
-/// A row for tables/RANDOMISED.md: a file for each test and seed, so that tests may run beside each other.
+/// Writes a row for tables/RANDOMISED.md: a file for each test and seed, so that tests may run in parallel.
 void keep(const std::string& name, std::int64_t seed, const Counts& n) {
   const std::filesystem::path folder = std::filesystem::path(NLMECH_BINARY_DIR) / "randomised";
   std::filesystem::create_directories(folder);
@@ -90,7 +90,7 @@ void keep(const std::string& name, std::int64_t seed, const Counts& n) {
                      n.wrong, n.worst);
 }
 
-/// So few right ones are no chance, three standard deviations below the stated share, and at least one.
+/// The smallest number of right cases: three standard deviations below the stated share, at least one.
 double least_right_of(const RandomisedTest& size, std::int64_t cases) {
   const double mean = size.least_right * static_cast<double>(cases);
   return mean > 0 ? std::max(1.0, mean - 3 * std::sqrt(mean)) : 0;

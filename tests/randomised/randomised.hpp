@@ -1,6 +1,6 @@
 /// @file
-/// A machine that looks for silent failures: random cases in which the corners of each range are drawn more
-/// often than their share, and every success is held to something that does not use the code under test.
+/// Randomised tests against silent failures: random cases with frequent special values; every success is
+/// compared with a reference that does not use the tested code.
 ///
 ///     TEST(RandomisedKepler, PropagationKeepsItsDigits) {
 ///       randomised_test({.quick = 300, .full = 200'000}, [](Draw& draw) {
@@ -12,9 +12,9 @@
 ///       });
 ///     }
 ///
-/// The quick share is a unit test; with NLMECH_RANDOMISED=full in the environment (label `long`, `make
-/// randomised`) all of it runs. NLMECH_RANDOMISED_SEED draws other cases, NLMECH_RANDOMISED_CASE=n runs the
-/// n-th one alone and prints it.
+/// The number `quick` is that of the unit test; with NLMECH_RANDOMISED=full in the environment (label `long`,
+/// `make randomised`) `full` cases run. NLMECH_RANDOMISED_SEED selects other cases; NLMECH_RANDOMISED_CASE=n
+/// runs case n alone and prints it.
 #pragma once
 
 #include <array>
@@ -27,25 +27,25 @@
 
 namespace nlmech::randomised {
 
-/// The random numbers of one case: the same for the same seed on every machine.
+/// The random numbers of one case, equal for the same seed on every machine.
 class Draw {
  public:
   /// @param seed of the case
   explicit Draw(std::uint64_t seed);
 
-  /// Between the two, each in sight; one case in eight is an end of the range or its middle.
+  /// Uniform between @p low and @p high; one case in eight is an end of the range or its middle.
   [[nodiscard]] double uniform(double low, double high);
-  /// Between two positive numbers, its logarithm uniform; one case in eight is an end of the range or a power
-  /// of ten.
+  /// Between two positive numbers, uniform in the logarithm; one case in eight is an end of the range or a
+  /// power of ten.
   [[nodiscard]] double log_uniform(double low, double high);
   /// log_uniform() with a random sign.
   [[nodiscard]] double signed_log(double low, double high);
-  /// Any finite number of double: bit patterns, zeros of both signs, the smallest and the largest, halves and
-  /// wholes.
+  /// Any finite double: random bit patterns, zeros of both signs, the smallest and the largest number, simple
+  /// numbers.
   [[nodiscard]] double any_finite();
-  /// A whole number, both ends included.
+  /// An integer from @p low to @p high.
   [[nodiscard]] int whole(int low, int high);
-  /// True in a share @p probability of the cases.
+  /// True with the probability @p probability.
   [[nodiscard]] bool chance(double probability);
   /// A normal deviate.
   [[nodiscard]] double normal();
@@ -65,38 +65,37 @@ class Draw {
   std::mt19937_64 engine_;
 };
 
-/// What became of one case.
+/// The result of one case.
 struct Case {
-  /// Wrong is what the machine looks for; refused is a status or an exception that names the trouble;
-  /// undecided, that the oracle does not know.
+  /// wrong: a silent failure; refused: a status or an exception that names the cause; undecided: no
+  /// reference.
   enum class Verdict { right, wrong, refused, undecided };
-  Verdict verdict;        ///< how it ended
+  Verdict verdict;  ///< the result
   double ratio = 0;       ///< error over its bound; meaningful for right and wrong
-  std::string what = {};  ///< all that is needed to repeat it by hand
+  std::string what = {};  ///< all data needed to repeat the case
 
   /// Right if @p error <= @p bound; wrong otherwise, also for a NaN.
   [[nodiscard]] static Case judged(double error, double bound, std::string what);
-  /// A success that breaks something which is not a number: a missing row, a broken bound.
+  /// A success with a non-numerical error, such as a missing row or a violated bound.
   [[nodiscard]] static Case wrong(std::string what);
-  /// A status with a sentence, or an exception.
+  /// A failure with a message, or an exception.
   [[nodiscard]] static Case refused(std::string what = {});
-  /// There is no oracle for this one.
+  /// A case without reference.
   [[nodiscard]] static Case undecided(std::string what = {});
 };
 
-/// How many cases, and how many of them have to come to a judgement for the randomised test to mean
-/// something.
+/// Numbers of cases, and the share of right cases that the test requires.
 struct RandomisedTest {
   std::int64_t quick = 100;    ///< cases of the unit test
   std::int64_t full = 10'000;  ///< cases with NLMECH_RANDOMISED=full
   double least_right =
-      0.1;  ///< share of right ones below which the randomised test fails as empty, if that is no chance
+      0.1;  ///< smallest share of right cases; three standard deviations below it the test fails as empty
 };
 
-/// Runs the cases of the current test; fails it at a wrong one (the first few are printed with their
-/// numbers), and if too few were judged. An exception other than std::invalid_argument, InputError and
-/// Failure is a wrong case too. With NLMECH_RANDOMISED=full the counts are written as a row of
-/// this seed for tables/RANDOMISED.md.
+/// Runs the cases of the current test. It fails for a wrong case (the first few are printed with their data)
+/// and for too few right cases. An exception other than std::invalid_argument, InputError and Failure is a
+/// wrong case. With NLMECH_RANDOMISED=full the counts are written as a row of this seed for
+/// tables/RANDOMISED.md.
 void randomised_test(const RandomisedTest& size, const std::function<Case(Draw&)>& trial);
 
 }  // namespace nlmech::randomised

@@ -1,5 +1,5 @@
-/// Whatever a file or an option holds, its reader gives back what stands there or says in a sentence what is
-/// wrong. Under the sanitizers this is a fuzzer of all readers of the common layer.
+/// For any content of a file or option its reader returns that content or a message that names the error.
+/// With sanitizers this is a fuzzer of all readers of the common layer.
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -34,7 +34,8 @@ const std::vector<std::string>& points() {
   return all;
 }
 
-// As many rows as lines with something on them; every number finite; what is printed reads back the same.
+// The number of rows equals that of non-blank lines; every number is finite; printed numbers read back
+// unchanged.
 TEST(RandomisedReaders, ColumnsOfNumbers) {
   const std::vector<std::string> names = {"x", "y", "z"};
   randomised_test({.quick = 3000, .full = all_of_them, .least_right = 0.02}, [&](Draw& draw) {
@@ -54,7 +55,7 @@ TEST(RandomisedReaders, ColumnsOfNumbers) {
   });
 }
 
-// Records written again as CSV are the same records.
+// Records written as CSV are read back unchanged.
 TEST(RandomisedReaders, RecordsOfTexts) {
   static const std::vector<std::string> examples = {
       source_lines("tables/places.csv", 12), source_lines("tables/published/laier.csv", 6),
@@ -72,7 +73,7 @@ TEST(RandomisedReaders, RecordsOfTexts) {
         again += line + '\n';
       }
       const auto twice = scene::parse_csv(again, "again");
-      // A record of one blank cell is a blank line; only those may be lost.
+      // A record of one blank cell is a blank line; only such records may be lost.
       std::vector<std::vector<std::string>> a, b;
       const auto counts = [](const scene::CsvRecord& r) {
         return r.cells.size() > 1 || r.cells[0].find_first_not_of(" \t\r") != std::string::npos;
@@ -130,7 +131,7 @@ TEST(RandomisedReaders, NumbersAndListsAsTyped) {
   });
 }
 
-/// What a program writes to its two streams, read as it goes.
+/// What a program writes to its two streams, read concurrently.
 class Streams {
  public:
   Streams() {
@@ -163,7 +164,7 @@ class Streams {
   std::array<int, 2> before_{}, read_{};
 };
 
-/// What is typed after each kind of option.
+/// The values of one option of each kind.
 struct Typed {
   double number = 0, positive = 0;
   int whole = 3;
@@ -202,7 +203,7 @@ int program(const std::vector<std::string>& words) {
   return scene::run_command(commands, "a program", static_cast<int>(argv.size()), argv.data());
 }
 
-// Exit code 0 with a result and not a word, or 2 with a short printable message and no result.
+// Exit code 0 with a result and no message, or 2 with a short printable message and no result.
 TEST(RandomisedReaders, CommandLines) {
   static const std::vector<std::string> examples = {
       "work --positive 1",
@@ -222,7 +223,7 @@ TEST(RandomisedReaders, CommandLines) {
     const int code = program(scene::split(line, ' '));
     const std::string result = streams.written(1), said = streams.written(2);
     if (code == 0 && !result.empty() && said.empty()) return Case::judged(0, 1, shown(line));
-    std::string text = said;  // its line ends are no characters of a sentence
+    std::string text = said;  // line ends are not part of the message
     std::replace(text.begin(), text.end(), '\n', ' ');
     std::replace(text.begin(), text.end(), '\t', ' ');
     if (code == 2 && result.empty() && is_sentence(text)) return Case::refused(shown(line));

@@ -1,4 +1,4 @@
-/// Wrong successes of the spacecraft: motion against finite elements and the Bromwich integral, poles and
+/// Silent failures of the spacecraft: motion against finite elements and the Bromwich integral, poles and
 /// margins against 110 digits.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -40,12 +40,12 @@ Parameters drawn_craft(Draw& draw, double decades) {
   return p;
 }
 
-/// The appendage's frequency.
+/// Frequency scale of the appendage.
 double rate_of(const Parameters& p) {
   return std::sqrt(p.bending_stiffness() / (p.mass_per_length * std::pow(p.length, 4)));
 }
 
-/// Gains from sluggish to overdamped; or such that two real poles coincide, or nearly.
+/// Gains from slow to overdamped, or such that two real poles coincide or nearly coincide.
 Gains drawn_gains(Draw& draw, const Parameters& p) {
   const double j = p.total_inertia(), rate = rate_of(p);
   Gains g{j * rate * rate * draw.log_uniform(1e-8, 1e4), draw.chance(0.5) ? 0. : draw.uniform(-1.9, 5),
@@ -72,7 +72,7 @@ std::string text_of(const Parameters& p, const Gains& g) {
       p.tip_inertia, g.k1, g.k2, g.k3);
 }
 
-/// Angle and deflection by another method, with the differences of its coarser settings.
+/// Angle and deflection by another method, with their uncertainties from coarser settings.
 struct Known {
   double theta, bent, theta_doubt, bent_doubt;
 
@@ -82,10 +82,10 @@ struct Known {
   }
 };
 
-/// Early, by the Bromwich integral up to 1000 times the appendage's frequency, which holds ten modes. What
-/// lies beyond falls like n^-5, and swings with the end of the integral: integrals up to a half and a third
-/// of that have to agree, for two may by chance. Late it will not do, when high modes, hardly damped, are
-/// what is left.
+/// For early times: the Bromwich integral up to 1000 times the appendage's frequency, which includes ten
+/// modes. The truncated part decreases as n^-5 and oscillates with the end of the integral: integrals up to a
+/// half and a third must agree, because two may agree by chance. It fails for late times, when weakly damped
+/// high modes dominate.
 std::optional<Known> by_bromwich(const Parameters& p, const Gains& g, double x, double t) {
   const ClosedLoop loop(p, g);
   const std::array<double, 1> times = {t};
@@ -104,9 +104,9 @@ std::optional<Known> by_bromwich(const Parameters& p, const Gains& g, double x, 
       .if_sure();
 }
 
-/// What is not known of the oscillations of a mesh of @p elements: each by its phase, from the frequency's
-/// difference to the other mesh; and all modes above the mesh, which number n enters with n^-5 or less, as if
-/// they did not decay: high modes decay last, and may be all that is left.
+/// Uncertainty of the oscillations of a mesh of @p elements: the phase error of each from the frequency
+/// difference of the two meshes; and all modes above the mesh, where mode n contributes at most n^-5, without
+/// decay, because high modes decay last.
 oracle::Moved unknown_oscillations(const oracle::StepByElements& mesh, const oracle::StepByElements& coarser,
                                    int elements, double t) {
   const std::vector<oracle::Mode> fine = mesh.modes(), coarse = coarser.modes();
@@ -118,16 +118,16 @@ oracle::Moved unknown_oscillations(const oracle::StepByElements& mesh, const ora
     unknown.theta += fine[i].theta * left;
     unknown.deflection += fine[i].deflection * left;
     const double number = static_cast<double>(i) + 1;
-    if (number > elements) continue;  // the upper half of a mesh's modes is not that of the beam
+    if (number > elements) continue;  // the upper half of a mesh's modes does not approximate the beam
     strength.theta = std::max(strength.theta, fine[i].theta * std::pow(number, 5));
     strength.deflection = std::max(strength.deflection, fine[i].deflection * std::pow(number, 5));
   }
-  const double above = 1 / (4 * std::pow(2. * elements, 4));  // sum of n^-5 from there on
+  const double above = 1 / (4 * std::pow(2. * elements, 4));  // remainder of the sum of n^-5
   return {unknown.theta + strength.theta * above, 0, unknown.deflection + strength.deflection * above, 0};
 }
 
-/// By finite elements. Two meshes with another phase of an oscillation may agree by chance, and so may three,
-/// in y too, where the last to decay are modes that none of them has.
+/// By finite elements. Two or three meshes with different phases may agree by chance, also in y if the modes
+/// that decay last are missing in all of them.
 std::optional<Known> by_elements(const Parameters& p, const Gains& g, double x, double t) {
   const oracle::StepByElements mesh(p, g, x, 12), coarser(p, g, x, 8);
   const oracle::Moved a = oracle::StepByElements(p, g, x, 4).at(t), b = coarser.at(t), c = mesh.at(t),
@@ -139,9 +139,9 @@ std::optional<Known> by_elements(const Parameters& p, const Gains& g, double x, 
       .if_sure();
 }
 
-// After 2268 s of slow control y has decayed, but for modes around the 30th, of 400 to 2000 rad/s, which 12
-// elements do not have; three meshes agreed by chance to 6.17e-13. Exact poles (mpmath, 40 digits: Newton's
-// method on the characteristic function of the beam, residues of 260 pairs) sum to 6.41867e-13.
+// After 2268 s of slow control y has decayed except for modes near the 30th, of 400 to 2000 rad/s, which 12
+// elements cannot represent; three meshes agreed by chance to 6.17e-13. Exact poles (mpmath, 40 digits:
+// Newton's method on the characteristic function of the beam, residues of 260 pairs) sum to 6.41867e-13.
 TEST(SpacecraftOracle, DoesNotKnowModesThatItsMeshLacks) {
   Parameters p = table_3_1();
   p.hub_inertia = 2.6847384549831825;
@@ -201,7 +201,7 @@ TEST(RandomisedSpacecraft, ClosedLoopPolesAreZeros) {
     const Complex hub = s * s * p.hub_inertia, beams = (1 + g.k2 / 2) * (load - hub);
     const Complex value = hub + beams + g.k3 * s + g.k1;
     const double size = std::abs(hub) + std::abs(load) + std::abs(beams) + std::abs(g.k3 * s) + g.k1;
-    // The slope only scales, and may be the library's; next to a double pole it is small.
+    // The slope is only a scale and may come from the library; near a double pole it is small.
     const LoopTerms terms = loop.terms(s, {});
     const double slope = std::abs(terms.characteristic.slope / terms.determinant);
     return Case::judged(s.real() > 1e-12 * std::abs(s) ? HUGE_VAL : std::abs(value) / slope,
@@ -210,7 +210,7 @@ TEST(RandomisedSpacecraft, ClosedLoopPolesAreZeros) {
   });
 }
 
-// Natural frequencies against twelve and twenty-four elements.
+// Natural frequencies against meshes of twelve and twenty-four elements.
 TEST(RandomisedSpacecraft, FrequenciesAreThoseOfElements) {
   randomised_test({.quick = 40, .full = 20'000, .least_right = 0.5}, [](Draw& draw) {
     const Parameters p = drawn_craft(draw, 2);
@@ -227,7 +227,8 @@ TEST(RandomisedSpacecraft, FrequenciesAreThoseOfElements) {
   });
 }
 
-// With a delay of its margin a loop has a pole on the axis: 1 + L e^(-j omega tau) = 0, L in 110 digits.
+// With a delay equal to its margin the loop has a pole on the axis: 1 + L e^(-j omega tau) = 0, L in 110
+// digits.
 TEST(RandomisedSpacecraft, DelayMarginsReachTheAxis) {
   randomised_test({.quick = 30, .full = 2000, .least_right = 0.3}, [](Draw& draw) {
     const Parameters p = drawn_craft(draw, 1);
@@ -246,8 +247,8 @@ TEST(RandomisedSpacecraft, DelayMarginsReachTheAxis) {
       return (g.k1 + g.k3 * z + g.k2 / 2 * z * z * doubled) / load;
     };
     const Complex l = gain(s);
-    // |omega dL/domega|, next to a pole too, where L changes within a small part of any longer step. omega is
-    // a double, and so are the some thirty intermediate numbers that it was found by.
+    // |omega dL/domega|, also near a pole, where L changes within a small part of any longer step. omega and
+    // some thirty intermediate numbers are rounded to double.
     double condition = 0;
     for (const double step : {1e-7, 1e-9, 1e-11, 1e-13})
       condition = std::max(condition, std::abs(gain(s * (1 + step)) - l) / step);
@@ -258,7 +259,7 @@ TEST(RandomisedSpacecraft, DelayMarginsReachTheAxis) {
   });
 }
 
-// No other gains cost less, and the costs of e and y are those of the residues in time.
+// No other gains have a smaller cost; the costs of e and y equal those of the residues in time.
 TEST(RandomisedSpacecraft, OptimalGainsAreTheLeast) {
   randomised_test({.quick = 60, .full = 20'000, .least_right = 0.5}, [](Draw& draw) {
     const Parameters p = drawn_craft(draw, 1);
@@ -276,7 +277,7 @@ TEST(RandomisedSpacecraft, OptimalGainsAreTheLeast) {
       const std::array<double, 1> tip = {p.length};
       const TimeResponse r = step_response(ClosedLoop(p, best.gains), 1, tip);
       if (!r.status.ok()) return Case::refused(r.status.text());
-      // Terms of the order 1e-9 are left out; a pole's decay is known to some eps of its modulus.
+      // Terms of order 1e-9 are neglected; the decay of a pole has an error of some eps of its modulus.
       const StepCosts c = step_costs(p, best.gains, p.length);
       const ExponentialSum error({}, r.theta.poles(), r.theta.weights());
       for (const auto& [sum, exact] :

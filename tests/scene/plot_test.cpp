@@ -1,4 +1,4 @@
-/// Plots: the script that is written, and what gnuplot makes of it.
+/// Plots: the gnuplot script, and its result.
 #include "nlmech/scene/plot.hpp"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@
 namespace nlmech::scene::plot_test {
 namespace {
 
-/// Does a script hold the line?
+/// Expects that the script contains the line.
 void expect_line(const std::string& script, const std::string& line) {
   EXPECT_TRUE(tests::holds("\n" + script, "\n" + line + "\n"));
 }
@@ -112,7 +112,7 @@ TEST(Plot, StacksPanelsByTheirShares) {
   plot.panel("t", "v").curve("", {1}, {2});
   EXPECT_EQ(plot.prelude(), "width = 800\nheight = 500\n");
   const std::string script = plot.script();
-  // From 1 - 50/500 to 72/500 of the height, three quarters for the first, 0.02 apart from the line between.
+  // From 1 - 50/500 to 72/500 of the height: three quarters for the first panel, and a gap of 0.02.
   expect_line(script, "set margins screen 0.135, screen 0.965, screen 0.353, screen 0.9");
   expect_line(script, "set margins screen 0.135, screen 0.965, screen 0.144, screen 0.313");
   expect_line(script, "set xlabel ''");
@@ -147,7 +147,7 @@ namespace fs = std::filesystem;
 using tests::put;
 using tests::TemporaryFolder;
 
-/// A folder with style, template and data; and programs named gnuplot, where a test wants its own.
+/// A folder with style, template and data, and optional replacements for gnuplot.
 class Draw : public ::testing::Test {
  protected:
   Draw() {
@@ -170,11 +170,11 @@ class Draw : public ::testing::Test {
     put(folder_ / "out/results/a.gp", gnuplot_script(figure, data));
     return draw(folder_ / "out", "results/a.gp", format);
   }
-  /// What is said by a drawing that fails; "" if it does not.
+  /// The message of a drawing that fails; "" if it succeeds.
   std::string complaint() {
     return tests::thrown<Failure>([&] { return draw_line(); });
   }
-  /// The next drawings are made by this shell script.
+  /// Replaces gnuplot by this shell script for the following drawings.
   void replace_gnuplot(const std::string& script) {
     const fs::path program = folder_ / "bin/gnuplot";
     put(program, "#!/bin/sh\n" + script + "\n");
@@ -213,8 +213,7 @@ TEST_F(Draw, FindsDataWithAQuoteInTheirName) {
   EXPECT_TRUE(tests::holds(draw_line("results/it's.csv"), "<path"));
 }
 
-// Continuous integration and cron run in the C locale, in which gnuplot cannot say "degree" without a
-// warning.
+// Continuous integration and cron use the C locale, in which gnuplot warns about the degree sign.
 TEST_F(Draw, IsTheSameInEveryLocale) {
   put(folder_ / "figures/style.gp", "set terminal svg\nset encoding utf8\nset datafile separator ','\n");
   std::map<std::string, std::string> pictures;

@@ -1,4 +1,4 @@
-/// Scenes: results, what is shown and checked, and where it came from.
+/// Scenes: results, content and checks, and provenance.
 #include "nlmech/scene/scene.hpp"
 
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ Table no_row() { return Table({{"x"}}); }
 Scene named(const char* name) { return {.name = name, .title = ""}; }
 Quantity check_of_one() { return {"x", "1", 1, 1, 1, "by definition"}; }
 
-/// A scene without results that comes out as @p showing.
+/// A scene without results that shows @p showing.
 Scene that_shows(const Showing& showing) {
   Scene scene = named("fig-1");
   scene.content.show = [showing](Results&) { return showing; };
@@ -117,7 +117,7 @@ TEST(Results, GoOnAfterARunThatFailed) {
   EXPECT_THROW((void)results.get(*fails.run()), Failure) << "it has no result now either";
 }
 
-/// Does the value pass the check that a scene of nothing else makes by @p make?
+/// Does the value pass a check of a scene that only @p make adds?
 template <class Make>
 bool passes(const Make& make) {
   Show show(false);

@@ -1,4 +1,4 @@
-/// Tables and numbers: CSV and Markdown as written, CSV as read.
+/// Tables and numbers: written CSV and Markdown, and parsed CSV.
 #include "nlmech/scene/table.hpp"
 
 #include <fmt/format.h>
@@ -26,14 +26,14 @@ namespace {
 constexpr double inf = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-/// Any pattern of 64 bits that is a finite number: subnormals, negative zero and the largest are among them.
+/// Any finite number by its 64 bits, including subnormals, negative zero and the largest number.
 rc::Gen<double> any_finite() {
   return rc::gen::suchThat(rc::gen::map(rc::gen::arbitrary<std::uint64_t>(),
                                         [](std::uint64_t bits) { return std::bit_cast<double>(bits); }),
                            [](double x) { return std::isfinite(x); });
 }
 
-/// Texts made of what CSV and Markdown find hard.
+/// Texts of characters that need quoting in CSV or Markdown.
 rc::Gen<std::string> hard_text() {
   return rc::gen::container<std::string>(
       rc::gen::element(',', '"', '\n', '\r', '|', '\\', ' ', 'a', ';', '#', '\t'));
@@ -87,7 +87,7 @@ TEST(Table, AlignsAColumnWithATextToTheLeft) {
   EXPECT_EQ(table.markdown(), "| x |\n| :--- |\n| 1 |\n| none |\n");
 }
 
-/// A pipe behind an even number of backslashes ends a cell (GitHub Flavored Markdown, section 4.10).
+/// A pipe after an even number of backslashes ends a cell (GitHub Flavored Markdown, section 4.10).
 std::ptrdiff_t cell_ends(std::string_view line) {
   std::ptrdiff_t ends = 0, backslashes = 0;
   for (const char c : line) {
@@ -135,8 +135,8 @@ RC_GTEST_PROP(FormatNumber, IsOffByHalfALastDigitAtMost, ()) {
       *rc::gen::suchThat(any_finite(), [](double v) { return std::abs(v) > 1e-300 && std::abs(v) < 1e300; });
   const int digits = *rc::gen::inRange(1, 15);
   const double back = std::strtod(format_number(x, digits).c_str(), nullptr);
-  // half a unit of the last digit is at most 10^(1-digits)/2 of the number; a millionth more for this sum's
-  // own rounding
+  // half a unit of the last digit is at most 10^(1-digits)/2 of the number; a millionth more for the rounding
+  // of this expression
   RC_ASSERT(std::abs(back - x) <= 0.500001 * std::pow(10.0, 1 - digits) * std::abs(x));
 }
 
@@ -179,7 +179,7 @@ TEST(ParseCsv, RefusesAQuoteThatIsNeverClosed) {
 RC_GTEST_PROP(ParseCsv, GivesBackWhatCsvFieldWrote, ()) {
   const auto cell = rc::gen::container<std::string>(
       rc::gen::element(',', '"', '\n', '\r', ' ', '\t', 'a', '0', '\0', '\xc3', '\xa9'));
-  // A line that holds nothing but blanks is no record, so each one here begins with a mark.
+  // A line of blanks is no record, so each record starts with a mark.
   auto records = *rc::gen::container<std::vector<Cells>>(rc::gen::container<Cells>(cell));
   std::string text;
   for (Cells& cells : records) {
@@ -282,11 +282,11 @@ TEST(ParseNumbers, ReportsTheFirstFaultOfTheFileAndItsPlace) {
             "4.9e-324; write 0");
 }
 
-// Forms in which programs and spreadsheets write the same two rows.
+// The same two rows as various programs and spreadsheets write them.
 TEST(ParseNumbers, OneTableInManyDialects) {
   const std::vector<std::vector<double>> expected = {{1, -4}, {2, 5.5}, {3, 0.06}};
   for (const std::string text :
-       {"x,y,z\n1,2,3\n-4,5.5,0.06\n",                  // as it is written here
+       {"x,y,z\n1,2,3\n-4,5.5,0.06\n",                  // as written by nlmech
         "1,2,3\n-4,5.5,0.06\n",                         // no header
         "x,y,z\r\n1,2,3\r\n-4,5.5,0.06\r\n",            // CR LF
         "x,y,z\n1,2,3\n-4,5.5,0.06",                    // no end of the last line
@@ -298,24 +298,24 @@ TEST(ParseNumbers, OneTableInManyDialects) {
         "z,x,y\n3,1,2\n0.06,-4,5.5\n",                                      // another order
         "\"x\",\"y\",\"z\"\n\"1\",\"2\",\"3\"\n\"-4\",\"5.5\",\"0.06\"\n",  // quotes
         "\"X\" , \" y \",z\n 1 ,\t2, \" 3 \"\n-4,5.5,0.06\n",               // quotes and blanks
-        "x,y,z,\n1,2,3,\n-4,5.5,0.06,\n",                                   // a comma at the end of all lines
-        "x,y,z\n1,2,3,\n-4,5.5,0.06,,\n",                                   // of rows alone
-        "x,y,z,,\n1,2,3\n-4,5.5,0.06\n",                                    // of the header alone
+        "x,y,z,\n1,2,3,\n-4,5.5,0.06,\n",                                   // a trailing comma in all lines
+        "x,y,z\n1,2,3,\n-4,5.5,0.06,,\n",                                   // in rows only
+        "x,y,z,,\n1,2,3\n-4,5.5,0.06\n",                                    // in the header only
         "1,2,3,\n-4,5.5,0.06,\n",                                           // without a header
         "\n\nx,y,z\n\n1,2,3\n \t\n-4,5.5,0.06\n\n",                         // blank lines
         "# made up\nx,y,z\n# first\n1,2,3\n-4,5.5,0.06\n",                  // comments
-        "x,y,z\n+1,+2.0,3e0\n-4.,55E-1,.06\n",                              // other ways to write a number
-        "x,y,z,t\n1,2,3,\n-4,5.5,0.06,noon\n",                              // a further column, once empty
-        "t,x,y,z\n0,1,2,3\n1,-4,5.5,0.06\n",                                // time first
+        "x,y,z\n+1,+2.0,3e0\n-4.,55E-1,.06\n",                              // other notations of numbers
+        "x,y,z,t\n1,2,3,\n-4,5.5,0.06,noon\n",  // an additional column, once empty
+        "t,x,y,z\n0,1,2,3\n1,-4,5.5,0.06\n",    // time first
         "JDTDB,\"Calendar Date, TDB\",X,Y,Z,\n1,\"A.D. 2000, Jan\",1,2,3,\n2,b,-4,5.5,0.06,\n",
-        "name,x,y,z\n#1,1,2,3\n#2,-4,5.5,0.06\n",  // a text that begins with a sharp
-        "x,X,y,z\n1,7,2,3\n-4,7,5.5,0.06\n"}) {    // the exact name before others
+        "name,x,y,z\n#1,1,2,3\n#2,-4,5.5,0.06\n",  // a text that starts with #
+        "x,X,y,z\n1,7,2,3\n-4,7,5.5,0.06\n"}) {    // an exact name has priority
     ASSERT_EQ(complaint(text), "") << text;
     EXPECT_EQ(parse_numbers(text, "points.csv", xyz).column, expected) << text;
   }
 }
 
-// And forms that are refused, each with the line.
+// Forms that are refused, with the line number.
 TEST(ParseNumbers, RefusesOtherDialects) {
   for (const std::string text : {"x;y;z\n1;2;3\n", "x\ty\tz\n1\t2\t3\n", "x y z\n1 2 3\n", "1;2;3\n",
                                  "1\t2\t3\n", "1 2 3\n", "x;y;z\n1,5;2,5;3,5\n", "1,5;2,5;3,5\n",
@@ -350,7 +350,7 @@ TEST(CsvColumns, OtherNames) {
                InputError);
 }
 
-// Names of equations have their own case: t is no T.
+// Names of equations are case-sensitive: t is not T.
 TEST(CsvColumns, ExactNames) {
   CsvColumns columns("f", {"T", "x"}, 0, NameCase::exact);
   EXPECT_TRUE(columns.read_header("t,X,x", 1));
@@ -377,7 +377,7 @@ RC_GTEST_PROP(ParseNumbers, GivesBackATableBitForBit, ()) {
   }
 }
 
-// ---- Catalogues: rows and what is handed on; lines of threads in order.
+// ---- Catalogues: rows and columns that are passed through; output of several threads in order.
 
 using tests::TemporaryFolder;
 
@@ -405,7 +405,7 @@ TEST(Catalogue, RowsByName) {
   EXPECT_TRUE(catalogue.next({2}).line.empty());
 }
 
-// Behind the header '#' begins no comment: such a line is a row, or it is refused.
+// After the header # starts no comment: such a line is a row or is refused.
 TEST(Catalogue, NoRowVanishesBehindASharp) {
   const TemporaryFolder folder;
   const std::string file = (folder.path() / "a.csv").string();
@@ -422,7 +422,7 @@ TEST(Catalogue, NoRowVanishesBehindASharp) {
   }
 }
 
-// The first line is a row if no line names the columns; the second reading of the file begins with it, too.
+// Without column names the first line is a row, also when the file is read again.
 TEST(Catalogue, NoHeader) {
   const TemporaryFolder folder;
   write_whole(folder / "a.csv", "\xEF\xBB\xBF# comment\n\n1,2\n3,4\n");
@@ -433,14 +433,14 @@ TEST(Catalogue, NoHeader) {
   EXPECT_EQ(rows.numbers[1][1], 4);
 }
 
-// A portion ends with the row that makes it weigh enough, so that what is held at a time is bounded.
+// A portion ends with the row that reaches the weight, which bounds the memory.
 TEST(Catalogue, PortionsAreWeighed) {
   const tests::TemporaryFolder folder;
   write_whole(folder.path() / "a.csv", "a\n3\n4\n9\n1\n1\n");
   Catalogue catalogue((folder.path() / "a.csv").string(), {"a"}, {}, {});
   catalogue.weigh_by([](const std::vector<double>& row) { return row[0]; });
   for (const std::size_t rows : {2U, 1U, 2U, 0U}) EXPECT_EQ(catalogue.next({5}).line.size(), rows);
-  // Heavy rows, too, are several, up to a weight at which they are too much.
+  // Portions of heavy rows also contain several rows, up to a maximum weight.
   Catalogue heavy((folder.path() / "a.csv").string(), {"a"}, {}, {});
   heavy.weigh_by([](const std::vector<double>& row) { return 10 * row[0]; });
   for (const std::size_t rows : {3U, 2U, 0U})
@@ -448,7 +448,7 @@ TEST(Catalogue, PortionsAreWeighed) {
   EXPECT_EQ(portion_for(100, 3).rows, 48U);
 }
 
-// Lines across the portions in which a file is read.
+// Lines that cross the blocks in which a file is read.
 TEST(Catalogue, LongFiles) {
   const TemporaryFolder folder;
   std::string text = "a,note\n";

@@ -1,5 +1,5 @@
 /// @file
-/// A folder for one test, gone when the test is over; and what lies in it.
+/// A temporary folder for one test, removed at its end, and its contents.
 #pragma once
 
 #include <cstdlib>
@@ -14,7 +14,7 @@
 
 namespace nlmech::tests {
 
-/// An empty folder with a name of its own.
+/// An empty folder with a unique name.
 class TemporaryFolder {
  public:
   TemporaryFolder() {
@@ -39,7 +39,7 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
-/// While it lives, programs put their temporary files into a folder (the environment's TMPDIR).
+/// Sets the folder for temporary files (TMPDIR) during its lifetime.
 class TemporaryFilesIn {
  public:
   explicit TemporaryFilesIn(const std::filesystem::path& folder) {
@@ -59,7 +59,7 @@ class TemporaryFilesIn {
   std::optional<std::string> before_;
 };
 
-/// The bytes of a file, read by other means than those under test; "" if there is none.
+/// The bytes of a file, read independently of the tested functions; "" if there is no file.
 [[nodiscard]] inline std::string bytes_of(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};
@@ -70,7 +70,7 @@ inline void put(const std::filesystem::path& file, const std::string& bytes) {
   std::ofstream(file, std::ios::binary) << bytes;
 }
 
-/// All files under a folder, by their path from there, with their bytes.
+/// All files under a folder with their relative paths and bytes.
 [[nodiscard]] inline std::map<std::string, std::string> files_in(const std::filesystem::path& folder) {
   std::map<std::string, std::string> files;
   if (!std::filesystem::exists(folder)) return files;

@@ -1,5 +1,5 @@
-/// Work-precision diagrams: what is drawn and named where, who is said to be fastest, and what the table says
-/// of runs that fail and of methods that a build lacks.
+/// Work-precision diagrams: curves and labels, fastest methods, and the table's entries for failed runs and
+/// methods that the build lacks.
 #include "nlmech/scene/work_precision.hpp"
 #include "tests/thrown.hpp"
 
@@ -12,7 +12,7 @@
 namespace nlmech::scene::work_precision_test {
 namespace {
 
-/// Two lines with points, one that failed altogether, one that this build has not.
+/// Two curves with points, one method that failed always, and one that this build lacks.
 std::vector<ProblemLines> one_problem() {
   const Timing fast{1e-3, 0.9e-3, 2e-3, 9}, slow{0.1, 0.1, 0.1, 1};
   const Attempt failed{"step 10", "non_finite", {}, fast, {3}}, coarse{"step 1", "success", 1e-3, fast, {10}},
@@ -32,7 +32,7 @@ Showing shown(WorkPrecision what, const std::vector<ProblemLines>& problems) {
   show_work_precision(what, problems, show);
   return show.take();
 }
-/// The same with nine bystanders, so that there is more than colours.
+/// The same with nine more methods, more than there are colours.
 std::vector<ProblemLines> crowd() {
   std::vector<ProblemLines> problems = one_problem();
   const Attempt late{"step 1", "success", 1e-3, {1, 1, 1, 1}, {10}};

@@ -1,5 +1,5 @@
-/// Misprints of the control part, Eqs. 3.49-3.58: what is printed gives wrong numbers, what is corrected the
-/// right ones.
+/// Misprints of the control part, Eqs. 3.49-3.58: printed forms give wrong numbers, corrected forms the right
+/// ones.
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
@@ -102,8 +102,8 @@ TEST(ControlErrata, BoundOfK2) {
     ASSERT_TRUE(poles.status.ok());
     for (const Complex s : poles.s) EXPECT_LT(s.real(), 0) << k2;
   }
-  // Where the eigenvalues of a truncated model cross over. Damping is of the order of 2 + k2 there: 1e-5 of
-  // it is above the rounding of eigenvalues of 100 rad/s.
+  // Where the eigenvalues of a truncated model cross. Damping is of the order of 2 + k2 there: 1e-5 of it
+  // exceeds the rounding of eigenvalues of 100 rad/s.
   double unstable = -2.5, stable = -1;
   while (stable - unstable > 1e-6) {
     const double middle = (stable + unstable) / 2;
@@ -112,8 +112,8 @@ TEST(ControlErrata, BoundOfK2) {
   expect_erratum("gss_control-3.55", {.printed = -1, .corrected = -2, .oracle = stable, .tolerance = 1e-5});
 }
 
-// 3.56: the root load of (3.55) by the momentum of the appendage. Without I_tip (theta + y'(L)) it is not
-// what moment and shear at the root are: half of the hub's load less its own inertia.
+// 3.56: the root load of (3.55) from the momentum of the appendage. Without I_tip (theta + y'(L)) it differs
+// from moment and shear at the root: half of the hub's load minus its own inertia.
 TEST(ControlErrata, RootLoadHoldsTheTipInertia) {
   const Parameters p = table_3_1();
   const Appendage a(p);

@@ -1,5 +1,5 @@
 /// The controlled spacecraft: poles to 12 digits and none missed, transfer functions against 110 digits,
-/// stability, extremes.
+/// stability, extreme parameters.
 #include "nlmech/spacecraft/control/closed_loop.hpp"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,8 @@
 namespace nlmech::spacecraft::closed_loop_test {
 namespace {
 
-/// How far a pole is from a zero of it, relative: |P/(s P')|. The slope only scales and may be the library's.
+/// Relative distance of a pole from a zero: |P/(s P')|. The slope is only a scale and may come from the
+/// library.
 double distance(const Parameters& p, const Gains& g, Complex s) {
   const LoopTerms terms = ClosedLoop(p, g).terms(s, {});
   const Complex slope = terms.characteristic.slope / terms.determinant;
@@ -73,14 +74,13 @@ RC_GTEST_PROP(ClosedLoopPoles, AreZerosOfTheExactCharacteristic, ()) {
   const LoopPoles poles = ClosedLoop(p, g).poles(6);
   RC_ASSERT(poles.status.ok());
   for (const Complex s : poles.s) RC_ASSERT(s.real() < 0);
-  // Next to a double pole P' is small, and so is the number of digits.
+  // Near a double pole P' is small, and few digits are determined.
   const std::size_t i = *rc::gen::inRange<std::size_t>(0, 6);
   RC_ASSERT(distance(p, g, poles.s[i]) < 2e-12);
 }
 
-// Between two successive hub-locked resonances beyond k3/I_hub and the like lies one pole of positive
-// imaginary part: as many up to a high hub-locked resonance as resonances, or one more or less next to the
-// axis.
+// Between two successive hub-locked resonances beyond k3/I_hub there is one pole with positive imaginary
+// part: up to a high hub-locked resonance there are as many as resonances, or one more or less near the axis.
 TEST(ClosedLoopPoles, NoneIsMissed) {
   for (const Gains& g :
        {unit_gains, designed_gains, Gains{12, 0, 1000}, Gains{1e-3, 50, 1e-3}, Gains{1e4, -1.9, 100}}) {
@@ -135,7 +135,7 @@ TEST(ClosedLoopResponse, AgreesWithTheExactPlant) {
       const Complex load = s * s * (p.hub_inertia + (1 + g.k2 / 2) * doubled),
                     denominator = load + g.k3 * s + g.k1;
       const Complex theta = g.k1 / denominator, y = theta * exact.deflection / exact.theta;
-      // Both sides know B to a rounding of I_hub + 2B times its condition.
+      // Both sides have the rounding error of I_hub + 2B times the condition number.
       const double amplified = (std::abs(load) + std::abs(s * s) * p.hub_inertia) / std::abs(denominator);
       const double allowed = 1e-12 * std::max(1., amplified * exact.theta_condition);
       const LoopResponse response = loop.response(s, 2);
@@ -173,7 +173,7 @@ int to_the_right(const Gains& g) {
   return count.count;
 }
 
-// What the statement says, counted: the source's k2 > -1 is not needed, k2 > -2 is.
+// Stability condition by counting: the source's k2 > -1 is not necessary, k2 > -2 is.
 TEST(Stability, IsWhatTheArgumentPrincipleCounts) {
   EXPECT_EQ(to_the_right({12, 0, 16}), 0);
   EXPECT_EQ(to_the_right({12, -1.5, 16}), 0);
@@ -193,7 +193,8 @@ TEST(ClosedLoop, RefusesBadGainsByName) {
   EXPECT_THROW((void)ClosedLoop(table_3_1(), unit_gains).poles(0), std::invalid_argument);
 }
 
-// Every extreme: all poles found, none to the right, each a zero of the exact characteristic function.
+// Extreme parameters: all poles are found, none in the right half plane, each a zero of the exact
+// characteristic function.
 TEST(ClosedLoop, StandsExtremes) {
   struct Case {
     const char* name;

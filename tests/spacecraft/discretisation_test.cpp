@@ -1,4 +1,4 @@
-/// Assumed modes and finite elements, and that Hamilton's principle gives the boundary value problem solved.
+/// Assumed modes and finite elements; Hamilton's principle gives the boundary value problem.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -49,7 +49,7 @@ TEST(Hamilton, TheActionIsStationaryAtTheExactSolution) {
       const Complex z = s * s, theta = plant.response(s).theta;
       const auto speed = [&](double x) { return (a.deflection(s, x) + (x + r)) * theta; };
       const auto turn = (a.slope(s, l) + 1.) * theta;
-      // delta theta alone: the balance of Eq. 3.15.
+      // delta theta alone: the equation of the hub, Eq. 3.15.
       const Complex hub = z * p.hub_inertia * theta;
       const Complex beam =
           2. * z * p.mass_per_length * integral(l, [&](double x) { return (x + r) * speed(x); });
@@ -70,8 +70,7 @@ TEST(Hamilton, TheActionIsStationaryAtTheExactSolution) {
   }
 }
 
-/// T and V of Eqs. 3.12 and 3.13 for rates and values of theta and q, by quadrature of the shape functions
-/// alone.
+/// T and V of Eqs. 3.12 and 3.13 for rates and values of theta and q, by quadrature of the shape functions.
 std::pair<double, double> energies(const Parameters& p, const DiscreteModel& m, const Eigen::VectorXd& rate,
                                    const Eigen::VectorXd& value) {
   const Eigen::Index n = m.size();
@@ -113,8 +112,8 @@ TEST(Hamilton, TheMatricesAreThoseOfTheEnergies) {
   }
 }
 
-// Lagrange's equations of the same energies in finite elements come to the exact solution with the order of
-// Hermite's cubics: errors fall as h^4.
+// Finite elements from the same energies converge to the exact solution with the order of Hermite's cubics:
+// errors decrease as h^4.
 TEST(Hamilton, FiniteElementsConvergeToTheExactSolution) {
   for (const Parameters& p : both()) {
     const Plant plant(p);
@@ -183,7 +182,7 @@ TEST(AssumedModes, OfEigenfunctionsConvergeFast) {
   }
 }
 
-// One model solved three ways; 1e-10: the condition of ten assumed modes.
+// One model solved in three ways; tolerance 1e-10: the condition number of ten assumed modes.
 RC_GTEST_PROP(AssumedModes, AreTheSameDiagonalised, ()) {
   const Parameters p = *random_spacecraft();
   const double x = *between(0.1, 1) * p.length, omega = std::pow(10, *between(-2, 2));
@@ -207,12 +206,13 @@ TEST(Discretisation, KeepsTheRigidBody) {
   for (const Parameters& p : both()) {
     for (const DiscreteModel& m : {assumed_modes(p, 5), finite_elements(p, 5)}) {
       EXPECT_EQ(m.total_inertia, p.total_inertia());
-      // At low frequency the exact responses, static deflection included.
+      // At low frequency the responses are exact, including the static deflection.
       const AxisResponse exact = Plant(p).at_frequency(1e-3, 4), r = DenseResponse(m, 4).at_frequency(1e-3);
       EXPECT_NEAR(r.theta / exact.theta, 1, 1e-9);
       EXPECT_NEAR(r.deflection / exact.deflection, 1, 1e-3);
     }
-    // The rigid rotation is among the finite elements: the product with itself is the appendages' inertia.
+    // The rigid rotation is in the finite element space: its product with itself is the inertia of the
+    // appendages.
     const DiscreteModel m = finite_elements(p, 7);
     Eigen::VectorXd bend(m.size());
     for (Eigen::Index i = 0; i < 7; ++i) {

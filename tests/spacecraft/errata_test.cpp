@@ -1,5 +1,5 @@
-/// Misprints of the source about the state space (Eqs. 3.22 to 3.41) and about assumed modes (3.45 to 3.48):
-/// the printed form is wrong, the corrected right.
+/// Misprints of the source in the state space (Eqs. 3.22 to 3.41) and in assumed modes (3.45 to 3.48): the
+/// printed form is wrong, the corrected one right.
 #include <gtest/gtest.h>
 #include <Eigen/Core>
 #include <Eigen/LU>
@@ -57,7 +57,7 @@ std::array<double, 4> f_of(double beta, double x) {
   return {c * ch, k * (c * sh - s * ch), -2 * k * k * s * sh, -2 * k * k * k * (c * sh + s * ch)};
 }
 
-// Eqs. 3.22, 3.38, 3.39, 3.42, 3.43: (r + x) g_2(x) - g_1(x) is to be taken at x = L.
+// Eqs. 3.22, 3.38, 3.39, 3.42, 3.43: (r + x) g_2(x) - g_1(x) must be evaluated at x = L.
 TEST(Errata, PolesDoNotDependOnThePlaceLookedAt) {
   const auto pole = [](const Parameters& p, double x, bool literal) {
     const auto sum = [&](double omega) {
@@ -66,7 +66,7 @@ TEST(Errata, PolesDoNotDependOnThePlaceLookedAt) {
     return p.has_tip() ? oracle::rise(sum, 5, 8) : oracle::rise(sum, 11.52, 14);
   };
   const Parameters none = without_tip(table_3_1()), tip = table_3_1();
-  // Five printed digits; the closed form in doubles is right to 1e-12 here.
+  // Five printed digits; the closed form in double is accurate to 1e-12 here.
   EXPECT_NEAR(pole(none, 2, true), 11.625, 6e-4);
   EXPECT_NEAR(pole(tip, 2, true), 5.9363, 2e-4);
   for (const auto& [p, low, high] : {std::tuple(none, 11.52, 14.), std::tuple(tip, 5., 8.)}) {
@@ -88,7 +88,7 @@ TEST(Errata, TheIntegralsOfTheStateAreThoseOfTheDeflection) {
   const Complex sum =
       integral(p.length, [&](double x) { return (p.hub_radius + x) * appendage.deflection(s, x); });
   const auto at = [&](double x) { return (p.hub_radius + x) * z.state(x)[1] - z.state(x)[0]; };
-  // Gauss' rule, and the closed form's own digits.
+  // Errors of Gauss quadrature and of the closed form.
   expect_erratum("gss_control-3.22-place", oracle::distances(at(2), at(p.length), sum, 1e-9));
 }
 
@@ -126,7 +126,7 @@ TEST(Errata, TheHomogeneousSolutionIsTheMatrixExponential) {
   expect_erratum(
       "gss_control-3.28-sign",
       {.printed = -corrected(0, 1), .corrected = corrected(0, 1), .oracle = e(0, 5), .tolerance = 1e-9});
-  // As printed the moment would grow by itself.
+  // As printed the moment would grow without load.
   const Matrix6 printed = (state_matrix(beta, true) * x).exp();
   EXPECT_GT((printed.rightCols<2>() - corrected).cwiseAbs().maxCoeff(), 1);
   const Solution right(table_3_1(), {3, 0}), wrong(table_3_1(), {3, 0}, {.minus_in_z1 = true});
@@ -194,8 +194,8 @@ TEST(Errata, TheThirdForcedIntegral) {
   EXPECT_NEAR(r * f[0] - f[3] / beta - r - x, sum, 1e-10 * std::abs(sum));
 }
 
-// Eq. 3.33: the other integrals on the imaginary axis. With f and its derivatives in place of the cosine the
-// constants of the printed rows are too much: they are what the cosine's f'' is at 0.
+// Eq. 3.33: the other integrals on the imaginary axis. With f and its derivatives instead of the cosine the
+// constants of the printed rows must be omitted: they are the value of the cosine's f'' at 0.
 TEST(Errata, TheConstantsOfTheForcedIntegrals) {
   const Parameters p = table_3_1();
   const double beta = -400 * unit_of(p), x = 3, r = p.hub_radius,
@@ -297,8 +297,8 @@ TEST(Errata, TheSignOfTheTipsPrefactor) {
   EXPECT_NEAR((f[0] * h6 - f[1] * h5) / determinant / root[5].real(), 1, 1e-9);
 }
 
-// ---- Misprints of the source about assumed modes and the hub (Eqs. 3.45 to 3.49), and what its closed form
-// is worth in doubles.
+// ---- Misprints of the source about assumed modes and the hub (Eqs. 3.45 to 3.49), and the accuracy of its
+// closed form in double.
 
 // Eq. 3.45: cos(i pi x)/L is no admissible function, cos(i pi x/L) is: phi(0) must be 0.
 TEST(Errata, TheAssumedFunctionsAreHeldAtTheRoot) {
@@ -338,7 +338,7 @@ TEST(Errata, TenModesDoNotMeetTheTip) {
   EXPECT_NEAR(poles(Plant(p), 10).omega[9], exact, 1e-12 * exact);
 }
 
-// The closed form is right on paper and loses digits: e^(2 q L) at high frequency, 1/omega^2 at low.
+// The closed form is exact, but loses digits: e^(2 q L) at high frequency, 1/omega^2 at low frequency.
 TEST(Errata, TheClosedFormLosesDigitsAtBothEnds) {
   const Plant plant(table_3_1());
   const auto error = [&](double omega) {

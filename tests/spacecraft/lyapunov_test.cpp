@@ -13,15 +13,15 @@
 namespace nlmech::spacecraft::lyapunov_test {
 namespace {
 
-// Vdot = -k3 theta'^2: the corrected function falls at every sample, and by what the controller dissipates,
-// integrated by Gauss's rule within each step (1e-9 of V(0) for the rounding of the modes, up to 1e7 in
+// Vdot = -k3 theta'^2: the corrected function decreases at every sample by the dissipation of the controller,
+// integrated by Gauss quadrature in each step (1e-9 of V(0) for the rounding of the modes, up to 1e7 in
 // stiffness).
 TEST(Lyapunov, CorrectedFunctionFallsByTheDissipation) {
   for (const Gains& g : {unit_gains, designed_gains, Gains{12, 4.83, 31.9}, Gains{12, -1.5, 16}}) {
     const LyapunovHistory h = lyapunov_history(table_3_1(), g, 10, 20, 0.002);
     EXPECT_EQ(h.corrected_rise, 0) << g.k2;
     EXPECT_LT(h.imbalance, 1e-9) << g.k2;
-    // The functions of Eq. 3.45 are nearly dependent: their mass matrix has a condition of 1e8 or so.
+    // The functions of Eq. 3.45 are nearly dependent: their mass matrix has a condition number of about 1e8.
     EXPECT_NEAR(h.samples[0].corrected, g.k1 / 2, 1e-7 * g.k1);
     EXPECT_LT(h.samples.back().corrected, h.samples[0].corrected);
   }

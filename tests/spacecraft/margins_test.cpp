@@ -1,5 +1,5 @@
-/// Margins of the torque loop: known sensitivity peaks and delays, the argument principle under a delay,
-/// crossovers; and gains of least cost.
+/// Margins of the torque loop: known sensitivity peaks and delays, the argument principle with a delay,
+/// crossovers; and gains of minimum cost.
 #include "nlmech/spacecraft/control/margins.hpp"
 
 #include <gtest/gtest.h>
@@ -37,7 +37,7 @@ TEST(Sensitivity, HasThePublishedPeaks) {
   for (std::size_t i = 1; i < 20; ++i) EXPECT_LT(designed[i].value, 1.02);
 }
 
-// A maximum: larger than a little to both sides; and |S| = 1/|1 + L| by the loop gain.
+// A maximum: larger than at neighbouring frequencies; and |S| = 1/|1 + L| by the loop gain.
 TEST(Sensitivity, IsThatOfTheLoopGain) {
   const ClosedLoop loop(table_3_1(), unit_gains);
   for (const SensitivityPeak& p : sensitivity_peaks(loop, 6)) {
@@ -53,14 +53,14 @@ TEST(DelayMargin, OfUnitAndDesignedGains) {
   EXPECT_LT(margins(unit, 9).delay_margin, 10e-6);
   const double designed_margin = margins(designed, 9).delay_margin;
   EXPECT_GT(designed_margin, 1e-3);
-  // With k2 = 0, L is imaginary but for k1 at a high mode: a quarter of a period, pi/(2 omega).
+  // With k2 = 0, L is imaginary except for k1 at a high mode: a quarter of a period, pi/(2 omega).
   EXPECT_NEAR(designed_margin, pi / 2 / designed.poles(9).s[8].imag(), 2e-3 * designed_margin);
-  // The optimum without the root load bears a delay that the one with it does not.
+  // The optimum without root-load feedback tolerates a delay that the one with it does not.
   const OptimalGains pd = optimal_pd_gains(table_3_1(), {100, 1 / 144.});
   EXPECT_EQ(delayed_poles(ClosedLoop(table_3_1(), pd.gains), 1e-3, 9).unstable, 0);
 }
 
-// A delay just below the margin leaves all modes stable, just above it one is not.
+// Just below the margin all modes are stable with the delay, just above it one is not.
 TEST(DelayMargin, IsWhereTheFirstPolePasses) {
   for (const Gains& g :
        {unit_gains, designed_gains, Gains{12, 4.83, 31.9}, Gains{12, -1.9, 16}, Gains{12, 1e3, 16}}) {
@@ -71,7 +71,7 @@ TEST(DelayMargin, IsWhereTheFirstPolePasses) {
   }
 }
 
-// The poles followed into the right half plane are all that the argument principle finds there.
+// The tracked poles in the right half plane are all that the argument principle counts.
 TEST(DelayedPoles, AreThoseTheArgumentPrincipleCounts) {
   for (const double delay : {1e-5, 1e-3, 1e-2}) {
     for (const Gains& g : {unit_gains, designed_gains}) {
@@ -83,7 +83,7 @@ TEST(DelayedPoles, AreThoseTheArgumentPrincipleCounts) {
                              g.k2 * z * z * loop.plant().appendage().inertia(motion);
         return z * z * loop.plant().effective_inertia(motion) + exp(-delay * z) * feedback;
       };
-      // Between modes 9 and 10 the boundary meets no pole.
+      // The boundary between modes 9 and 10 does not pass a pole.
       const LoopPoles poles = loop.poles(10);
       const double top = (poles.s[8].imag() + poles.s[9].imag()) / 2;
       const RootCount count = count_roots(f, {1e-9, 500, 1e-3, top});
@@ -103,7 +103,7 @@ TEST(Margins, FindEveryCrossover) {
   EXPECT_EQ(m.crossovers.size(), 17u);
   for (const Crossover& c : m.crossovers) {
     const Complex gain = loop_gain(loop, c.omega);
-    // omega is known to a rounding, which the resonance amplifies.
+    // omega has a rounding error, which the resonance amplifies.
     EXPECT_NEAR(std::abs(gain), 1, 1e-7);
     EXPECT_LT(std::abs(gain * std::polar(1., -c.omega * c.delay) + 1.), 1e-7);
     EXPECT_NEAR(std::remainder(std::arg(-gain) - c.phase_margin, 2 * pi), 0, 1e-7);
@@ -112,8 +112,8 @@ TEST(Margins, FindEveryCrossover) {
   EXPECT_NEAR(m.phase_margin, 0.951104, 1e-6);
 }
 
-// With k2 = 0 the appendages turn L by half a turn or not at all: its phase is that of k1 + j k3 omega,
-// however steep |L| is. Next to these resonances it changes by 1e11 times the relative change of omega.
+// With k2 = 0 the appendages change the phase of L by pi or 0: it is that of k1 + j k3 omega, for any |L|.
+// Near these resonances L changes by 1e11 times the relative change of omega.
 TEST(Margins, PhasesWithoutRootLoadFeedbackAreTheLaws) {
   Parameters p = table_3_1();
   p.hub_inertia = 41.8, p.mass_per_length = 0.0122, p.length = 0.4, p.hub_radius = 0,
@@ -141,7 +141,7 @@ TEST(Margins, TendToTheRigidSpacecrafts) {
   EXPECT_NEAR(m.crossovers[0].phase_margin, std::atan(k3 * std::sqrt(square) / k1), 1e-6);
 }
 
-// With all gains times g < -2/k2 the loop is stable, beyond it is refused as unstable.
+// With all gains times g < -2/k2 the loop is stable; beyond it is refused as unstable.
 TEST(Margins, GainMarginOfNegativeRootLoadFeedback) {
   const ClosedLoop loop(table_3_1(), {12, -0.5, 16});
   const double margin = margins(loop, 5).gain_margin;
@@ -159,8 +159,8 @@ TEST(Margins, RefuseBadInput) {
   EXPECT_THROW((void)delayed_poles(loop, std::nan(""), 3), std::invalid_argument);
 }
 
-// ---- Costs of a step: closed forms against sums of residues in time; optimal gains: no other gains cost
-// less. The chapter's scene holds their values.
+// ---- Costs of a step: closed forms against sums of residues in time; optimal gains: no other gains have a
+// smaller cost. The chapter's scene records their values.
 
 constexpr double price = 1 / 144.;
 
@@ -175,20 +175,20 @@ void expect_costs_of_residues(const Parameters& p, const Gains& g, double x) {
   ASSERT_TRUE(r.status.ok()) << r.status.text();
   const StepCosts c = step_costs(p, g, x);
   const ExponentialSum error({}, r.theta.poles(), r.theta.weights());
-  // Those of e^2 and y^2 converge fast; the others are as far off as what is left out.
+  // The costs of e^2 and y^2 converge fast; the others have the error of the truncated sum.
   EXPECT_NEAR(square_integral(error).value / c.error, 1, 1e-11) << g.k2;
   EXPECT_NEAR(square_integral(r.theta_dot).value / c.rate, 1, 1e-9) << g.k2;
   EXPECT_NEAR(square_integral(r.deflection[0]).value / c.deflection, 1, 1e-10) << g.k2;
   EXPECT_NEAR(square_integral(r.deflection_dot[0]).value / c.deflection_dot, 1, 1e-5) << g.k2;
-  // With k2 != 0 the torque's residues fall like 1/n^2, and their squares' sum lacks a/n + b/n^2 + ...
+  // With k2 != 0 the torque's residues decrease as 1/n^2; the sum of their squares lacks a/n + b/n^2 + ...
   const double some = torque_by_residues(loop, 64), more = torque_by_residues(loop, 128),
                most = torque_by_residues(loop, 256);
   const double first = 2 * more - some, second = 2 * most - more;
   EXPECT_NEAR((g.k2 == 0 ? most : (4 * second - first) / 3) / c.torque, 1, 1e-6) << g.k2;
 }
 
-// The sums of residues in time know nothing of contours. One of the spacecraft has poles beside a hub-locked
-// resonance: as much damping as frequency just below the first, and none up to the second.
+// Costs from sums of residues in time, without contours. One of the spacecraft has poles near a hub-locked
+// resonance: damping as large as the frequency just below the first, and no poles up to the second.
 TEST(StepCosts, AreThoseOfTheResiduesInTime) {
   for (const Gains& g :
        {unit_gains, designed_gains, Gains{12, 4.82952499282, 31.9283386251}, Gains{3, -1.5, 5}}) {
@@ -198,7 +198,7 @@ TEST(StepCosts, AreThoseOfTheResiduesInTime) {
   p.hub_inertia = 32.2, p.mass_per_length = 0.00414, p.length = 10.3, p.hub_radius = 0.351;
   p.second_moment = 6.45e-9, p.tip_mass = 1.569, p.tip_inertia = 0.00795;
   expect_costs_of_residues(p, {3.224, 0.00876, 50.39}, p.length);
-  // Each entry three times as large and a third, with and without tip.
+  // Each parameter times three and over three, with and without tip.
   for (double Parameters::*const field :
        {&Parameters::hub_inertia, &Parameters::mass_per_length, &Parameters::length, &Parameters::hub_radius,
         &Parameters::second_moment, &Parameters::tip_mass, &Parameters::tip_inertia}) {
@@ -210,7 +210,7 @@ TEST(StepCosts, AreThoseOfTheResiduesInTime) {
   }
 }
 
-// With k2 = 0, e^2 and u^2 do not know that the appendages bend: the rigid body's costs.
+// With k2 = 0 e^2 and u^2 do not depend on the bending: the costs of the rigid body.
 TEST(StepCosts, WithoutRootLoadAreRigid) {
   Parameters stiff = table_3_1();
   stiff.youngs_modulus *= 1e6;
@@ -232,7 +232,7 @@ RC_GTEST_PROP(OptimalGains, CostLessThanAnyOther, ()) {
   const Parameters p = *random_spacecraft();
   const CostWeights w{std::pow(10, *between(-2, 5)), std::pow(10, *between(-5, 2))};
   const OptimalGains full = optimal_gains(p, w), pd = optimal_pd_gains(p, w);
-  // The cost of the optimal gains is the cost stated, to a few roundings.
+  // The cost of the optimal gains equals the stated cost, to a few rounding errors.
   RC_ASSERT(std::abs(cost(p, full.gains, w) / full.cost - 1) < 1e-13);
   RC_ASSERT(std::abs(cost(p, pd.gains, w) / pd.cost - 1) < 1e-13);
   RC_ASSERT(full.cost <= pd.cost * (1 + 1e-14));

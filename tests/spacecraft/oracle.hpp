@@ -1,6 +1,6 @@
 /// @file
-/// What the tests of the spacecraft judge by: the boundary value problem of Eqs. 3.15-3.16 in 110 digits, two
-/// ways, in physical units, sharing nothing with the library.
+/// Reference for the tests of the spacecraft: the boundary value problem of Eqs. 3.15-3.16 in 110 digits, in
+/// two ways, in physical units, independent of the library.
 #pragma once
 
 #include <cmath>
@@ -13,19 +13,19 @@ namespace nlmech::spacecraft::oracle {
 
 using Complex = std::complex<double>;
 
-/// Both transfer functions rounded to double, and their conditions |s G'/G|.
+/// Both transfer functions rounded to double, and their condition numbers |s G'/G|.
 struct Exact {
   Complex theta, deflection;
   double theta_condition, deflection_condition;
 };
 
-/// w = y + (r + x) theta as a sum of decaying exponentials from root and tip: any s.
+/// w = y + (r + x) theta as a sum of exponentials that decay from root and tip: for any s.
 [[nodiscard]] Exact by_exponentials(const Parameters& parameters, Complex s, double x);
 
 /// w as a sum of cos, sin, cosh and sinh: up to |beta|^(1/4) L of about 60.
 [[nodiscard]] Exact by_hyperbolics(const Parameters& parameters, Complex s, double x);
 
-/// Where a function rises through zero, to the last digit.
+/// Zero of a function that increases through it, to the last digit.
 template <class F>
 double rise(const F& f, double low, double high) {
   for (int i = 0; i < 60; ++i) {
@@ -38,8 +38,8 @@ double rise(const F& f, double low, double high) {
 /// s^2 (I_hub + 2B) = 1/(theta/u).
 inline Complex hub_load(const Parameters& p, Complex s) { return 1. / by_exponentials(p, s, 0).theta; }
 
-/// P(s) = s^2 (I_hub + (2 + k2) B) + k3 s + k1: s^2 (I_hub + kappa B) is a mean of s^2 I_hub and of the hub's
-/// load.
+/// P(s) = s^2 (I_hub + (2 + k2) B) + k3 s + k1, where s^2 (I_hub + kappa B) is a mean of s^2 I_hub and the
+/// load of the hub.
 inline Complex characteristic(const Parameters& p, const Gains& g, Complex s) {
   const Complex hub = s * s * p.hub_inertia;
   return hub + (1 + g.k2 / 2) * (hub_load(p, s) - hub) + g.k3 * s + g.k1;
@@ -76,7 +76,7 @@ auto integral(double length, const F& f) {
   return sum;
 }
 
-/// Complex numbers as evidence: how far each form is from the exact value, by its size.
+/// Errors of complex numbers as evidence: distance of each form from the exact value, relative to it.
 inline tests::Evidence distances(Complex printed, Complex corrected, Complex exact, double tolerance) {
   return {std::abs(printed - exact), std::abs(corrected - exact), 0, tolerance, std::abs(exact)};
 }

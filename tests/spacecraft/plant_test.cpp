@@ -1,5 +1,5 @@
-/// Exact transfer functions: 110 digits, properties, extremes. The scenes of figures 3.3 to 3.8 hold known
-/// values. And the frequencies with Timoshenko's beam.
+/// Exact transfer functions against 110 digits, their properties, extreme parameters; frequencies with
+/// Timoshenko's beam. The scenes of figures 3.3 to 3.8 record known values.
 #include "nlmech/spacecraft/plant/plant.hpp"
 
 #include <gtest/gtest.h>
@@ -24,8 +24,8 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// What the class promises, 1e-14 of the value, times its condition where that is above 1: the rounding of a
-/// few dozen operations.
+/// Error bound of the class: 1e-14 of the value, times its condition number if that exceeds 1; the rounding
+/// error of a few dozen operations.
 void expect_exact(const Plant& plant, Complex s, double x) {
   const oracle::Exact e = oracle::by_exponentials(plant.parameters(), s, x);
   const Response r = plant.response(s, x);
@@ -77,7 +77,7 @@ TEST(Plant, IsExactInThePlane) {
       const double size = std::pow(10, -8 + i / 2.), angle = 0.1 + 2.399963 * i;
       expect_exact(plant, std::polar(size, angle), i % 3 == 0 ? 4 : 1.7);
     }
-    // Either side of the change from series to waves, |beta|^(1/4) L = 2.5.
+    // Both sides of the change from series to waves, |beta|^(1/4) L = 2.5.
     const double change = 6.25 / std::sqrt(plant.appendage().beta_unit());
     for (const double near : {0.999, 1.001})
       for (const double angle : {0., 0.7, 1.5}) expect_exact(plant, std::polar(near * change, angle), 2);
@@ -97,7 +97,7 @@ RC_GTEST_PROP(Plant, OfAnySpacecraftIsExact, ()) {
             1e-14 * std::max(1., e.deflection_condition) * std::abs(e.deflection));
 }
 
-// B and g_3 depend on s^2 alone and are real for real s: bit by bit.
+// B and g_3 depend on s^2 only and are real for real s: bitwise.
 RC_GTEST_PROP(Plant, IsEvenAndReal, ()) {
   const Plant plant(*random_spacecraft());
   const Complex s = std::polar(std::pow(10, *between(-3, 4)), *between(0.1, 1.5));
@@ -145,13 +145,13 @@ TEST(Plant, WithoutTipIsTheLimitOfASmallTip) {
       EXPECT_NEAR(b.deflection / a.deflection, 1, 100 * share) << omega;
     }
   }
-  // And a tip of mass 0 is evaluated without any tip term: not even a tip of 0 times infinity.
+  // A tip of mass 0 is evaluated without tip terms: no 0 times infinity.
   Parameters zero = table_3_1();
   zero.tip_mass = zero.tip_inertia = 0;
   EXPECT_EQ(Plant(zero).at_frequency(1e8, 2).theta, none.at_frequency(1e8, 2).theta);
 }
 
-// On the axis two programs, in real and in complex arithmetic; |s G'/G| is below 100 at these frequencies.
+// Real and complex arithmetic on the axis; |s G'/G| is below 100 at these frequencies.
 TEST(Plant, RealAndComplexArithmeticAgree) {
   for (const Parameters& p : both()) {
     const Plant plant(p);
@@ -165,7 +165,7 @@ TEST(Plant, RealAndComplexArithmeticAgree) {
   }
 }
 
-// Where they meet both evaluations are right; far from there each loses what the other keeps.
+// Both evaluations are accurate where the ranges meet; outside its range each loses digits.
 TEST(Plant, SeriesAndWavesMeet) {
   for (const Parameters& p : both()) {
     const Appendage a(p);
@@ -189,14 +189,14 @@ TEST(Plant, MomentAndShearHoldTheBoundaryConditions) {
     const Appendage a(p);
     for (const Complex s : {Complex(0, 0.01), Complex(0, 40), Complex(7, 3), Complex(-2, 400)}) {
       const Complex z = s * s, root = (p.hub_radius * a.shear(s, 0) - a.moment(s, 0)) / z, b = a.inertia(s);
-      // 256 eps of the terms: conditions of these quantities are below 100.
+      // 256 eps of the terms: condition numbers are below 100.
       EXPECT_LE(std::abs(root - b), 6e-14 * std::abs(b)) << s;
       const Complex w = p.hub_radius + p.length + a.deflection(s, p.length), turn = 1. + a.slope(s, p.length);
       EXPECT_LE(std::abs(a.shear(s, p.length) - z * p.tip_mass * w), 1e-12 * std::abs(a.shear(s, 0))) << s;
       EXPECT_LE(std::abs(a.moment(s, p.length) + z * p.tip_inertia * turn), 1e-12 * std::abs(a.moment(s, 0)))
           << s;
-      // Slope, moment and shear are derivatives of what comes before: central differences, error h^2 and
-      // eps/h.
+      // Slope, moment and shear are derivatives of the quantity before: central differences with errors h^2
+      // and eps/h.
       const double h = 1e-4, x = 1.7;
       const auto slope = (a.deflection(s, x + h) - a.deflection(s, x - h)) / (2 * h);
       EXPECT_LE(std::abs(slope - a.slope(s, x)), 1e-6 * std::abs(slope)) << s;
@@ -208,7 +208,7 @@ TEST(Plant, MomentAndShearHoldTheBoundaryConditions) {
   }
 }
 
-// d/ds by Jet against the limit of differences of the same functions.
+// d/ds by Jet against the limit of differences.
 TEST(Plant, SlopesAreDerivatives) {
   const Plant plant(table_3_1());
   for (const Complex s : {Complex(0.3, 5), Complex(-20, 100), Complex(0, 700)}) {
@@ -230,7 +230,7 @@ TEST(Plant, KnowsItsPoles) {
   EXPECT_EQ(plant.response({0, 1e-170}, 2).outcome, Outcome::at_pole);
   EXPECT_EQ(plant.response(1e-170, 2).outcome, Outcome::at_pole);
   for (const double omega : {6.4529599657490975, 52.081778965979}) {
-    // The double nearest to the pole: found by halving the bracket of the sign change.
+    // The double nearest to the pole, by bisection of the sign change.
     double low = omega * (1 - 1e-10), high = omega * (1 + 1e-10);
     const bool rising = plant.at_frequency(low, 2).theta < plant.at_frequency(high, 2).theta;
     for (int i = 0; i < 60; ++i) {
@@ -245,7 +245,7 @@ TEST(Plant, KnowsItsPoles) {
   }
 }
 
-// On a resonance of the locked hub B and g_3 are infinite, theta/u is 0 and y/u is not.
+// At a resonance of the locked hub B and g_3 are infinite; theta/u is 0, y/u is not.
 TEST(Plant, PassesTheResonancesOfTheLockedHub) {
   const Plant plant(table_3_1());
   const double omega = 51.39836909583;
@@ -325,16 +325,16 @@ TEST(Plant, RefusesUnphysicalDataByName) {
   }
 }
 
-// ---- Timoshenko's beam: its limit, an independent transition matrix, the size of the shift.
+// ---- Timoshenko's beam: its limit, an independent transition matrix, and the frequency shift.
 
 using Wide = long double;
 
 /// Aluminium: 5.24 slug/ft^3 and nu = 0.33, a strip.
 ShearBeam strip(const Parameters& p) { return solid_section(p, 5.24, 0.33, 5. / 6); }
 
-/// (I_hub + 2B) times the determinant of the tip's conditions at s = j omega: without poles, and 0 at the
-/// frequencies. From the transition matrix of (w, psi, M, V), by the classical Runge-Kutta rule in long
-/// double; B by the momentum of all parts, whose integral is the fifth state.
+/// (I_hub + 2B) times the determinant of the tip conditions at s = j omega: no poles, and 0 at the
+/// frequencies. Transition matrix of (w, psi, M, V) by the classical Runge-Kutta method in long double; B
+/// from the momentum of all parts, whose integral is the fifth state.
 Wide characteristic(const Parameters& p, const ShearBeam& b, double omega, int steps) {
   using State = std::array<Wide, 5>;
   const Wide z = -Wide(omega) * omega, ei = Wide(p.youngs_modulus) * p.second_moment;
@@ -371,8 +371,8 @@ Wide characteristic(const Parameters& p, const ShearBeam& b, double omega, int s
          2 * (m0 * momentum(moment) + v0 * momentum(shear));
 }
 
-// A strip, and beams so soft in shear and heavy in rotation that neither is a correction and the second kind
-// of wave travels, above sqrt(50/0.02) = 50 rad/s.
+// A strip, and beams with so little shear stiffness and so much rotary inertia that neither is a correction,
+// and the second kind of wave propagates, above sqrt(50/0.02) = 50 rad/s.
 TEST(Timoshenko, FrequenciesAreThoseOfTheTransitionMatrix) {
   for (const Parameters& p : {table_3_1(), without_tip(table_3_1())}) {
     for (const ShearBeam& b : {strip(p), ShearBeam{30, 0.01}, ShearBeam{10, 0.}, ShearBeam{50, 0.02}}) {
@@ -385,7 +385,7 @@ TEST(Timoshenko, FrequenciesAreThoseOfTheTransitionMatrix) {
             characteristic(p, b, omega * (1 - 1e-9), 4000) * characteristic(p, b, omega * (1 + 1e-9), 4000),
             0)
             << omega << " " << b.shear_stiffness;
-      // None is missed: as many changes of sign up to the middle between the last two.
+      // No frequency is missed: the number of sign changes up to the middle of the last two.
       const double step = (found[5] + found[6]) / 2 / 400;
       int changes = 0;
       for (int i = 1; i < 400; ++i)
@@ -401,7 +401,7 @@ TEST(Timoshenko, TendsToEulerAndBernoulli) {
                               found = timoshenko_frequencies(p, {1e18, 0}, 10, 1e5);
     ASSERT_EQ(found.size(), 10U);
     for (std::size_t i = 0; i < 10; ++i) EXPECT_NEAR(found[i] / exact[i], 1, 1e-12) << i;
-    // Linearly in both terms: a tenth of them is a tenth of the shift.
+    // Linear in both terms: a tenth of them gives a tenth of the shift.
     const ShearBeam b = strip(p), tenth{10 * b.shear_stiffness, b.rotary_inertia / 10};
     const std::vector<double> one = timoshenko_frequencies(p, b, 10, 1e5),
                               part = timoshenko_frequencies(p, tenth, 10, 1e5);

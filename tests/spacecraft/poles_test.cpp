@@ -1,4 +1,4 @@
-/// Zeros of analytic functions; poles and zeros of the plant. The scene natural-frequencies holds those of
+/// Zeros of analytic functions; poles and zeros of the plant. The scene natural-frequencies records those of
 /// Table 3.1.
 #include "nlmech/spacecraft/plant/poles.hpp"
 
@@ -47,7 +47,7 @@ TEST(Roots, MultipleOnesCountAsOftenAsTheyAre) {
   const Roots found = find_roots(polynomial({{0.3, 0.4}, {0.3, 0.4}, {0.3, 0.4}, {-1, 0}}), {-2, 2, -2, 2});
   EXPECT_EQ(found.count, 4);
   ASSERT_EQ(found.roots.size(), 4U);
-  // A triple zero is known to the cube root of eps.
+  // A triple zero is determined to the cube root of eps.
   for (std::size_t i = 1; i < 4; ++i) EXPECT_LE(std::abs(found.roots[i] - Complex(0.3, 0.4)), 1e-5);
 }
 
@@ -65,7 +65,7 @@ TEST(Roots, OfTranscendentalFunctions) {
   for (int i = -7; i <= 7; ++i) EXPECT_NEAR(real[static_cast<std::size_t>(i + 7)], i * pi, 1e-14) << i;
 }
 
-// A scale factor that is positive and differs from point to point changes nothing.
+// A positive scale factor that depends on the point does not change the zeros.
 TEST(Roots, AreThoseOfTheFunctionWhateverItsScale) {
   const auto plain = polynomial({{1, 1}, {-1, 0.5}});
   const auto scaled = [&](Complex s) {
@@ -91,8 +91,8 @@ TEST(Roots, SayWhereTheyCannotCount) {
   EXPECT_THROW((void)find_roots(flat, {0, nan, 0, 1}), std::invalid_argument);
 }
 
-// Textbook wave numbers of a cantilever, cos q cosh q = -1, and of one with a pinned end (a tip without
-// bound), tan q = tanh q.
+// Wave numbers of textbooks: a cantilever, cos q cosh q = -1, and a beam with a pinned end (infinite tip
+// mass), tan q = tanh q.
 TEST(Poles, OfTheLockedHubAreTheTextbooks) {
   const Plant plant(without_tip(table_3_1()));
   const double unit = std::sqrt(plant.appendage().beta_unit());
@@ -112,7 +112,7 @@ TEST(Poles, OfTheLockedHubAreTheTextbooks) {
   EXPECT_NEAR(of_heavy.omega[0] / std::sqrt(3 * heavy.bending_stiffness() / (1e12 * 64)), 1, 1e-12);
 }
 
-// Between two poles lies one zero of theta/u: nothing is missed, and no hub is too light.
+// Between two poles there is one zero of theta/u: none is missed, also without hub inertia.
 RC_GTEST_PROP(Poles, AndHubZerosAlternate, ()) {
   Parameters p = *random_spacecraft();
   if (*rc::gen::inRange(0, 4) == 0) p.hub_inertia = 0;
@@ -145,7 +145,7 @@ TEST(Poles, OfExtremeSpacecraft) {
   EXPECT_THROW((void)poles(Plant(table_3_1()), 0), std::invalid_argument);
 }
 
-// The same poles by the general finder in the plane of s, which knows nothing of the axis.
+// The same poles by the general search in the plane of s, which does not use the axis.
 TEST(Poles, AreFoundInThePlaneToo) {
   const Plant plant(table_3_1());
   const auto f = [&](Complex s) { return plant.effective_inertia(plant.appendage().motion_with_slope(s)); };
@@ -187,7 +187,7 @@ RC_GTEST_PROP(Zeros, OfTheDeflectionAreZeros, ()) {
   RC_ASSERT(zeros.status.ok());
   for (const Complex& s : zeros.s) {
     RC_ASSERT(s.imag() >= 0);
-    // |y| there against its slope times s: 1e-9 of a relative change of s.
+    // |y| over its slope times s: 1e-9 of a relative change of s.
     const Motion<Jet> m = plant.appendage().motion_with_slope(s);
     const Jet y = plant.appendage().deflection(m, x);
     RC_ASSERT(std::abs(y.value) <= 1e-9 * std::abs(s * y.slope));

@@ -1,5 +1,5 @@
-/// Sums of exponentials: values, derivatives, samples, extremes and settling times of functions known in
-/// closed form; exponentials that stand for coincident poles.
+/// Sums of exponentials: values, derivatives, samples, extremes and settling times of known functions; nodes
+/// that replace coincident poles.
 #include "nlmech/spacecraft/residues.hpp"
 
 #include <gtest/gtest.h>
@@ -75,7 +75,7 @@ TEST(Extremes, AreThoseOfASecondOrderStep) {
   }
 }
 
-// A fast ripple of a ten-thousandth decides where the top of a slow wave is.
+// A fast ripple of a ten-thousandth determines the maximum of a slow wave.
 TEST(Extremes, SeeFastSmallTerms) {
   const double small = 1e-4, fast = 997;
   const ExponentialSum f({0, 0, 0}, {{0, 1}, {0, fast}}, {Complex(0, -0.5), small / 2});
@@ -90,8 +90,8 @@ TEST(Extremes, SeeFastSmallTerms) {
   EXPECT_NEAR(e.largest.time, at, 2e-6);
 }
 
-// The crests of e^(-a t) (cos w t + a/w sin w t) are e^(-a k pi/w): the last one above the band is left
-// behind on its falling side.
+// The maxima of e^(-a t) (cos w t + a/w sin w t) are e^(-a k pi/w): the function leaves the band for the last
+// time on the falling side of the last maximum above it.
 TEST(Settling, IsThatOfASecondOrderStep) {
   const double a = 0.05, w = 4, band = 0.02;
   const Settling s = settling_time(step(a, w), 1, band, 1e4);
@@ -107,7 +107,7 @@ TEST(Settling, SeesACrestThatBarelyPasses) {
   for (const double factor : {1 - 1e-6, 1 + 1e-6}) {
     const double crest = 40 * pi / w, band = std::exp(-a * crest) * factor;
     const Settling s = settling_time(step(a, w), 1, band, 1e4);
-    // With the narrower band the crest counts, with the wider one that before it.
+    // With the narrower band the maximum counts, with the wider one the maximum before it.
     if (factor < 1) {
       EXPECT_NEAR(s.time, crest, 1e-2);
     } else {
@@ -126,9 +126,9 @@ TEST(Settling, SaysIfItDoesNot) {
   EXPECT_EQ(within.time, 0);
 }
 
-// ---- Zeros by their power sums, and exponentials that stand for coincident poles, against closed forms.
+// ---- Zeros by their power sums, and nodes that replace coincident poles, against closed forms.
 
-/// Times an entire function without zeros.
+/// Polynomial with the given zeros times an entire function without zeros.
 Jet with_zeros(Complex s, const std::vector<Complex>& zeros) {
   Jet product(1.);
   for (const Complex& z : zeros) product = product * (Jet::variable(s) - Jet(z));
@@ -148,7 +148,7 @@ TEST(ZerosInCircle, AreRightWhereTheyCoincide) {
       sum += z;
       product *= Complex(0.2, 0) - z;
     }
-    // The polynomial is right to rounding; its zeros are to the third root of that.
+    // The polynomial is accurate to rounding, its zeros to the cube root of that.
     EXPECT_LT(std::abs(sum - apart * Complex(1, 1)), 1e-14);
     EXPECT_LT(std::abs(product - 0.2 * (0.2 - apart) * Complex(0.2, -apart)), 1e-14);
   }
@@ -181,7 +181,7 @@ TEST(ClusterNodes, StandForCoincidentPoles) {
   }
 }
 
-// Five zeros of which two coincide, and one a hundred billion times nearer to 0.
+// Five zeros: two coincide, and one is a hundred billion times closer to 0.
 TEST(FindRoots, SeparatesWhatLiesNextToZero) {
   const std::vector<Complex> zeros = {Complex(-1e-11), Complex(-3e-11), Complex(-0.5, 1), Complex(-0.5, 1),
                                       Complex(-2, 0.1)};

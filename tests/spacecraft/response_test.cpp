@@ -1,5 +1,5 @@
-/// Motion in time: the numerical inverse of the exact transfer functions, initial and late times, torque
-/// steps. The chapter's scenes hold peaks and settling times with the gains of the source.
+/// Motion in time: numerical inverse of the exact transfer functions, initial and late times, torque. The
+/// chapter's scenes record peaks and settling times with the gains of the source.
 #include "nlmech/spacecraft/response.hpp"
 
 #include <gtest/gtest.h>
@@ -25,8 +25,8 @@ TimeResponse designed(int pairs) {
   return step_response(ClosedLoop(table_3_1(), designed_gains), 1, places, {.pairs = pairs});
 }
 
-// After 1e5 radians of a hub that hardly damps, where finite elements have another phase with each mesh:
-// Newton's iteration and residues by differences, of a characteristic function in 110 digits.
+// After 1e5 radians of a weakly damped hub, where finite elements have another phase for each mesh.
+// Reference: Newton's iteration and residues by differences, of a characteristic function in 110 digits.
 TEST(StepResponse, IsTheSumOfExactPolesAtALateTime) {
   Parameters p = table_3_1();
   p.hub_inertia = 18.4, p.mass_per_length = 0.0425, p.length = 25.05, p.hub_radius = 7.91;
@@ -48,9 +48,9 @@ TEST(StepResponse, IsTheSumOfExactPolesAtALateTime) {
     theta += 2 * (weight * std::exp(s * time)).real();
     envelope += 2 * std::abs(weight);
   }
-  // Poles to 1e-15 of themselves; slopes to 1e-10: (1e-7 over a gap of 0.02)^2, and roundings over 1e-7.
+  // Poles are accurate to 1e-15; slopes to 1e-10: (1e-7 over a gap of 0.02)^2, and rounding errors over 1e-7.
   EXPECT_NEAR(r.theta.value(time), theta, 1e-9 * envelope);
-  EXPECT_GT(std::abs(theta - 1), 1e-3);  // it still swings
+  EXPECT_GT(std::abs(theta - 1), 1e-3);  // it still oscillates
 }
 
 // Ten digits of a sum over the same 25 pairs. oracle: gss_control_loop 25 pairs *
@@ -84,7 +84,7 @@ TEST(StepResponse, IsTheNumericalInverse) {
   }
 }
 
-// The bounds hold against a sum of eight times as many pairs, and are no wild overestimate for theta.
+// The bounds hold against a sum of eight times as many pairs, and do not overestimate theta excessively.
 TEST(StepResponse, BoundsWhatIsLeftOut) {
   for (const Gains& g : {designed_gains, unit_gains, Gains{12, 4.83, 31.9}, Gains{12, -1.5, 16}}) {
     const ClosedLoop loop(table_3_1(), g);
@@ -114,8 +114,8 @@ TEST(StepResponse, ChoosesPairsByTheBound) {
   EXPECT_NEAR(rough.deflection[0].value(1), fine.deflection[0].value(1), 1e-6);
 }
 
-// At t = 0 everything is at rest; soon after theta = k1 t^2/(2 I_hub), since the hub is felt first. Late it
-// has arrived.
+// Rest at t = 0; for small t theta = k1 t^2/(2 I_hub), because the hub responds first; for large t the final
+// value.
 TEST(StepResponse, BeginsAtRestAndArrives) {
   for (const Gains& g : {designed_gains, unit_gains}) {
     const TimeResponse r = step_response(ClosedLoop(table_3_1(), g), 0.5, places, {.pairs = 400});
@@ -124,9 +124,9 @@ TEST(StepResponse, BeginsAtRestAndArrives) {
     EXPECT_NEAR(r.deflection[1].value(0), 0, 1e-13);
     EXPECT_NEAR(r.deflection_dot[1].value(0), 0, 1e-11);
     const double t = 1e-4, early = 0.5 * g.k1 * t * t / (2 * table_3_1().hub_inertia);
-    // The appendages take part as B(1/t)/I_hub: 2 % of the hub.
+    // The appendages contribute B(1/t)/I_hub: 2 % of the hub.
     EXPECT_NEAR(r.theta.value(t), early, 0.03 * early);
-    // High modes are hardly damped: what is left is within their moduli.
+    // High modes are weakly damped: the remainder is within their moduli.
     EXPECT_LT(std::abs(r.theta.value(1e4) - 0.5), r.theta.envelope(1e4) + 1e-15);
     EXPECT_LT(r.theta.envelope(1e4), 1e-8);
     EXPECT_LT(std::abs(r.deflection[1].value(1e6)), 1e-8);
@@ -134,7 +134,7 @@ TEST(StepResponse, BeginsAtRestAndArrives) {
   }
 }
 
-// u of the residues is the control law's, where that needs theta and theta' alone.
+// The torque of the residues equals the control law where that needs theta and theta' only.
 TEST(StepResponse, TorqueIsTheControlLaws) {
   const TimeResponse r = designed(64);
   for (const double t : {0., 0.1, 1., 7.}) {
@@ -189,7 +189,7 @@ TEST(TorqueResponse, BeginsAtRestAndIsTheNumericalInverse) {
     const Plant plant(p);
     const TimeResponse r = torque_response(plant, 2, places, {.pairs = 200});
     ASSERT_TRUE(r.status.ok());
-    // The constant from the static strain energy against the sum of the residues: independent of each other.
+    // The constant from the static strain energy against the independent sum of the residues.
     EXPECT_NEAR(r.theta.value(0), 0, 1e-14);
     EXPECT_NEAR(r.deflection[0].value(0), 0, 1e-12);
     const std::array<double, 2> times = {0.7, 6};
@@ -210,7 +210,7 @@ TEST(Statics, AreTheClosedForms) {
   EXPECT_NEAR(statics(p, 2).square, 7.48287762891742e-4, 1e-17);
   EXPECT_NEAR(statics(p, 4).square, 7.4743411811217e-3, 1e-15);
   EXPECT_NEAR(statics(p, 4).green, 64 / (3 * p.bending_stiffness()), 1e-15);
-  // B(s) = B(0) - strain s^2 at small s, where s is large enough for the difference to have 8 digits.
+  // B(s) = B(0) - strain s^2 for small s; s is large enough for 8 digits of the difference.
   const Appendage appendage(p);
   const double s = 1e-2, difference = p.appendage_inertia() - appendage.inertia(Complex(s)).real();
   EXPECT_NEAR(statics(p, 0).strain * s * s / difference, 1, 1e-4);
@@ -227,11 +227,11 @@ TEST(TimeResponses, RefuseBadInput) {
   EXPECT_THROW((void)torque_response(loop.plant(), 1, outside), std::invalid_argument);
 }
 
-// ---- The step response where poles coincide, nearly coincide, lie beside s = 0 or far to the left: against
-// finite elements in time, the numerical inverse of the transform, and what it begins with.
+// ---- Step response with poles that coincide, nearly coincide, are close to s = 0 or far to the left,
+// against finite elements in time, the numerical inverse, and initial values.
 
-/// Held to finite elements at some times: within ten times what half as many elements change, and 1e-9 of the
-/// largest value.
+/// Expects agreement with finite elements at some times: within ten times the change from half as many
+/// elements, and 1e-9 of the largest value.
 void expect_as_elements(const Parameters& p, const Gains& g, double x, std::initializer_list<double> times) {
   const std::array<double, 1> place = {x};
   const TimeResponse r = step_response(ClosedLoop(p, g), 1, place);
@@ -250,7 +250,7 @@ void expect_as_elements(const Parameters& p, const Gains& g, double x, std::init
   }
 }
 
-// A slow real pole beside s = 0 is no pair with it: theta began with 1 here.
+// A slow real pole near s = 0 must not be treated as a pair with it, which gave theta(0) = 1.
 TEST(NearPoles, ASlowRealPoleBesideZero) {
   for (const Gains& g : {Gains{5, 0, 90}, Gains{1, 0, 100}, Gains{12, 0, 150}, Gains{0.01, 0, 16}}) {
     const std::array<double, 1> place = {2};
@@ -261,7 +261,7 @@ TEST(NearPoles, ASlowRealPoleBesideZero) {
   }
 }
 
-// However slow: with k1 tiny the angle is k1/k3 (t - J/k3 ...) and no digit of it comes from 1 - 1.
+// For any k1: for small k1 the angle is k1/k3 (t - J/k3 ...), and its digits must not come from 1 - 1.
 TEST(NearPoles, PolesFarSlowerThanTheModes) {
   for (const double k1 : {1e-6, 1e-12, 1e-40}) {
     const LoopPoles poles = ClosedLoop(table_3_1(), {k1, 0, 16}).poles(3);
@@ -270,7 +270,7 @@ TEST(NearPoles, PolesFarSlowerThanTheModes) {
     EXPECT_NEAR(poles.s[0].real() / (-k1 / 16), 1, 1e-12 + 0.1 * k1) << k1;
     EXPECT_EQ(poles.s[0].imag(), 0);
   }
-  // Two of them, of one size: s^2 J + k3 s + k1 = 0, (s + 1e-9)(s + 2e-9) J.
+  // Two slow poles of equal size: s^2 J + k3 s + k1 = 0, (s + 1e-9)(s + 2e-9) J.
   const double j = table_3_1().total_inertia();
   const LoopPoles poles = ClosedLoop(table_3_1(), {2e-18 * j, 0, 3e-9 * j}).poles(3);
   ASSERT_TRUE(poles.status.ok()) << poles.status.text();
@@ -278,8 +278,8 @@ TEST(NearPoles, PolesFarSlowerThanTheModes) {
   EXPECT_NEAR(poles.s[1].real(), -2e-9, 1e-20);
 }
 
-// A real pole near -k3/I_hub = -3125, faster than 800 modes of an appendage of 400 ft: without it the hub
-// starts with a rate of 4e-5.
+// A real pole near -k3/I_hub = -3125 is faster than 800 modes of an appendage of 400 ft: without it the
+// initial rate of the hub is 4e-5.
 TEST(NearPoles, AFastRealPoleIsNotLeftOut) {
   Parameters p = table_3_1();
   p.length = 400;
@@ -287,7 +287,7 @@ TEST(NearPoles, AFastRealPoleIsNotLeftOut) {
   const std::array<double, 1> place = {400};
   const TimeResponse r = step_response(loop, 1, place);
   ASSERT_TRUE(r.status.ok()) << r.status.text();
-  // Of a largest rate of 4e-5 rad/s and 0.016 ft/s, what 800 pairs leave out.
+  // Truncation after 800 pairs, for largest rates of 4e-5 rad/s and 0.016 ft/s.
   EXPECT_NEAR(r.theta_dot.value(0), 0, 4e-8);
   EXPECT_NEAR(r.deflection_dot[0].value(0), 0, 2e-5);
   const std::array<double, 2> times = {1e-4, 1e-3};
@@ -296,8 +296,8 @@ TEST(NearPoles, AFastRealPoleIsNotLeftOut) {
 }
 
 // Without a hub and with strong rate feedback theta' rises from 0 to theta_f k1/k3 within 2e-16 s, 1/|p| of a
-// real pole p = -5e15 1/s. The sum over the lowest modes lacks the modes of that boundary layer: its theta
-// and y converge, and its theta' starts with -theta_f k1/k3.
+// real pole p = -5e15 1/s. The sum over the lowest modes lacks that boundary layer: its theta and y converge,
+// but its theta' starts with -theta_f k1/k3.
 TEST(NearPoles, ABoundaryLayerIsRefused) {
   Parameters p = table_3_1();
   p.hub_inertia = 0;
@@ -316,8 +316,8 @@ TEST(NearPoles, ABoundaryLayerIsRefused) {
   }
 }
 
-// The same for gains that push it ever farther out, where the search went on for minutes or gave up, and
-// without a hub, where it lies near -(k3/c)^2.
+// Gains that move this pole ever farther out, where the search must end in time, and a spacecraft without a
+// hub, where the pole is near -(k3/c)^2.
 TEST(NearPoles, FastPolesHaveNoLimit) {
   for (const double k3 : {1e4, 1e7, 1e12, 1e20}) {
     const LoopPoles poles = ClosedLoop(table_3_1(), {12, 0, k3}).poles(4, PoleOrder::frequency);
@@ -362,8 +362,8 @@ TEST(NearPoles, ThreeRealPolesCoincide) {
   }
 }
 
-// A real pole beside two that coincide, in a fifteenth of their size: as a pole of its own it has a residue
-// of 433, and 7e-9 of rounding. Truncation is within its bound, and rounding eps times the terms' sum.
+// A real pole near two coincident ones, within a fifteenth of their size: as a separate pole it has a residue
+// of 433, and 7e-9 of rounding. Truncation is within its bound, rounding within eps times the sum of terms.
 TEST(NearPoles, ARealPoleBesideADoublePole) {
   Parameters p = table_3_1();
   p.hub_inertia = 1.3710700596399703, p.mass_per_length = 0.081182670798906023, p.length = 8.9743403732411409;

@@ -27,7 +27,7 @@ struct BromwichLine {
 };
 
 /// Durbin's sum f(t) ~ e^(ct)/T { F(c)/2 + sum Re[F(c + i k pi/T) e^(i k pi t/T)] } for several times.
-/// Errors: aliasing, f(t + 2T) e^(-2cT), and the rest beyond the highest frequency.
+/// Errors: aliasing, f(t + 2T) e^(-2cT), and truncation at the highest frequency.
 inline std::vector<double> bromwich(const std::function<Complex(Complex)>& transform,
                                     std::span<const double> times, const BromwichLine& line = {}) {
   const double step = std::numbers::pi / line.half_period;
@@ -47,14 +47,14 @@ struct Moved {
   double theta, theta_dot, deflection, deflection_dot;
 };
 
-/// An oscillating pole, and the amplitudes that it gives theta and y(x) at t = 0.
+/// An oscillating pole, and its amplitudes in theta and y(x) at t = 0.
 struct Mode {
   Complex pole;
   double theta, deflection;
 };
 
-/// M x'' + C x' + K x = k1 e_0 from rest, x = (theta, q): in the hub's balance the appendages weigh kappa/2
-/// of what they do. For k1 = 0 nothing would move; then a unit torque is applied instead.
+/// M x'' + C x' + K x = k1 e_0 from rest, x = (theta, q): in the equation of the hub the appendages have the
+/// factor kappa/2. For k1 = 0 a unit torque is applied instead.
 class StepByElements {
  public:
   StepByElements(const Parameters& parameters, const Gains& g, double x, int elements) {
@@ -81,7 +81,7 @@ class StepByElements {
     return {x[0], x[n], shape_.dot(x.segment(1, n - 1)), shape_.dot(x.segment(n + 1, n - 1))};
   }
 
-  /// By frequency.
+  /// Ascending frequencies.
   [[nodiscard]] std::vector<Mode> modes() const {
     const Eigen::Index n = (matrix_.rows() - 1) / 2;
     const Eigen::EigenSolver<Eigen::MatrixXd> solver(matrix_);

@@ -34,8 +34,8 @@ TEST(Degrees, KnownAngles) {
   }
 }
 
-// Beside quarter turns the small one of both is that of the distance, with all its digits: sin x = x - x^3/6,
-// of which for x below 2^-20 degrees the second part is below eps of the first.
+// Near multiples of 90 degrees the smaller function has all digits of the distance: sin x = x - x^3/6, where
+// the second term is below eps of the first for x below 2^-20 degrees.
 TEST(Degrees, SmallOnesKeepTheirDigits) {
   for (int power = -20; power >= -44; --power) {
     const double distance = std::ldexp(1.0, power), small = distance * std::numbers::pi / 180;

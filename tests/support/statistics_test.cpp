@@ -7,7 +7,7 @@ namespace {
 
 using nlmech::Statistics;
 
-// Powers of two: no two sums agree by accident.
+// Powers of two: all sums are different.
 constexpr Statistics small{.steps = 1,
                            .rejected = 2,
                            .right_hand_sides = 4,
@@ -42,7 +42,7 @@ TEST(Statistics, StartAtZero) {
 }
 
 TEST(Statistics, AddCounterByCounter) {
-  // A counter that is added to the struct must be added here, too.
+  // A new counter of the struct must be added here.
   static_assert(sizeof(Statistics) == 7 * sizeof(std::int64_t) + sizeof(double));
   expect_sum(small + large);
   expect_sum(large + small);

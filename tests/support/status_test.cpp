@@ -21,7 +21,7 @@ using nlmech::InputError;
 using nlmech::Outcome;
 using nlmech::Status;
 
-/// The enumerators of Outcome as the header spells them: a new one without a spelling is found out.
+/// The enumerators of Outcome as the header spells them: detects a new one without a spelling.
 std::vector<std::string> enumerators() {
   std::ifstream in(NLMECH_SOURCE_DIR "/common/nlmech/support/status.hpp");
   const std::string text{std::istreambuf_iterator<char>(in), {}};

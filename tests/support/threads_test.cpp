@@ -1,4 +1,4 @@
-/// Work shared out among threads: each number once, whatever the portions, and exceptions.
+/// Work distributed over threads: each number once for any portions, and exceptions.
 #include "nlmech/support/threads.hpp"
 
 #include <gtest/gtest.h>

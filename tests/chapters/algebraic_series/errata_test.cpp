@@ -1,5 +1,5 @@
-/// What the paper claims of its examples, beside the classical Runge-Kutta rule on them. Its misprinted
-/// formulas are judged in tests/series.
+/// Statements of the paper about its examples, against the classical Runge-Kutta method. Its misprinted
+/// formulas are tested in tests/program.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -16,8 +16,8 @@ namespace {
 using tests::expect_erratum;
 using tests::runge_kutta;
 
-// "Without any approximation or truncation in each time step": with T = 0.1 and N = 20, as printed, v is
-// wrong by a tenth of itself after five steps, u and w by a thousandth.
+// "Without any approximation or truncation in each time step": with the printed T = 0.1 and N = 20 v has a
+// relative error of a tenth after five steps, u and w of a thousandth.
 TEST(Claims, TwentyTermsOfTheLorenzSystemAreATruncation) {
   const ivp::System system{problems::TextProblem("lorenz")};
   const ivp::State x0 = problems::TextProblem("lorenz").initial_state();
@@ -29,7 +29,7 @@ TEST(Claims, TwentyTermsOfTheLorenzSystemAreATruncation) {
   const auto corrected = ivp::integrate(system, x0, 0, 0.5, accurate_series());
   ASSERT_TRUE(printed.status.ok() && corrected.status.ok());
   for (Eigen::Index i = 0; i < 3; ++i) {
-    // (0.5/20000)^4 times derivatives of some 1e8, and 20000 roundings that grow a hundredfold.
+    // (0.5/20000)^4 times derivatives of about 1e8, and 20000 rounding errors that grow a hundredfold.
     expect_erratum("algebraic_series-truncation", {.printed = printed.x[i],
                                                    .corrected = corrected.x[i],
                                                    .oracle = reference[static_cast<std::size_t>(i)],
@@ -37,9 +37,9 @@ TEST(Claims, TwentyTermsOfTheLorenzSystemAreATruncation) {
   }
 }
 
-// "The partial segments arise from the transient behavior": after it every 31st section would be the same.
-// They go round an island, 31 sections by 0.0778 of a turn; here from one side of it to the other, after the
-// paper's 750 s.
+// "The partial segments arise from the transient behavior": after it every 31st section would be equal. The
+// sections move around an island, 31 sections by 0.0778 of a full angle; here from one side to the other,
+// after the 750 s of the paper.
 TEST(Claims, SectionsDoNotSettle) {
   constexpr int first = 310, last = first + 6 * 31;
   const problems::TextProblem problem("oscillator");
@@ -52,7 +52,7 @@ TEST(Claims, SectionsDoNotSettle) {
     return runge_kutta(field, std::array{-0.5, 0.0}, t0, t0 * (k + 1), 800 * k);
   };
   const auto a = section(first), b = section(last);
-  // Steps of pi/800 err by 1e-10 each period, 1e-8 of the places in all: 1e-4 of the distance.
+  // Steps of pi/800 have errors of 1e-10 each period, 1e-8 of the positions in total: 1e-4 of the distance.
   expect_erratum("algebraic_series-4.5", {.printed = 0,
                                           .corrected = (all.at(last) - all.at(first)).norm(),
                                           .oracle = std::hypot(b[0] - a[0], b[1] - a[1]),

@@ -1,4 +1,4 @@
-/// What the chapter's scenes stand on: references, sections, rotation numbers.
+/// Basis of the chapter's scenes: references, sections, rotation numbers.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -31,7 +31,7 @@ TEST(References, AreThoseOfExtrapolation) {
   EXPECT_NEAR(static_cast<double>(bodies[2]), 0.1432282180354737, 1e-16);
 }
 
-// The same series in 35 digits, at times not chosen by a step: 3.5e-14 is the most that was seen.
+// The same series in 35 digits at other times: the largest observed difference was 3.5e-14.
 TEST(References, OfTheOscillatorIsGoodEnough) {
   using Digits35 = ExtendedReal<35>;
   const problems::TextProblem problem("oscillator");
@@ -45,7 +45,7 @@ TEST(References, OfTheOscillatorIsGoodEnough) {
   }
 }
 
-// A turn of a fixed angle, the same from every section to the next: the average is that angle.
+// A rotation by a constant angle from each section to the next: the average equals that angle.
 TEST(RotationNumber, OfATurnIsItsAngle) {
   for (const double turns : {0.1, 8.0 / 31, 0.4999, 0.73}) {
     std::vector<ivp::State> circle;
@@ -57,7 +57,7 @@ TEST(RotationNumber, OfATurnIsItsAngle) {
   }
 }
 
-// On an ellipse the angle advances unevenly; the weights average it out far below 1/400.
+// On an ellipse the angle advances unevenly; the weighted average has an error far below 1/400.
 TEST(RotationNumber, OfAnEllipseConverges) {
   const double turns = std::sqrt(2.0) - 1;
   std::vector<ivp::State> ellipse;

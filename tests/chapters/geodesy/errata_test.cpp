@@ -1,7 +1,6 @@
-/// Every misprint of section 2.4: the printed form and the corrected one, both against the independent
-/// oracle. The sizes of the errors were found before with 50 digits; a test fails if the printed form is not
-/// as wrong as that, or the corrected one not right. The sources are scanned text: a misprint may be one of
-/// the scan.
+/// Every misprint of section 2.4: printed and corrected form against an independent oracle. The sizes of the
+/// errors were computed with 50 digits; a test fails if the printed form has another error, or if the
+/// corrected one has an error. The sources are scanned text: a misprint may be one of the scan.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -28,7 +27,7 @@ struct Errors {
   double latitude_deg, height_m;
 };
 
-/// Errors of the series with a table at one place, in 50 digits: truncation and misprint alone.
+/// Errors of the series with a coefficient table at one point, in 50 digits: truncation and misprint only.
 Errors errors_at(double latitude_deg, double height_m, int order, const SeriesTable& table) {
   const auto e = BasicEllipsoid<Real>::wgs84();
   const BasicGeodetic<Real> exact{Real(latitude_deg) * oracle::pi() / 180, 0, height_m};
@@ -47,7 +46,7 @@ const PrintedCoefficient& coefficient(const std::string& name) {
 
 SeriesTable with(const std::string& name) { return with_printed(corrected_series(), coefficient(name)); }
 
-/// Shows the error of a printed coefficient in latitude, degrees, beside that of the corrected table.
+/// Reports the error of a printed coefficient in latitude, degrees, with that of the corrected table.
 void expect_latitude_error(std::string_view id, double latitude_deg, double height_m, int order,
                            const SeriesTable& printed) {
   expect_erratum(id, {.printed = errors_at(latitude_deg, height_m, order, printed).latitude_deg,
@@ -72,7 +71,7 @@ TEST(Errata, Equation2_42) {
   const Real n_r = cos(g.latitude), n_z = sin(g.latitude);
   EXPECT_GT(abs(r.x - ground.x), Real(1e5));
   EXPECT_LT(abs(r.x - ground.x - g.height * n_r) + abs(r.z - ground.z - g.height * n_z), Real(1e-40));
-  // The height that each form has for that place: h n = 0, and r - r_g along n.
+  // The height by each form at that point: h n = 0, and r - r_g along n.
   const Real height = (r.x - ground.x) * n_r + (r.z - ground.z) * n_z;
   expect_erratum("geodesy-2.42", {.printed = 0,
                                   .corrected = static_cast<double>(height),
@@ -91,7 +90,7 @@ TEST(Errata, Equation2_43_ParametricNotGeocentric) {
   const Cartesian ground = forward(Geodetic{geodetic, 0, 0}, e);
   EXPECT_NEAR(ground.x, e.a() * std::cos(parametric), 3e-9);  // three ulp of a
   EXPECT_NEAR(ground.z, e.b() * std::sin(parametric), 3e-9);
-  // The place of the ground point by Eq. 2.40 at its geodetic latitude, 2.43's at both.
+  // The ground point by Eq. 2.40 at its geodetic latitude, and by 2.43 at both latitudes.
   expect_erratum("geodesy-2.43", {.printed = e.a() * std::cos(geocentric),
                                   .corrected = e.a() * std::cos(parametric),
                                   .oracle = ground.x,
@@ -125,7 +124,7 @@ TEST(Errata, Equation2_45_SmallParameter) {
                                   .scale = 1});
 }
 
-// (2.48) prints phi_0 = 2 atan((R - r)/z): an identity, but 0/0 on the equator and cancelling beside it.
+// (2.48) prints phi_0 = 2 atan((R - r)/z): an identity, but 0/0 on the equator, with cancellation near it.
 TEST(Errata, Equation2_48_StartingLatitude) {
   const auto printed = [](double r, double z) { return 2 * std::atan(std::hypot(r, z) / z - r / z); };
   EXPECT_TRUE(std::isnan(printed(7e6, 0)));
@@ -147,9 +146,9 @@ TEST(Errata, Equation2_48_StartingLatitude) {
                                   .tolerance = eps});
 }
 
-// (2.49) prints sin(2 phi_c), the unknown itself; with sin(2 phi_0) the error of order 1 falls as p^2, with
-// sin(2 phi_c) the first-order term is no constant of the expansion: taken at the true phi_c it changes the
-// result by p^2.
+// (2.49) prints sin(2 phi_c), the unknown itself. With sin(2 phi_0) the error of order 1 decreases as p^2;
+// with sin(2 phi_c) the first-order term is no constant of the expansion, and at the true phi_c the result
+// changes by p^2.
 TEST(Errata, Equation2_49_ArgumentOfTheSine) {
   const auto e = BasicEllipsoid<Real>::wgs84();
   const BasicGeodetic<Real> exact{Real(30) * degree, 0, 200e3};
@@ -210,8 +209,8 @@ TEST(Errata, Table2_6_C8_431) {
   expect_latitude_error("geodesy-c8-431", 24, 2100e3, 4, with("C8", 1, 431));
 }
 
-// C9 prints 135 b^3 h_0^2 among terms of degree 4. Taken literally the unit of length matters: in metres it
-// ruins the latitude, so that the third order is far better.
+// C9 prints 135 b^3 h_0^2 among terms of degree 4. Taken literally it depends on the unit of length: in
+// metres the latitude is far less accurate than that of third order.
 TEST(Errata, Table2_6_C9_Dimension) {
   const int literal = 135 * 6356752;  // 135 b^3 = (135 b) b^2, b in metres
   double printed = 0;
@@ -230,7 +229,7 @@ TEST(Errata, Equation2_53_Conversion) {
   const double printed = std::atan(std::cos(parametric) / (e.a() / e.b() * std::sin(parametric)));
   EXPECT_NEAR(printed, 60 * degree, 1e-15);
   EXPECT_NEAR(std::atan2(e.a() * std::sin(parametric), e.b() * std::cos(parametric)), geodetic, 1e-15);
-  // The direction of the normal at the foot, found in 50 digits by another method.
+  // The direction of the normal at the foot, in 50 digits by another method.
   const Cartesian point = forward(Geodetic{geodetic, 0, 1e6}, e);
   expect_erratum("geodesy-2.53",
                  {.printed = printed,
@@ -239,7 +238,8 @@ TEST(Errata, Equation2_53_Conversion) {
                   .tolerance = 4 * eps});
 }
 
-/// Largest errors over all whole degrees of latitude at 200 km, where the series are worst, in doubles.
+/// Largest errors over all whole degrees of latitude at 200 km, where the errors of the series are largest,
+/// in double.
 Errors largest_errors(int order) {
   Errors largest{};
   const Ellipsoid e = Ellipsoid::wgs84();
@@ -254,9 +254,10 @@ Errors largest_errors(int order) {
   return largest;
 }
 
-// "In height, millimeter accuracy" is what C6 leaves as printed. Corrected, it leaves less. The oracle is
-// what a sum to order 4 leaves out, by Cauchy's integrals of the exact solution instead of coefficients;
-// doubles round a height by some 5e-9 m. oracle: geodesy_series order 4: height at whole degrees
+// "In height, millimeter accuracy" is the error with C6 as printed; corrected, it is smaller. Oracle: the
+// truncation error of order 4 by Cauchy's integrals of the exact solution instead of coefficients; doubles
+// round a height by some 5e-9 m.
+// oracle: geodesy_series order 4: height at whole degrees
 TEST(Claims, HeightIsRightToAMicrometre) { EXPECT_NEAR(largest_errors(4).height_m, 7.859e-7, 5e-9); }
 
 // "Higher order approximations are not needed as they will not provide additional useful information":
@@ -270,7 +271,7 @@ TEST(Claims, TheFifthOrderIsWorthHaving) {
                   .tolerance = 0.05});
 }
 
-// The other coefficients are printed right, and the table's data say so.
+// The other coefficients are printed correctly, and so says the data of the table.
 TEST(Errata, CoefficientsPrintedRight) {
   for (const std::string name : {"C1", "C2", "C4", "C5", "C7", "C10"}) {
     EXPECT_EQ(coefficient(name).by_height, row_of(coefficient(name), corrected_series())) << name;

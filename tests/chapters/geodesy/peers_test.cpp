@@ -46,8 +46,8 @@ struct Errors {
   }
 };
 
-/// Greatest latitude error that theory leaves to a method over the sample, recorded in extended precision; a
-/// coded formula with a slip is worse by orders of magnitude.
+/// Largest theoretical latitude error of a method over the sample, recorded in extended precision; an error
+/// in a coded formula is larger by orders of magnitude.
 struct Method {
   std::string name;
   std::function<Geodetic(const Cartesian&)> reverse;
@@ -55,7 +55,7 @@ struct Method {
   double height = 2.5e-8;  // m: three units in the last place at 35000 km
 };
 
-/// What test lists show of it, instead of its bytes.
+/// Printed in test lists instead of the bytes.
 void PrintTo(const Method& method, std::ostream* out) { *out << method.name; }
 
 std::vector<Method> methods() {
@@ -107,7 +107,7 @@ TEST_P(Peer, FindsPolesAndEquator) {
 INSTANTIATE_TEST_SUITE_P(Methods, Peer, testing::ValuesIn(methods()),
                          [](const auto& method) { return method.param.name; });
 
-// What sets Vermeille's second method apart from his first.
+// The difference between Vermeille's second and first method.
 TEST(Vermeille2011Peer, HoldsInsideTheEvolute) {
   const Vermeille2011 peer(wgs84);
   for (const Cartesian& p : {Cartesian{1e4, 0, 1e3}, Cartesian{3e4, 2e4, 5e3}, Cartesian{2e4, 1e4, 0}}) {

@@ -1,5 +1,5 @@
-/// Misprints and claims of section 3.1 that are not in tests/spacecraft: printed and corrected form against
-/// an independent oracle.
+/// Misprints and statements of section 3.1 beyond those in tests/spacecraft: printed and corrected form
+/// against an independent oracle.
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
@@ -44,7 +44,7 @@ TEST(Errata, RowFiveOfTheStateMatrix) {
   const double beta = 0.5, x = 1.5;
   // f = cos(b x) cosh(b x) with b = beta^(1/4)/sqrt 2 for beta > 0 (3.30).
   const double b = std::pow(beta, 0.25) / std::sqrt(2.0), f = std::cos(b * x) * std::cosh(b * x);
-  // Some hundred roundings of numbers of order one.
+  // Some hundred rounding errors of numbers of order one.
   tests::expect_erratum("gss_control-3.25-row-5",
                         {.printed = exponential(state_matrix(beta, true) * x)(4, 4),
                          .corrected = exponential(state_matrix(beta, false) * x)(4, 4),
@@ -52,15 +52,15 @@ TEST(Errata, RowFiveOfTheStateMatrix) {
                          .tolerance = 2e-14});
 }
 
-// Figure 3.8 is captioned "theta at x = 4 ft": theta/u does not depend on the place that is asked for.
+// Figure 3.8 is captioned "theta at x = 4 ft": theta/u does not depend on the position x.
 TEST(Errata, HubAngleHasNoPlace) {
   const spacecraft::Plant plant(craft(true));
   for (const double omega : {0.3, 7.0, 80.0})
     EXPECT_EQ(plant.at_frequency(omega, 2).theta, plant.at_frequency(omega, 4).theta);
 }
 
-/// Poles to the right of the imaginary axis, of the closed loop of a discrete model: in the hub's balance the
-/// appendages weigh kappa/2 of what they do, M x'' + C x' + K x = 0.
+/// Number of closed-loop poles of a discrete model in the right half plane: in the equation of the hub the
+/// appendages have the factor kappa/2, M x'' + C x' + K x = 0.
 int unstable_poles(const spacecraft::DiscreteModel& model, const spacecraft::Gains& g) {
   const Eigen::Index n = model.size() + 1;
   const double half = 1 + g.k2 / 2;
@@ -76,8 +76,8 @@ int unstable_poles(const spacecraft::DiscreteModel& model, const spacecraft::Gai
   return static_cast<int>((poles.real().array() > 0).count());
 }
 
-// "Potential system instability" of unit gains: every one of the first poles is stable, and the gains may
-// grow without bound; what they do not bear is a delay.
+// "Potential system instability" of unit gains: the first poles are all stable, and the gains may be
+// increased without bound; only a delay makes them unstable.
 TEST(Claims, UnitGainsAreStableAndFragile) {
   const spacecraft::ClosedLoop loop(craft(true), unit_gains);
   const auto poles = loop.poles(40);

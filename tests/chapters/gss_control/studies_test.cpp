@@ -1,4 +1,4 @@
-/// What the chapter's figures and tables are made with.
+/// Basis of the chapter's figures and tables.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -40,7 +40,7 @@ TEST(Extended, IsRigidAtLowFrequencies) {
   EXPECT_NEAR(e.condition[0], 2, 1e-10);
 }
 
-/// The classical Runge-Kutta rule on the equations of CVODE's sweep.
+/// The classical Runge-Kutta method on the equations of CVODE's sweep.
 Eigen::VectorXd integrate(const ModalLoop& loop, double end, int steps) {
   using Vector = Eigen::VectorXd;
   Vector x = Vector::Zero(loop.size()), a(x.size()), b(x.size()), c(x.size()), d(x.size());
@@ -55,8 +55,9 @@ Eigen::VectorXd integrate(const ModalLoop& loop, double end, int steps) {
   return x;
 }
 
-// The law solved for u, against the matrix exponential of the undiagonalised model: with feedback of the root
-// load too. Runge and Kutta's error is (omega h)^4 of small parts: omega h is 0.13 for the third mode.
+// The control law solved for u, against the matrix exponential of the model before diagonalisation, also with
+// root-load feedback. The error of the Runge-Kutta method is (omega h)^4 of small parts: omega h is 0.13 for
+// the third mode.
 TEST(ModalLoop, IsTheDiscretisedClosedLoop) {
   const auto model = spacecraft::assumed_modes(craft(true), 3);
   for (const spacecraft::Gains& gains : {unit_gains, designed_gains}) {

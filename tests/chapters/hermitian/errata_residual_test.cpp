@@ -1,5 +1,5 @@
-/// The paper's equations (6) and (7), what a step leaves of the two oscillators: corrected, as printed, and
-/// with one misprint at a time, against the operators with accelerations and jerks that dual numbers give.
+/// Residuals of a step for the two oscillators, the paper's equations (6) and (7): corrected, as printed, and
+/// with one misprint at a time, against the operators with accelerations and jerks from dual numbers.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -22,7 +22,7 @@ End any_end() {
   return {number(), number(), number(), number()};
 }
 
-/// Where (6) is taken as printed.
+/// Which misprints of (6) are kept.
 struct Printed6 {
   bool c = false;       ///< the damping C* for the operator's C
   bool square = false;  ///< C^2 + K for C^2 - K
@@ -72,11 +72,11 @@ TEST(Errata, Equation6OneMisprintAtATime) {
                     .tolerance = rounding,
                     .scale = 1});
   }
-  // Nor with all of them at once.
+  // Nor is it correct with all of them together.
   EXPECT_GT(std::abs(equation_6(both, p, begin, end, step, {true, true, true, true, true}) - exact), 0.1);
 }
 
-/// Where (7) is taken as printed; q = 1 - y_i^2, Q = 1 - y_{i+1}^2, d for delta.
+/// Which misprints of (7) are kept; q = 1 - y_i^2, Q = 1 - y_{i+1}^2, d for delta.
 struct Printed7 {
   bool exchange = false;   ///< G and H exchanged
   bool duffing = false;    ///< G C K h^3 y_i of (6), C being the damping
@@ -88,7 +88,7 @@ struct Printed7 {
   bool load_rate = false;  ///< the signs of the rates of the load
 };
 
-/// @param y the coefficients A, B, E, F that stand at y_i and y_{i+1}: those of @p o
+/// @param y the coefficients A, B, E, F at y_i and y_{i+1}: those of @p o
 double equation_7(HermitianOperator o, const VanDerPolEquation& p, const End& a, const End& b, double h,
                   const Printed7& printed, const HermitianOperator& y) {
   const double h2 = h * h, h3 = h2 * h, q = 1 - a.y * a.y, Q = 1 - b.y * b.y, d = p.d, K = p.K;
@@ -139,7 +139,7 @@ TEST(Errata, Equation7OneMisprintAtATime) {
                     .tolerance = rounding,
                     .scale = 1});
   }
-  // The second (7) has the coefficients of the first operator at the positions.
+  // The second (7) has the position coefficients of the first operator.
   for (const ivp::HermitianPair& pair : {ivp::laier, ivp::argyris}) {
     const HermitianOperator& o = pair.second;
     expect_erratum("hermitian-7-one", {.printed = equation_7(o, p, begin, end, step, {}, pair.first),
@@ -148,7 +148,8 @@ TEST(Errata, Equation7OneMisprintAtATime) {
                                        .tolerance = rounding,
                                        .scale = 1});
   }
-  // Nor are all misprints of the first (7) right together, with or without the term of (6) and the exchange.
+  // Nor are all misprints of the first (7) together correct, with or without the term of (6) and the
+  // exchange.
   for (const bool of_6 : {false, true}) {
     for (const bool exchange : {false, true}) {
       const Printed7 all = {exchange, of_6, true, true, true, true, true, true};

@@ -1,6 +1,6 @@
 /// The paper's equations (1), (3) to (5), (8) to (10) as printed and corrected, against accelerations and
-/// jerks that dual numbers give. Equations (6) and (7): errata_residual_test.cpp; Table 1 and the signs of
-/// (1): tests/ivp/hermitian/hermitian_operators_test.cpp.
+/// jerks from dual numbers. Equations (6) and (7): errata_residual_test.cpp; Table 1 and the signs of (1):
+/// tests/ivp/hermitian/hermitian_operators_test.cpp.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -30,7 +30,7 @@ TEST(Errata, JerksNeedThreeDots) {
                                       .tolerance = rounding});
 }
 
-// (4), second line: dots are lost. It is to give the rate of the load.
+// (4), second line, lacks dots. It must give the rate of the load.
 TEST(Errata, Equation4IsTheDerivative) {
   const DuffingEquation p;
   const Rates r = rates(p, end);
@@ -41,8 +41,8 @@ TEST(Errata, Equation4IsTheDerivative) {
                                  .tolerance = rounding});
 }
 
-// (5): signs, y^2 y' for y'^2, and in the derivative dots, y^2 y'' and the sign of 2 d y'^2 y. The lines are
-// to give the load and its rate.
+// (5): wrong signs, y^2 y' for y'^2; in the derivative missing dots, y^2 y'', and the sign of 2 d y'^2 y. The
+// lines must give the load and its rate.
 TEST(Errata, Equation5IsVanDerPol) {
   const VanDerPolEquation p;
   const Rates r = rates(p, begin);
@@ -72,7 +72,7 @@ End iterate(const DuffingEquation& p, const End& a, End b, double h, int iterati
   return b;
 }
 
-// (8): with the printed sign Newton's iteration leaves a root as fast as it would reach it.
+// (8): with the printed sign Newton's iteration diverges as fast as it would converge.
 TEST(Errata, Equation8HasTheOtherSign) {
   // y'' + y = 0 from (1, 0) over a step z: one iteration finds the end, the Pade approximation of cos z.
   const DuffingEquation linear{.C = 0, .K = 1, .mu = 0};
@@ -104,8 +104,8 @@ double slope_by_v(const HermitianOperator& o, const DuffingEquation& p, const En
   return o.D * step - o.F * C * h2 + o.H * h3 * (C * C - p.K) - 3 * last * p.mu * h3 * b.y * b.y;
 }
 
-// (9) divides F by y for the derivative by y; the last term of G_v has H for H1; C1 and K1 are damping and
-// stiffness there, as in (6).
+// (9) divides F by y instead of differentiating by y; the last term of G_v has H for H1; C1 and K1 are
+// damping and stiffness there, as in (6).
 TEST(Errata, Equation9) {
   const DuffingEquation p;
   const HermitianOperator &first = ivp::argyris.first, &second = ivp::argyris.second;

@@ -1,6 +1,5 @@
 /// @file
-/// What the tests of Laier's equations judge by: operators with accelerations and jerks that dual numbers
-/// give.
+/// References for the tests of Laier's equations: operators with accelerations and jerks from dual numbers.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -47,7 +46,7 @@ struct Generic {
   }
 };
 
-/// Acceleration, jerk and their derivatives by y and v.
+/// Acceleration, jerk and their derivatives with respect to y and v.
 struct Rates {
   double a, j, ay, av, jy, jv;
 };
@@ -60,7 +59,7 @@ Rates rates(const Equation& p, const End& e) {
   return {f[1], g[1], fx(1, 0), fx(1, 1), gx(1, 0), gx(1, 1)};
 }
 
-/// What the operator leaves of a step, by a and j.
+/// Residual of the operator for a step, from a and j.
 template <class Equation>
 double residual(const HermitianOperator& o, const Equation& p, const End& e0, const End& e1, double h) {
   const Rates r0 = rates(p, e0), r1 = rates(p, e1);
@@ -68,7 +67,7 @@ double residual(const HermitianOperator& o, const Equation& p, const End& e0, co
          h * h * h * (o.G * r0.j + o.H * r1.j);
 }
 
-/// Derivatives of an operator by y1 and v1, by a and j.
+/// Derivatives of an operator with respect to y1 and v1, from a and j.
 template <class Equation>
 std::pair<double, double> slopes(const HermitianOperator& o, const Equation& p, const End& b, double h) {
   const Rates r = rates(p, b);
@@ -78,9 +77,9 @@ std::pair<double, double> slopes(const HermitianOperator& o, const Equation& p, 
 
 inline constexpr End begin = {0.7, -0.4, 0.3, 0.9}, end = {0.5, -0.6, 0.45, 1.1};
 inline constexpr double step = 0.3;
-inline constexpr HermitianOperator both = {12, -12, 6, 6, 1, -1, 0.5, -0.3};  ///< all coefficients count
+inline constexpr HermitianOperator both = {12, -12, 6, 6, 1, -1, 0.5, -0.3};  ///< no coefficient is zero
 
-/// Rounding of sums of some twenty terms below 100.
+/// Rounding error of sums of some twenty terms below 100.
 inline constexpr double rounding = 2e-13;
 
 }  // namespace nlmech::laier_test

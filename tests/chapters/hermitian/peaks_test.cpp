@@ -1,5 +1,4 @@
-/// The first peaks of Laier's oscillators, and what the list of printed numbers says of the search for his
-/// program.
+/// The first peaks of Laier's oscillators, and the recorded search for the settings of his program.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -14,8 +13,7 @@
 namespace nlmech::chapters::hermitian::peaks_test {
 namespace {
 
-/// The first peak of (11) from rest: Runge and Kutta's steps of 1/2000 of the way, to where the velocity is
-/// 0.
+/// The first peak of (11) from rest: Runge-Kutta steps of 1/2000 of the interval, up to a velocity of 0.
 double exact_peak() {
   using State = std::array<double, 2>;
   const auto slope = [](double t, const State& x) {
@@ -30,8 +28,8 @@ double exact_peak() {
   return at(time)[0];
 }
 
-// The paper names no start of Table 4. From rest all three methods agree with the motion: order 4, or 2, at a
-// step of 0.2.
+// The paper does not state the initial state of Table 4. From rest all three methods agree with the motion
+// with order 4 or 2 at a step of 0.2.
 TEST(Peaks, PeakFromRestIsThatOfTheMotion) {
   const double exact = exact_peak();
   EXPECT_NEAR(exact, 0.53826530480162931, 1e-12);  // oracle: transversal_motions Laier's Duffing peak
@@ -45,19 +43,19 @@ TEST(Peaks, PeakFromRestIsThatOfTheMotion) {
   }
 }
 
-/// What the search for a table found.
+/// Result of the search for one table.
 struct Search {
   const char* place;
-  int tried, given;            ///< combinations; most of the nine numbers that one of them gives
-  double miss;                 ///< of the best one, in units of the last digit
-  double same_peak, any_peak;  ///< share of tables by chance that are fitted as well
+  int tried, given;  ///< number of combinations; most of the nine numbers that one of them reproduces
+  double miss;       ///< error of the best one, in units of the last digit
+  double same_peak, any_peak;  ///< fraction of random tables that are fitted as well
 };
 // oracle: hermitian_search *
 constexpr std::array searches = {Search{"table-4", 64800, 2, 94.6, 0.28, 0.12},
                                  Search{"table-5", 1320, 6, 2.04, 0.090, 0.0020}};
 
-// A reading is inferred only where chance fits as well once in 100 or less, and only for numbers that it
-// gives.
+// A setting is inferred only if random tables are fitted as well in at most 1 case of 100, and only for
+// numbers that it reproduces.
 TEST(Peaks, PublishedRowsSayWhatTheSearchFound) {
   for (const Search& search : searches) {
     int rows = 0, inferred = 0;

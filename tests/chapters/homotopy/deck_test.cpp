@@ -1,4 +1,4 @@
-/// The reference values of tables/frames/deck.csv, and elements of the library that converge to them.
+/// The reference values of tables/frames/deck.csv, and convergence of the library's elements to them.
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
@@ -18,10 +18,10 @@ namespace {
 
 using frames::FramePoint;
 
-/// A row, and the numbers of elements by which it is computed.
+/// A row, and the numbers of elements for its computation.
 struct Row {
   const char *frame, *quantity, *motion;
-  double at, load;  ///< the displacement of a place; the load factor
+  double at, load;  ///< the displacement of a node; the load factor
   int least, levels;
 };
 constexpr const char *maximum = "first maximum", *minimum = "first minimum", *fork = "first bifurcation",
@@ -78,8 +78,9 @@ TEST(FrameDeck, FileHasTheNumbersOfTheOracle) {
   }
 }
 
-/// The load under which a motion has a displacement, from a near point: Newton's iteration with that
-/// condition, in parts where slender members do not bear a turn so large; NaN if it does not converge.
+/// The load at which a motion has a given displacement, from a near point: Newton's iteration with that
+/// condition, in increments, because slender members do not allow large rotations in one; NaN without
+/// convergence.
 double load_at(const frames::NamedFrame& f, const FramePoint& near, Eigen::Index motion, double at) {
   constexpr int iterations = 7;
   const Eigen::Index n = near.x.size();
@@ -106,7 +107,7 @@ double load_at(const frames::NamedFrame& f, const FramePoint& near, Eigen::Index
   return NAN;
 }
 
-/// By elements of one number; NaN if there is none.
+/// The result for one number of elements; NaN if there is none.
 double load_by_elements(const Row& row, int elements) {
   const std::string file = std::string(row.frame) + ".toml";
   const std::string path = NLMECH_SOURCE_DIR "/chapters/homotopy/frames/" + file;
@@ -116,7 +117,7 @@ double load_by_elements(const Row& row, int elements) {
     if (m.name == row.motion) motion = m.unknown;
   }
   const bool is_column = std::string(row.frame) == "column", is_place = row.quantity == place;
-  // The path of the deep arch goes on for long behind its maximum.
+  // The path of the deep arch continues far beyond its maximum.
   const bool is_first = row.quantity == maximum || std::string(row.frame) == "deep-arch";
   const auto paths = equilibrium_paths(f, {.steps = 400,
                                            .until = is_column ? std::optional(10.) : std::nullopt,
@@ -135,8 +136,8 @@ double load_by_elements(const Row& row, int elements) {
   return NAN;
 }
 
-// Errors are a series of even powers of the elements' length (Richardson). Rounding of a member's length is
-// an axial force of eps EA; where EA is 1e5 times the load or more, nine digits are left.
+// Errors are a series of even powers of the element length (Richardson). Rounding of a member's length gives
+// an axial force of eps EA; if EA is at least 1e5 times the load, nine digits remain.
 TEST(FrameDeck, ElementsConvergeToIt) {
   for (const Row& row : deck) {
     std::vector<double> last;

@@ -1,5 +1,5 @@
-/// Misprints and claims of sections 2.1 to 2.3: printed and corrected form, both against an independent
-/// oracle. Those of the element (2.26 to 2.37) and of Williams' equation (2.20, 2.21) stand in tests/frames.
+/// Misprints and statements of sections 2.1 to 2.3: printed and corrected form against an independent oracle.
+/// Those of the element (2.26 to 2.37) and of Williams' equation (2.20, 2.21): tests/frames.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -21,7 +21,7 @@ using tests::expect_erratum;
 double f(double x) { return std::exp(x) - std::exp(1.5); }
 double slope(double x) { return std::exp(x); }
 
-/// x(t) of dx/dt = v(t, x) by the classical Runge-Kutta rule in 4000 steps: errors of 1e-10 and below here.
+/// x(t) of dx/dt = v(t, x) by the classical Runge-Kutta method in 4000 steps: errors of at most 1e-10 here.
 double flow(const std::function<double(double, double)>& v, double x, double end) {
   constexpr int steps = 4000;
   const double h = end / steps;
@@ -43,8 +43,8 @@ double last_deflection(Model model, double height, double load, Iteration iterat
   return trace.back().deflection;
 }
 
-/// What a residual of 1e-9 lb leaves of a deflection, relative: over half a stiffness of 6 lb/in at least, of
-/// 0.26 in at least.
+/// Relative error of a deflection for a residual of 1e-9 lb: over half a stiffness of at least 6 lb/in, and a
+/// deflection of at least 0.26 in.
 constexpr double residual_allows = 1e-9;
 
 // Eq. 2.6 descends along "grad F" to a minimum of J = F^2/2, whose derivative is F' F. The oracle is a
@@ -59,15 +59,15 @@ TEST(Errata, DescentIsAlongTheGradientOfTheCost) {
                   .tolerance = 1e-10});
 }
 
-// Eqs 2.12 and 2.13 print a sum of squares: it vanishes only where both do, so h = 0 is no path. Along 2.16
-// the difference stays zero.
+// Eqs 2.12 and 2.13 print a sum of squares: it vanishes only where both squares do, so h = 0 is no path.
+// Along 2.16 the difference stays zero.
 TEST(Errata, HomotopyFunctionsAreDifferences) {
   const double x0 = 0.3, f0 = f(x0);
   for (const double t : {0.5, 2.0, 6.0}) {
     const auto newton = [](double, double x) { return -f(x) / slope(x) / 2; };  // 2.16, one unknown
     const double x = flow(newton, x0, t), q = std::exp(t), scale = f0 * f0 / q;
     const double difference = f(x) * f(x) / 2 - f0 * f0 / (2 * q), sum = f(x) * f(x) / 2 + f0 * f0 / (2 * q);
-    EXPECT_LT(std::abs(difference), 1e-8 * scale) << t;  // Runge and Kutta's error, relative to F
+    EXPECT_LT(std::abs(difference), 1e-8 * scale) << t;  // error of the Runge-Kutta method, relative to F
     EXPECT_NEAR(sum, scale, 1e-8 * scale) << t;
     expect_erratum("homotopy-2.13", {.printed = sum,
                                      .corrected = difference,
@@ -98,12 +98,12 @@ TEST(Errata, FixedPointFlowHasAMinus) {
   EXPECT_NEAR(minus, 1, 1e-7);
   EXPECT_GT(std::abs(plus - 1), 0.05);
   expect_erratum("homotopy-2.15", {.printed = plus, .corrected = minus, .oracle = 1, .tolerance = 1e-7});
-  // h_f over |x - x(0)|^2/(2 Q) on that path, where it is zero: 2.12 with its two signs.
+  // h_f over |x - x(0)|^2/(2 Q) on the path on which it is zero: 2.12 with both signs.
   expect_erratum("homotopy-2.12",
                  {.printed = minus + 1, .corrected = minus - 1, .oracle = 0, .tolerance = 1e-7});
 }
 
-// Started at x(0) = x(0), as the text does, h_f = |F|^2/2 is not zero for either sign.
+// From x(0), as in the text, h_f = |F|^2/2 is not zero for either sign.
 TEST(Errata, FixedPointPathDoesNotStartOnZero) {
   const double x0 = 0.3, q = 1;  // Q(0) = e^0
   const auto h = [&](double x, double sign) {
@@ -119,13 +119,13 @@ TEST(Errata, FixedPointPathDoesNotStartOnZero) {
 }
 
 // "The Scalar Newton Homotopy Method in Eq. (2.16) only works for a system of NAEs": with one unknown it is
-// Newton's method with shortened steps, and so is 2.15 but for a term that dies out.
+// Newton's method with shorter steps, and so is 2.15 except for a term that decays.
 TEST(Claims, NewtonHomotopySolvesTheScalarEquation) {
   LoadedToggle toggle(Model::williams, 0.32, low_load);
   const Count count = iterate(toggle, {.scheme = Scheme::newton_homotopy, .step = example_step});
   EXPECT_TRUE(count.converged);
   EXPECT_NEAR(count.iterations, 30, 2);
-  // A method that does not work on one equation stays where it starts, at 0.
+  // A method that does not work on one equation would stay at its start, 0.
   expect_erratum("homotopy-2.3.1-scalar",
                  {.printed = 0,
                   .corrected = last_deflection(Model::williams, 0.32, low_load,
@@ -157,7 +157,7 @@ TEST(Claims, NewtonConvergesOnElements) {
   show("homotopy-table-2.5", last_load);
 }
 
-// "Near the limit point": the loads are not on the curve's first branch at all.
+// "Near the limit point": the loads are above the first branch of the curve.
 TEST(Claims, PublishedLoadsAreAboveTheLimit) {
   for (const bool williams : {true, false}) {
     const auto curve = williams ? williams_curve(0.44) : element_curve(0.44);
@@ -166,14 +166,15 @@ TEST(Claims, PublishedLoadsAreAboveTheLimit) {
     EXPECT_LT(last_load, 1.04 * limit);
     EXPECT_EQ(deflections_under(*curve, near_load).size(), 1U);
     EXPECT_EQ(deflections_under(*curve, 0.99 * limit).size(), 3U);
-    // A load at a maximum is as good as its formula: the bisected place matters in the second order alone.
+    // The maximum load is as accurate as its formula: an error of the bisected place enters in second order
+    // only.
     const double exact = oracle::limit_load(williams ? oracle::williams_load : oracle::element_load, 0.44);
     EXPECT_NEAR(limit, exact, 1e-13 * exact);
   }
 }
 
-// Table 2.1 gives EI in lb/in^2. EI/l^2 must be a force to stand beside EA sin^2(beta) in Eq. 2.21: scaling
-// the inch by 2 must scale W by nothing, with EI in lb in^2.
+// Table 2.1 gives EI in lb/in^2. EI/l^2 must be a force, as EA sin^2(beta) in Eq. 2.21: a unit of half an
+// inch must not change W, with EI in lb in^2.
 TEST(Errata, RigidityIsAForceTimesAnArea) {
   const frames::Williams inch{.height = 0.44};
   frames::Williams half = inch;  // lengths in half inches
@@ -184,7 +185,8 @@ TEST(Errata, RigidityIsAForceTimesAnArea) {
   const double corrected = half.load(0.4);
   half.ei = inch.ei / 4;  // as of lb/in^2
   EXPECT_GT(std::abs(half.load(0.4) - inch.load(0.2)), 1);
-  // The load knows no unit of length. Terms ten times their sum, rounded a few times each.
+  // The load does not depend on the unit of length. Terms of ten times their sum, with a few rounding errors
+  // each.
   expect_erratum("homotopy-table-2.1", {.printed = half.load(0.4),
                                         .corrected = corrected,
                                         .oracle = inch.load(0.2),

@@ -1,4 +1,4 @@
-/// Load stepping: what it finds lies on the path, and where it jumps is where the path turns.
+/// Load stepping: its solutions are on the path, and it jumps at limit points of the path.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -10,14 +10,14 @@
 namespace nlmech::chapters::homotopy::load_stepping_test {
 namespace {
 
-/// The homotopy without a limit on iterations that a jump could meet by chance.
+/// The homotopy without a limit on iterations, which a jump might exceed.
 Stepped patient_steps(Model model, double height, double step) {
   Stepping how{.model = model, .height = height, .step = step};
   how.iteration.limit = 1'000'000;
   return step_loads(how);
 }
 
-// |F| is half of what the load misses by; the oracle has 50 digits.
+// |F| is half of the error of the load; the oracle has 50 digits.
 TEST(LoadStepping, FoundPointsCarryTheirLoads) {
   for (const double height : heights) {
     for (const Model model : {Model::williams, Model::element}) {
@@ -35,7 +35,7 @@ TEST(LoadStepping, FoundPointsCarryTheirLoads) {
   }
 }
 
-// The slope that the bound on distances takes: dF/ddelta is half of the stiffness.
+// The slope of the distance bound: dF/ddelta is half of the stiffness.
 TEST(LoadStepping, SlopeAtFoundPointsIsAtLeastFive) {
   for (const double height : heights) {
     for (const Model model : {Model::williams, Model::element}) {
@@ -68,7 +68,8 @@ TEST(LoadStepping, JumpsAtTheFirstLoadPastTheLimit) {
   for (const bool up : {true, false}) EXPECT_TRUE(jumps(patient_steps(Model::williams, 0.32, 1), up).empty());
 }
 
-// Concave up to where the stiffness is least, convex behind: why no step passes a root on a rising branch.
+// The path is concave up to the smallest stiffness and convex beyond: hence no step passes a root on a rising
+// branch.
 TEST(LoadStepping, StiffnessFallsAndThenGrows) {
   for (const double height : heights) {
     for (const bool williams : {true, false}) {
@@ -116,14 +117,14 @@ TEST(LoadStepping, GivenUpLoadsAreLeftOut) {
   EXPECT_EQ(greatest_distance(steps), 2e-8);
 }
 
-// The change of branch on the first load down is seen, too.
+// The change of branch at the first decreasing load is detected.
 TEST(LoadStepping, TheWayDownBeginsWhereTheWayUpEnded) {
   const LoadPoint far{3, true, 0.6, 0, Branch::far}, first{2, true, 0.1, 0, Branch::first};
   ASSERT_EQ(jumps({{}, {far}, {first}}, false).size(), 1U);
   EXPECT_EQ(jumps({{}, {far}, {first}}, false)[0].before.load, 3);
 }
 
-// With too few iterations every load is given up, and each starts from rest again.
+// With too few iterations every load fails, and each load starts from rest again.
 TEST(LoadStepping, StartsFromTheLastDeflectionFound) {
   Stepping how{.step = 10};
   how.iteration.limit = 0;

@@ -1,4 +1,4 @@
-/// What the chapter's figures and tables are made with.
+/// Basis of the chapter's figures and tables.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -44,7 +44,7 @@ TEST(LoadCurves, EquilibriaCarryTheLoad) {
   }
 }
 
-// Half the load is missing at rest, whatever the model; and the unknowns are the deflection.
+// At rest the residual is half the load for every model; the unknowns include the deflection.
 TEST(LoadedToggles, AgreeWithTheCurves) {
   for (const Model model :
        {Model::williams, Model::williams_frozen, Model::element, Model::element_printed}) {
@@ -115,7 +115,7 @@ TEST(Iterations, CountAndTraceAgree) {
   }
 }
 
-// The attractor of Table 2.5: 0.30373 of the load, printed 0.3042, reached from rest with nothing to choose.
+// The attractor of Table 2.5: 0.30373 of the load, printed 0.3042, reached from rest without free parameters.
 TEST(Iterations, CycleOfTheMisprint) {
   LoadedToggle toggle(Model::element_printed, 0.44, last_load);
   const Count count = iterate(toggle, {.tolerance = relative_tolerance(last_load, 1e-3)});
@@ -134,7 +134,7 @@ TEST(Iterations, RowsAreThoseOfTheTables) {
   }
 }
 
-// Four operations on a variable; none on constants.
+// Four operations on a variable are counted, operations on constants are not.
 TEST(Counted, CountsWhatAVariableTakesPartIn) {
   std::int64_t operations = 0;
   const Counted x(4., &operations), y = 3 * x + sqrt(x) - 1;
@@ -145,7 +145,7 @@ TEST(Counted, CountsWhatAVariableTakesPartIn) {
   EXPECT_EQ(operations, 4);
 }
 
-// Numbers that count are those of double, to the rounding of a pole that double knows to more digits.
+// Values of Counted are those of double, up to the rounding of a pole that double represents more accurately.
 TEST(Counted, TangentIsThatOfDouble) {
   const frames::ToggleFrame toggle = make_frame(frames::Toggle{.height = 0.44, .elements = 4});
   const Eigen::Index n = toggle.frame.size();

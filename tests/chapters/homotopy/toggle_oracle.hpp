@@ -8,7 +8,7 @@ namespace nlmech::chapters::oracle {
 
 using frames::oracle::Real;
 
-/// W, pound, of a toggle of some height at a deflection, both inch.
+/// Load W, pounds, of a toggle of a given height at a deflection, both in inches.
 using Load = Real (*)(double height, const Real& deflection);
 
 inline constexpr double length = 12.94, ea = 1.885e6, ei = 9.27e3;
@@ -22,8 +22,8 @@ inline constexpr double length = 12.94, ea = 1.885e6, ei = 9.27e3;
   return 2 * (ei * (2 * (t.s + t.sc) + n) / (l * l * l) * deflection + p * sine);
 }
 
-/// One beam-column a member, ends that do not turn: 2 dPi/d delta at dPi/dN = 0, where the energy is
-/// Pi = EI/(2 l) g_a turn^2 + N stretch - N^2 l/(2 EA). It is concave in N: Newton's iteration, bracketed.
+/// One beam-column per member with clamped ends: 2 dPi/d delta at dPi/dN = 0, where the energy is Pi = EI/(2
+/// l) g_a turn^2 + N stretch - N^2 l/(2 EA). It is concave in N: bracketed Newton's iteration.
 [[nodiscard]] inline Real element_load(double height, const Real& deflection) {
   const Real l = length, base = sqrt(l * l - Real(height) * height), rise = height - deflection;
   const Real chord = sqrt(base * base + rise * rise), turn = atan(rise / base) - atan(height / base);
@@ -43,7 +43,7 @@ inline constexpr double length = 12.94, ea = 1.885e6, ei = 9.27e3;
   return 2 * (-ei / l * g * turn * base / (chord * chord) - n * ei / (l * l) * rise / chord);
 }
 
-/// The deflection of the far branch, to 1e-17 inch.
+/// Deflection of the far branch, to 1e-17 inch.
 [[nodiscard]] inline double deflection_under(Load load, double height, double pounds) {
   Real low = height > 0.4 ? 0.55 : 0, high = 0.8;
   for (int i = 0; i < 56; ++i) {
@@ -53,7 +53,7 @@ inline constexpr double length = 12.94, ea = 1.885e6, ei = 9.27e3;
   return static_cast<double>(low);
 }
 
-/// The greatest load before a deflection of 0.4 in: thirds of an interval on which it has one maximum.
+/// The largest load up to a deflection of 0.4 in: ternary search on an interval with one maximum.
 [[nodiscard]] inline double limit_load(Load load, double height) {
   Real low = 0.05, high = 0.4;
   for (int i = 0; i < 50; ++i) {

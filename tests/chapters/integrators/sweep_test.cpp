@@ -1,4 +1,4 @@
-// What the scenes of the problem set are made of: the set itself, digits, times for digits, silent failures.
+// Basis of the scenes of the problem set: the set, digits, times for digits, silent failures.
 #include "chapters/integrators/sweep.hpp"
 
 #include <gtest/gtest.h>
@@ -28,8 +28,7 @@ TEST(ProblemSet, HasNamesOfItsOwnAndSolutionsAtSixteenTimes) {
   EXPECT_EQ(solved, 22);
 }
 
-/// By a method that shares nothing with the reference's: collocation where that is a series, and the other
-/// way round.
+/// A method that is independent of the reference's: collocation if that is a series, and vice versa.
 double miss(const SetProblem& p) {
   const double tolerance = 1e-11, absolute = tolerance * p.absolute;
   ivp::Solution s;
@@ -44,7 +43,7 @@ double miss(const SetProblem& p) {
   return p.error(s.x, p.times.size() - 1) / (tolerance * p.tolerance_condition);
 }
 
-// A hundred tolerances for those that add up over some hundred steps, each multiplied by the condition.
+// A hundred tolerances for errors that add up over some hundred steps, each times the condition number.
 TEST(ProblemSet, EndsWhereTheLibrarysMethodsEnd) {
   for (const SetProblem& p : problem_set()) {
     if (p.has_solution() && p.kind != Kind::extreme) {
@@ -94,8 +93,8 @@ TEST(Trials, SuccessWithFewerThanHalfOfItsDigitsIsASilentFailure) {
   EXPECT_TRUE(p.silent_failure(trial(1e-8, 1e-9, 1)));
 }
 
-// Nothing is promised of equal steps, and who asks for digits is not told them; past an end a success is
-// wrong.
+// For fixed steps no number of digits is claimed, so there is no silent failure; beyond the end of a solution
+// a success is wrong.
 TEST(Trials, EqualStepsAreJudgedByTheEndAlone) {
   Trial equal = trial(0, 1, 1);
   equal.step = 0.25;

@@ -1,4 +1,4 @@
-/// Where labels of contour lines stand.
+/// Positions of the labels of contour lines.
 #include "chapters/rbf_inverse/lambert/contour_labels.hpp"
 
 #include <gtest/gtest.h>
@@ -40,7 +40,7 @@ TEST(ContourLabels, StandOnTheirLineAndOnNothingElse) {
 }
 
 TEST(ContourLabels, LeaveOutWhatHasNoRoom) {
-  // Circles of radius 1 and 1.02 are a tenth of a label apart; that of 0.5 stands alone.
+  // Circles of radius 1 and 1.02 are a tenth of a label apart; the circle of 0.5 is isolated.
   const std::vector<ContourLabel> labels = contour_labels(bowl(), {0.25, 1, 1.04}, 0.05, 0.1);
   ASSERT_EQ(labels.size(), 1);
   EXPECT_EQ(labels[0].level, 0.25);

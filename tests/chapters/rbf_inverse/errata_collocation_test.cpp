@@ -1,5 +1,5 @@
-/// Misprints of sections 5.2 and 5.3 in the collocation: printed and corrected form, both against an
-/// independent oracle.
+/// Misprints of sections 5.2 and 5.3 in the collocation: printed and corrected form against an independent
+/// oracle.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -17,7 +17,7 @@ namespace {
 using tests::expect_erratum;
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
-/// p_n of Eq. 5.8 with this p_1, and the polynomial before it.
+/// p_n of Eq. 5.8 with the given p_1, and the polynomial before it.
 struct Legendre {
   double before = 1, p;
 };
@@ -66,7 +66,7 @@ TEST(ErrataControl, NodesAreRootsOfTheLegendreDerivative) {
   const Eigen::VectorXd tau = collocation::legendre_gauss_lobatto(nodes);
   ASSERT_EQ(tau.size(), nodes);
   for (Eigen::Index k = 1; k + 1 < nodes; ++k) {
-    // p'' there is at most N (N + 1)/(1 - tau^2); a rounding of tau.
+    // p'' is at most N (N + 1)/(1 - tau^2) there; a rounding error of tau.
     const double slack = 64 * eps * nodes * nodes / (1 - tau[k] * tau[k]);
     EXPECT_LE(std::abs(derivative(nodes - 1, tau[k])), slack) << k;
     EXPECT_GT(std::abs(derivative(nodes, tau[k])), 0.1) << k;
@@ -78,8 +78,9 @@ TEST(ErrataControl, NodesAreRootsOfTheLegendreDerivative) {
                                      .tolerance = eps});
 }
 
-// Eq. 5.12 sums from 0 to N over the nodes tau_0 to tau_N for the states at N of them: one coefficient stays
-// free, where Eq. 5.15 needs none. The rank is that of Gaussian functions with different centres: full.
+// Eq. 5.12 sums from 0 to N over the nodes tau_0 to tau_N for the states at N of them: one coefficient
+// remains undetermined, where Eq. 5.15 needs none. The rank of Gaussian functions with different centres is
+// full.
 TEST(ErrataControl, InterpolationMatrixIsSquare) {
   constexpr int N = 7;
   const auto free_coefficients = [](const Eigen::VectorXd& rows, const Eigen::VectorXd& columns) {
@@ -99,9 +100,9 @@ TEST(ErrataControl, InterpolationMatrixIsSquare) {
                                       .tolerance = eps});
 }
 
-// Eq. 5.28 has (x_1^3)^j beside x_1^j for the state at node j: taken literally the state at node 3 to the
-// power j. What the equation of motion leaves for beta x_1^3 at a node of an extremal is the cube of the
-// state there. D multiplies errors of interpolation by N^2 at most.
+// Eq. 5.28 has (x_1^3)^j next to x_1^j for the state at node j: taken literally the state at node 3 to the
+// power j. On an extremal the equation of motion requires for beta x_1^3 at a node the cube of the state
+// there. D amplifies interpolation errors by at most N^2.
 TEST(ErrataControl, CubeOfTheStateAtANode) {
   const bvp::DuffingSettings settings = printed_settings(bvp::DuffingCase::free, 1);
   const bvp::Extremal e =

@@ -1,4 +1,4 @@
-/// Misprints of sections 5.1 to 5.3: printed and corrected form, both against an independent oracle.
+/// Misprints of sections 5.1 to 5.3: printed and corrected form against an independent oracle.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -36,7 +36,7 @@ Trip drive(const Eigen::Vector2d& x, double beta, double T, const Force& force) 
   return {{end[0], end[1]}, end[2]};
 }
 
-/// The cheapest free extremal of a short time, which Newton's iteration finds from zero.
+/// The cheapest free extremal for a short time, which Newton's iteration finds from zero.
 bvp::Extremal free_extremal(const bvp::DuffingSettings& settings) {
   bvp::Extremal e = solve_extremal(duffing_problem(settings), bvp::constant_start(Eigen::VectorXd::Zero(4)));
   EXPECT_TRUE(e.solution.status.ok()) << e.solution.status.text();
@@ -64,9 +64,9 @@ TEST(ErrataControl, RunningCostIsTheIntegrand) {
   }
 }
 
-// The integral as L is integrated again, T times itself: J no longer has its stationary point at -lambda2.
-// Derivatives of both J for a constant force more, in units of that of the effort; Runge and Kutta's error
-// over the difference.
+// With the integral as L the cost integrates it again, T times itself: the stationary point of J is no longer
+// at -lambda2. Derivatives of both J for an additional constant force, in units of that of the effort; error
+// of the Runge-Kutta method over the difference.
 TEST(ErrataControl, RunningCostIsIntegratedOnce) {
   const bvp::DuffingSettings settings = printed_settings(DuffingCase::free, 0.5);
   const bvp::Extremal e = free_extremal(settings);
@@ -88,16 +88,16 @@ TEST(ErrataControl, RunningCostIsIntegratedOnce) {
                                       .scale = std::abs(effort)});
 }
 
-// After Eq. 5.7 the term of x(t0) loses phi_x, though Table 5.1 keeps it. The end conditions that follow from
-// Eq. 5.6 make J stationary in a free x2(0); here phi does not depend on it and both agree, so that the
-// condition is lambda2(0) = 0 and a shift of x2(0) changes J in the second order only.
+// After Eq. 5.7 the term of x(t0) lacks phi_x, though Table 5.1 has it. The end conditions from Eq. 5.6 make
+// J stationary for a free x2(0); here phi does not depend on it and both agree: the condition is lambda2(0) =
+// 0, and a shift of x2(0) changes J in second order only.
 TEST(ErrataControl, FreeInitialVelocityHasNoCostate) {
   const bvp::DuffingSettings settings = printed_settings(DuffingCase::x1x2, 1);
   const bvp::ExtremalProblem problem = duffing_problem(settings);
   const bvp::Extremal e = solve_extremal(problem, bvp::unforced_start(settings, {0, 1}, false));
   ASSERT_TRUE(e.solution.status.ok()) << e.solution.status.text();
   EXPECT_NEAR(e.solution.first()[3], 0, 1e-10);  // tolerance of the solve
-  // dJ/dx2(0) at a fixed force is lambda2(0) once the miss of x2(T) is charged with its multiplier.
+  // dJ/dx2(0) for a fixed force is lambda2(0), if the miss of x2(T) is weighted by its multiplier.
   const auto charged = [&](double shift) {
     const auto force = [&](double t) { return -e.solution.at(t)[3]; };
     const Eigen::Vector2d start(e.solution.first()[0], e.solution.first()[1] + shift);
@@ -128,9 +128,9 @@ struct Pull {
   }
 };
 
-// Where the cost does depend on x(t0) the lost phi_x decides: without it lambda(t0) = 0, so that u = 0 and
-// x(0) = x(T) = 3. The oracle knows no co-state: with u constant on ten pieces the least J under x(T) = 3 is
-// a linear system for x(0), the pieces and one multiplier; the best u is constant.
+// With a cost that depends on x(t0) the missing phi_x matters: without it lambda(t0) = 0, so u = 0 and x(0) =
+// x(T) = 3. The oracle uses no co-state: with u constant on ten pieces the minimum of J for x(T) = 3 is a
+// linear system for x(0), the pieces and one multiplier; the optimal u is constant.
 TEST(ErrataControl, InitialCostBelongsToTheInitialCostate) {
   constexpr int pieces = 10, n = pieces + 2;
   constexpr double T = 2, h = T / pieces;
@@ -173,8 +173,8 @@ TEST(ErrataControl, FirstRowOfTableIsForAFreeStart) {
                                            .tolerance = 1e-8});  // Runge and Kutta's error
 }
 
-// Eq. 5.24 has a derivative, of lambda2 as scanned, at the place of lambda1(T): lambda2' = -lambda1 turns the
-// sign, lambda1' is another number. The oracle is x1(T) - x1F of an integration under the force.
+// Eq. 5.24 has a derivative, of lambda2 as scanned, in the place of lambda1(T): lambda2' = -lambda1 changes
+// the sign, lambda1' is another number. The oracle is x1(T) - x1F of an integration under the force.
 TEST(ErrataControl, EndConditionIsOnTheCostateItself) {
   const bvp::DuffingSettings settings = printed_settings(DuffingCase::free, 1);
   const bvp::Extremal e = free_extremal(settings);
@@ -204,7 +204,7 @@ std::vector<Eigen::Vector4d> extremal_from(Eigen::Vector4d z, double beta, doubl
   return path;
 }
 
-// Eq. 5.33 gives f from T on, T included, where the extremal has -lambda2(T): f jumps. The oracle is the
+// Eq. 5.33 gives f from T on, including T, where the extremal has -lambda2(T): f jumps. The oracle is the
 // trajectory of the initial values of tools/oracles/rbf_inverse_extremals.py.
 TEST(ErrataControl, ForceJumpsToTheHarmonicState) {
   constexpr double T = 1;
@@ -224,9 +224,9 @@ TEST(ErrataControl, ForceJumpsToTheHarmonicState) {
                                       .tolerance = 1e-8});  // 16 digits, magnified by some 1e4
 }
 
-// "Ill-posed" are problems whose solution is not there, not the only one, or does not depend continuously on
-// the data. It does: the co-states at 0 move with the target as the trajectory's derivatives have it, by a
-// finite amount, and not by one that double precision cannot tell from infinity. What fails is uniqueness.
+// Problems are "ill-posed" if a solution does not exist, is not unique, or does not depend continuously on
+// the data. It does: the co-states at 0 change with the target by a finite amount, as the derivatives of the
+// trajectory give. Only uniqueness is violated.
 TEST(ErrataControl, SolutionsOfSplitConditionsMoveWithTheData) {
   bvp::DuffingSettings settings = printed_settings(DuffingCase::free, 1);
   const Eigen::Vector4d first = free_extremal(settings).solution.first();
@@ -252,7 +252,7 @@ TEST(ErrataControl, SolutionsOfSplitConditionsMoveWithTheData) {
 }
 
 // The solution is called insensitive to the first guess. With both positions prescribed Newton's iteration
-// ends, from zeros, on an extremal that costs many times what the best one does; the oracle is
+// from zeros converges to an extremal that costs many times the best one; the oracle is
 // tools/oracles/rbf_inverse_extremals.py.
 TEST(ErrataControl, AnotherGuessFindsAnotherExtremal) {
   const KnownExtremal& known = known_extremal(DuffingCase::x1x1);
@@ -293,7 +293,7 @@ TEST(ErrataControl, NoSuchResidualInDouble) {
   EXPECT_GE(std::nextafter(5.0, 6.0) - 5.0, 8e-16);
   EXPECT_GE(5.0 - std::nextafter(5.0, 4.0), 8e-16);
   EXPECT_GE(std::nextafter(2.0, 3.0) - 2.0, 4e-16);
-  // What is left of a residual of that size, as a share of it.
+  // The remainder for a residual of that size, as a fraction of it.
   constexpr double residual = 1.9e-17;
   const volatile double end = 5 + residual;
   expect_erratum(

@@ -1,4 +1,4 @@
-/// Misprints and claims of section 5.4: as printed and corrected, both against Kepler's motion.
+/// Misprints and statements of section 5.4: printed and corrected form against Kepler's motion.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -60,14 +60,14 @@ TEST(ErrataLambert, DistanceStandsInItsThirdPower) {
                          .tolerance = 1e-6});
 }
 
-// "Millimetre accuracy" with N = 47 and c = (N + 3)/(4 T): neither as it comes out in double, in any of
-// twelve units of time, nor without the loss of digits.
+// "Millimetre accuracy" with N = 47 and c = (N + 3)/(4 T) is reached neither in double, in any of twelve
+// units of time, nor without the loss of digits.
 TEST(ErrataLambert, PrintedShapeGivesNoMillimetres) {
   for (const double unit : time_units) {
     orbit::TransferCollocation method = printed_method();
     method.time_unit = unit;
     const orbit::CollocatedTransfer t = orbit::collocate(printed_transfer(), method);
-    // 4.7 m to 1.8 km were seen; rounding decides where in or near that range it ends.
+    // Observed: 4.7 m to 1.8 km, depending on rounding.
     EXPECT_GT(t.miss, 0.05) << unit;
     EXPECT_GT(t.condition, 1e16);
   }
@@ -76,8 +76,8 @@ TEST(ErrataLambert, PrintedShapeGivesNoMillimetres) {
   method.basis = TransferBasis::stable_gaussian;
   const orbit::CollocatedTransfer digits = orbit::collocate(printed_transfer(), method);
   ASSERT_TRUE(digits.status.ok()) << digits.status.text();
-  // In decades of a metre: a millimetre, ours, and 0.216 m recorded by D from 60 digits. The
-  // tolerance is a factor of 1.6 for what roundings of nodes and states make of a miss.
+  // In decades of a metre: a millimetre, the computed miss, and 0.216 m recorded with D from 60 digits. The
+  // tolerance is a factor of 1.6 for the effect of rounding of nodes and states.
   tests::expect_erratum("rbf_inverse-table-5.4", {.printed = -3,
                                                   .corrected = std::log10(digits.miss),
                                                   .oracle = std::log10(0.216),
@@ -89,9 +89,8 @@ TEST(ErrataLambert, PrintedShapeGivesNoMillimetres) {
   EXPECT_LT(limit.miss, 1e-3);
 }
 
-// The terminal errors of Table 5.4 are 21 mm in all; they cannot be told from those of a transfer that aims
-// elsewhere: the end conditions of the collocation itself are met to rounding even where the orbit misses by
-// metres.
+// The terminal errors of Table 5.4 are 21 mm in total and no measure of the accuracy: the end conditions of
+// the collocation are satisfied to rounding even where the orbit misses by metres.
 TEST(ErrataLambert, EndConditionsOfTheEquationsSayNothing) {
   const orbit::CollocatedTransfer t = orbit::collocate(printed_transfer(), printed_method());
   ASSERT_GT(t.positions.cols(), 0);
@@ -102,8 +101,8 @@ TEST(ErrataLambert, EndConditionsOfTheEquationsSayNothing) {
   EXPECT_GT(t.miss, 0.05);
 }
 
-// "Started at an arbitrary set of initial conditions": right for most, but what Newton's iteration ends on is
-// an orbit only if its propagation says so. A success is never a root that misses.
+// "Started at an arbitrary set of initial conditions": correct for most, but a root of Newton's iteration is
+// an orbit only if its propagation confirms it. A success never has a miss.
 TEST(ErrataLambert, RandomStartsMostlyFindTheArc) {
   int arcs = 0;
   for (int seed = 1; seed <= 40; ++seed) {
@@ -120,8 +119,8 @@ TEST(ErrataLambert, RandomStartsMostlyFindTheArc) {
   EXPECT_GE(arcs, 24);  // recorded: 51 of 60 arcs; less three standard deviations, 0.6
 }
 
-// Eq. 5.38's transfer: 0.05 days are 4320 s, and the ellipse has its periapsis 252 km from the centre, deep
-// inside the Earth; what is integrated of it is above.
+// The transfer of Eq. 5.38: 0.05 days are 4320 s. The ellipse has its periapsis 252 km from the centre, deep
+// inside the Earth; the integrated arc is above the surface.
 TEST(ErrataLambert, TransferIsAPieceOfAThinEllipse) {
   EXPECT_DOUBLE_EQ(0.05 * 86400, printed_transfer().time);
   const orbit::TransferProblem p = printed_transfer();

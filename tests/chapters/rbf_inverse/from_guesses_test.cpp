@@ -1,5 +1,5 @@
-/// What the printed method makes of its guesses: how results are counted and chosen, and that a figure
-/// computes no more than it draws.
+/// Results of the printed method from its guesses: how they are counted and selected; a figure computes only
+/// the results that it draws.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -26,12 +26,12 @@ namespace {
 
 using bvp::DuffingCase;
 
-/// Of the free case, whose cheapest extremal at T = 2 costs 8.9.
+/// The cheapest extremal of the free case at T = 2 costs 8.9.
 FromGuesses guesses(std::vector<bvp::GlobalResult> results) {
   return {&duffing_subjects().front(), 2, std::move(results)};
 }
 
-/// A result as the printed method ends: an extremal of some cost, a spurious root, or neither.
+/// A result of the printed method: an extremal with a cost, a spurious root, or neither.
 bvp::GlobalResult ended(Outcome outcome, double cost = 0) {
   bvp::GlobalResult r;
   if (outcome != Outcome::success) r.extremal.solution.status = Status::failure(outcome, "for a test");
@@ -68,14 +68,14 @@ TEST(FromGuesses, NothingFoundIsNothing) {
   EXPECT_EQ(none.counts().spurious, 1);
 }
 
-/// Names of what a scene asks for, sorted.
+/// Names of the results that a scene uses, sorted.
 std::set<std::string> needs_of(const scene::Chapter& all, const std::string& name) {
   std::set<std::string> names;
   for (const auto& run : all.scene(name).content.needs) names.insert(run->name());
   return names;
 }
 
-// A scene gets the results of these runs and no others.
+// A scene receives the results of these runs only.
 TEST(FromGuesses, FiguresNeedOneCaseAtOneTime) {
   const scene::Chapter all = chapter();
   for (const DuffingSubject& s : duffing_subjects()) {
@@ -87,7 +87,7 @@ TEST(FromGuesses, FiguresNeedOneCaseAtOneTime) {
   }
 }
 
-/// Processor seconds of this process, however many others run.
+/// Processor time of this process, s.
 template <class Work>
 double processor_time(const Work& work) {
   const std::clock_t begin = std::clock();
@@ -95,7 +95,7 @@ double processor_time(const Work& work) {
   return double(std::clock() - begin) / CLOCKS_PER_SEC;
 }
 
-/// Of the two results that Figure 5.1 draws, by themselves.
+/// Time of the two results that Figure 5.1 draws.
 double time_of_results() {
   const auto found = extremals(DuffingCase::free).run();
   const auto printed = printed_results(duffing_subjects().front()).run();
@@ -106,7 +106,7 @@ double time_of_results() {
   });
 }
 
-/// Of the figure, with nothing computed before.
+/// Time of the figure without earlier results.
 double time_of_figure(std::vector<std::string>& used) {
   const scene::Chapter figures("b", "figures", {histories_control::scenes()});
   scene::Results results(true);
@@ -121,7 +121,7 @@ double time_of_figure(std::vector<std::string>& used) {
 TEST(FromGuesses, FigureTakesTheTimeOfItsResults) {
   double alone = time_of_results(), figure = HUGE_VAL;
   std::vector<std::string> used;
-  for (int k = 0; k < 3; ++k) {  // the least of three: caches, and neighbours on the same core
+  for (int k = 0; k < 3; ++k) {  // the minimum of three: caches, and other processes on the same core
     figure = std::min(figure, time_of_figure(used));
     alone = std::max(alone, time_of_results());
   }

@@ -1,4 +1,4 @@
-/// What the chapter's figures and tables on optimal control are made with.
+/// Basis of the chapter's figures and tables on optimal control.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -12,8 +12,7 @@ namespace {
 
 using bvp::DuffingCase;
 
-/// The start of the neighbourhood of the cheapest extremal: the trajectory of its initial values of 16
-/// digits.
+/// An initial guess near the cheapest extremal: the trajectory of its initial values with 16 digits.
 bvp::Start start_near(const KnownExtremal& known) {
   const double T = known.final_time;
   const bvp::ExtremalProblem problem = duffing_problem(printed_settings(known.which, T));
@@ -22,7 +21,7 @@ bvp::Start start_near(const KnownExtremal& known) {
   for (int k = 0; k <= 400; ++k) times.push_back(T * k / 400.);
   const Eigen::MatrixXd states = integrate_at(problem, z, Eigen::VectorXd(), times).states;
   return {.states = [states, T](double t, Eigen::VectorXd& x) {
-    x = states.col(std::lround(t / T * 400));  // the node nearest in time is near enough
+    x = states.col(std::lround(t / T * 400));  // the nearest node in time suffices
   }};
 }
 
@@ -44,8 +43,8 @@ TEST(KnownExtremals, AreExtremals) {
   }
 }
 
-// The polynomial limit resolves the free case with 40 nodes, the printed shape has five digits: 5e-13
-// and 3.2e-5, recorded.
+// The polynomial limit resolves the free case with 40 nodes, the printed shape gives five digits: recorded
+// are 5e-13 and 3.2e-5.
 TEST(GlobalVariants, PrintedShapeLosesDigits) {
   const KnownExtremal& known = known_extremal(DuffingCase::free);
   const bvp::ExtremalProblem problem = duffing_problem(printed_settings(known.which, 2));
@@ -62,7 +61,7 @@ TEST(GlobalVariants, PrintedShapeLosesDigits) {
   EXPECT_GT(worst[0], 1e-6);
   EXPECT_LT(worst[0], 1e-3);
   EXPECT_LT(worst[1], 1e-5);
-  EXPECT_GT(worst[2], 1e-6);  // all digits do not help: it is the shape
+  EXPECT_GT(worst[2], 1e-6);  // the error is due to the shape, not to rounding
   EXPECT_LT(worst[3], 1e-11);
 }
 
@@ -72,14 +71,14 @@ TEST(NodeErrors, NothingIntegratedIsNaN) {
   EXPECT_TRUE(std::isnan(e.costates));
 }
 
-// The same co-states by an entirely different way.
+// The same co-states by an independent method.
 TEST(MultipleShooting, FindsTheKnownCostates) {
   if (!multiple_shooting_available()) GTEST_SKIP() << "no CVODE in this build";
   const KnownExtremal& known = known_extremal(DuffingCase::fixed);
   const bvp::ExtremalProblem problem = duffing_problem(printed_settings(known.which, 2));
   const Shot shot = shoot(problem, start_near(known), {.tolerance = 1e-10});
   ASSERT_TRUE(shot.status.ok()) << shot.status.text();
-  // Each of some hundred steps may err by the tolerance, and the problem is unstable by a factor of 100.
+  // Each of some hundred steps may have an error of the tolerance, which the problem amplifies by up to 100.
   EXPECT_NEAR(shot.first[2], known.first[2], 1e-6);
   EXPECT_NEAR(shot.first[3], known.first[3], 1e-6);
   EXPECT_GT(shot.newton, 0);
@@ -111,7 +110,7 @@ TEST(SingleShooting, RootIsConfirmedByAnotherIntegrator) {
   const bvp::ExtremalProblem problem = duffing_problem(printed_settings(DuffingCase::fixed, 1));
   const Eigen::MatrixXd integrated =
       integrate_at(problem, shot.first, Eigen::VectorXd(), std::array{0.0, 1.0}).states;
-  EXPECT_NEAR(integrated(0, 1), 5, 1e-5);  // the end moves by some tens of the co-states' 1e-7
+  EXPECT_NEAR(integrated(0, 1), 5, 1e-5);  // the end changes by some tens of the co-states' 1e-7
   EXPECT_NEAR(integrated(1, 1), 2, 1e-5);
   EXPECT_GE(shot.reach, shot.first.norm());
 }
@@ -122,7 +121,7 @@ TEST(SingleShooting, CutOffIsNoRoot) {
   EXPECT_FALSE(shot.status.text().empty());
 }
 
-// The guesses are the same everywhere: the first numbers of the engine, by its definition.
+// The guesses are equal on every machine: the first numbers of the engine by its definition.
 TEST(RandomGuess, ConstantOrIndependent) {
   Eigen::VectorXd a(4), b(4);
   random_guess(1, 2).states(0, a);

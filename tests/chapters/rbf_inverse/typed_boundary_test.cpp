@@ -1,4 +1,4 @@
-/// Boundary conditions as one types them: their derivatives.
+/// Typed boundary conditions: their derivatives.
 #include "chapters/rbf_inverse/commands/typed_boundary.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
-/// Misprints of Tables 4.2, 4.4, 4.5 and 4.6: what the library gives under the printed and the corrected
-/// reading, beside the published errors; and printed errors beside those of a few lines that share nothing
-/// with the library's methods.
+/// Misprints of Tables 4.2, 4.4, 4.5 and 4.6: results of the library under the printed and the corrected
+/// reading against the published errors; and printed errors against independent implementations in a few
+/// lines.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -31,8 +31,8 @@ double half_digit(const std::string& printed) { return last_digit(printed) / 2 /
 double impact(double t) { return t <= 0.5 ? 2 * t : t < 1 ? 2 * (1 - t) : 0; }
 double no_load(double /*t*/) { return 0; }
 
-/// Position and velocity of x'' = f(t) - x - x^3, which steps one after another change, and the mean square
-/// of the position's error at their ends.
+/// Position and velocity of x'' = f(t) - x - x^3, advanced by single steps, and the mean square of the
+/// position error at their ends.
 struct Oscillation {
   const Case& exact;
   double (*load)(double);
@@ -57,7 +57,7 @@ struct Oscillation {
     return std::sqrt(sum / ends);
   }
 
-  /// Runge and Kutta's classical rule.
+  /// The classical Runge-Kutta method.
   void runge_kutta(double h, int steps) {
     const double begin = t;
     for (int k = 1; k <= steps; ++k) {
@@ -84,8 +84,8 @@ struct Oscillation {
     v += h / 2 * acceleration(t, x);
   }
 
-  /// Hilber, Hughes and Taylor's equation of motion between both ends of a step, (1 + alpha) r1 - alpha r0 =
-  /// 0 for the forces r, solved for the position x1.
+  /// Equation of motion of the HHT method between both ends of a step, (1 + alpha) r1 - alpha r0 = 0 for the
+  /// residual forces r, solved for the position x1.
   void hilber_hughes_taylor(double h, int steps, double alpha = -0.1) {
     const double begin = t, beta = (1 - alpha) * (1 - alpha) / 4, gamma = 0.5 - alpha;
     double a = acceleration(t, x);
@@ -111,8 +111,8 @@ struct Oscillation {
   }
 };
 
-// Explicit of both tables. As printed Table 4.4 comes out with a half-step velocity that goes on unchanged
-// from one phase to the next, which the chapter's check shows.
+// Row Explicit of both tables. Table 4.4 as printed results from a half-step velocity that is carried
+// unchanged from one phase to the next, as the chapter's check shows.
 TEST(ErrataOfTables, ExplicitRowsOfTables4_2And4_4) {
   Oscillation free{free_duffing_case(), no_load, 0, 1};
   free.central_differences(duffing_period() / 10, 1000);
@@ -131,7 +131,7 @@ TEST(ErrataOfTables, ExplicitRowsOfTables4_2And4_4) {
       {.printed = 0.0025, .corrected = 2.63e-4, .oracle = fine.rms(), .tolerance = half_digit("2.63e-4")});
 }
 
-// 2.41e-2 in print; the first row, 0.405, is right.
+// Printed 2.41e-2; the first row, 0.405, is correct.
 TEST(ErrataOfTables, HhtOfTable4_4) {
   Oscillation coarse{impact_case(), impact}, fine{impact_case(), impact};
   coarse.hilber_hughes_taylor(0.1, 10);
@@ -144,8 +144,8 @@ TEST(ErrataOfTables, HhtOfTable4_4) {
       {.printed = 2.41e-2, .corrected = 2.51e-2, .oracle = fine.rms(), .tolerance = half_digit("2.51e-2")});
 }
 
-// The text says t_F = 500; the errors of Table 4.2 belong to 100 periods. Published errors are the oracle, to
-// their last digit; 1.175e-4 may be rounded either way.
+// The text states t_F = 500; the errors of Table 4.2 are those after 100 periods. The oracle is the published
+// errors, to their last digit; 1.175e-4 may be rounded either way.
 TEST(ErrataOfTables, EndTimeOfTable4_2) {
   const double P = duffing_period();
   const auto expect = [&](const auto& method, Points points, double published, double tolerance) {
@@ -164,7 +164,7 @@ TEST(ErrataOfTables, EndTimeOfTable4_2) {
   EXPECT_NEAR(rms_error(kept, 0, Points::ends), 5.42e-6, 0.005e-6);
 }
 
-/// How many of the rows of Table 4.4 that say something to a digit come out as printed with this end.
+/// Number of significant rows of Table 4.4 that are reproduced with this end time.
 double rows_explained(double end) {
   int count = 0;
   const auto look = [&](const auto& during, const auto& after, const std::string& printed) {
@@ -180,7 +180,7 @@ double rows_explained(double end) {
   return count;
 }
 
-/// The whole second at which most of these rows come out as printed, by the few lines above.
+/// The whole second at which most of these rows are reproduced, by the independent methods above.
 double end_that_explains_most() {
   struct Rerun {
     Oscillation motion;
@@ -244,8 +244,8 @@ TEST(ErrataOfTables, SecondShapeOfRbfColl1IsMissing) {
                                              .scale = 1});
 }
 
-/// RMS error of x1 over the step ends of RK4-1 of Table 4.6, against RK6 with a step a hundred times shorter,
-/// whose own error is below 1e-12.
+/// RMS error of x1 at the step ends of RK4-1 of Table 4.6, against RK6 with steps a hundred times shorter,
+/// whose error is below 1e-12.
 double rms_of_rk4_1(const ivp::System& system) {
   const auto positions = [&system](const auto& method) {
     std::vector<double> x;
@@ -266,7 +266,7 @@ double rms_of_rk4_1(const ivp::System& system) {
   return std::sqrt(sum / static_cast<double>(found.size() + 1));  // the start counts
 }
 
-/// What Table 4.6 prints for RK4-1.
+/// The error that Table 4.6 prints for RK4-1.
 constexpr double rk4_1_of_table_4_6 = 4.6e-3;
 
 // 6.08e-3 for the equations as printed is recorded. oracle: rbf_ivp_methods 4.6 RK4-1 x1
@@ -281,7 +281,7 @@ TEST(ErrataOfTables, Equation4_25) {
                                      .tolerance = half_digit("4.6e-3")});
 }
 
-// Table 4.5 has no load, and the masses begin at rest.
+// Table 4.5 has no load, and the masses start at rest.
 TEST(ErrataOfTables, LoadOfTable4_5) {
   expect_erratum("rbf_ivp-table-4.5",
                  {.printed = rms_of_rk4_1(ivp::System(problems::TextProblem("three-dof", {{"force", 0}}))),
@@ -290,7 +290,7 @@ TEST(ErrataOfTables, LoadOfTable4_5) {
                   .tolerance = half_digit("4.6e-3")});
 }
 
-// Table 4.6 says that its errors are those of x1.
+// Table 4.6 states that its errors are those of x1.
 TEST(ErrataOfTables, ExplicitRowsOfTable4_6AreOfX3) {
   const auto expect = [](double h, const std::string& published) {
     const Record kept = explicit_chain(h, ExplicitStart::half_step, ExplicitDamping::from_half);

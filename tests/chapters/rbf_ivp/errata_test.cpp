@@ -1,6 +1,5 @@
-/// Misprints of chapter 4 in equations and claims: printed and corrected form, both against an independent
-/// oracle. Those of the tables' errors are in errata_tables_test.cpp, those of the impact and of the three
-/// masses where these are tested.
+/// Misprints of chapter 4 in equations and statements: printed and corrected form against an independent
+/// oracle. Errors of the tables: errata_tables_test.cpp; impact and three masses: tests of these problems.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -24,7 +23,7 @@ namespace {
 using tests::expect_erratum;
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
-/// q'' = a constant.
+/// q'' = constant.
 struct Falling {
   static constexpr int dimension = 2;  ///< position and velocity
   double weight = -9.81;               ///< the acceleration
@@ -66,9 +65,9 @@ double error_of_hht(ivp::Hht::Form form, double periods, double steps_a_period) 
   return error_at(c, end, solution.x)[0];
 }
 
-// With g(x(t)) for the stored acceleration Eq. 4.7 loses its second order: halved steps halve its error. The
-// positions at a quarter of a period, where an error of the phase shows most, against the elliptic solution;
-// alpha = -0.1 and the steps of Table 4.2. Tolerance: the printed error of HHT-2 after 100 periods.
+// With g(x(t)) instead of the stored acceleration Eq. 4.7 has order 1: half the step gives half the error.
+// Positions at a quarter of a period, where a phase error is largest, against the elliptic solution; alpha =
+// -0.1 and the steps of Table 4.2. Tolerance: the printed error of HHT-2 after 100 periods.
 TEST(Errata, Equation4_7IsOfFirstOrder) {
   using enum ivp::Hht::Form;
   const auto order = [](ivp::Hht::Form form) {
@@ -87,7 +86,7 @@ double legendre_slope(int n, double tau) {
   return n * (boost::math::legendre_p(n - 1, tau) - tau * boost::math::legendre_p(n, tau)) / (1 - tau * tau);
 }
 
-/// The greatest zero of P_n' by bisection, n from 4 to 20.
+/// The largest zero of P_n' by bisection, n from 4 to 20.
 double greatest_zero_of_slope(int n) {
   double right = 0.9999, left = right;
   while (legendre_slope(n, left) > 0) left -= 1e-3;
@@ -115,8 +114,8 @@ TEST(Errata, Equation4_9) {
                                  .tolerance = 4 * eps});
 }
 
-// Eq. 4.10 prints p_1(tau) = x, a letter without a meaning there. Read as the time of Eq. 4.11 on [0, 1] the
-// recursion gives no Legendre polynomials.
+// Eq. 4.10 prints p_1(tau) = x, an undefined symbol. Read as the time of Eq. 4.11 on [0, 1] the recursion
+// gives no Legendre polynomials.
 TEST(Errata, Equation4_10) {
   const auto fifth = [](double tau, double first) {
     double before = 1, p = first;
@@ -153,9 +152,9 @@ TEST(Errata, Equation4_12) {
                  {.printed = rank(over_steps), .corrected = rank(over_nodes), .oracle = N, .tolerance = eps});
 }
 
-// Section 4.3 separates nodes by c/2, an inverse of a time. With c = (N - 1)/(4 h) of the rows RBF-Coll-2 a
-// step of h = P has N = 35 nodes in any unit of time if they are 1/(4 c) apart; c/2 gives a number that goes
-// with the square of the unit.
+// Section 4.3 separates nodes by c/2, the inverse of a time. With c = (N - 1)/(4 h) of the rows RBF-Coll-2 a
+// step of h = P has N = 35 nodes in any unit of time if their distance is 1/(4 c); c/2 gives a number that
+// depends on the square of the unit.
 TEST(Errata, SeparationOfNodesGoesWithTheInverseOfShape) {
   for (const double unit : {1.0, 1e-3}) {
     const double h = duffing_period() / unit, c = 34 / (4 * h);
@@ -165,8 +164,9 @@ TEST(Errata, SeparationOfNodesGoesWithTheInverseOfShape) {
   }
 }
 
-// Eq. 4.23, X cn(omega t | m) with omega^2 = 1 + eta X^2 and m = eta X^2/(2 omega^2), is said of eta >= 1,
-// which suffices: it is the motion, a Taylor series in extended precision, of all six hardenings.
+// Eq. 4.23, X cn(omega t
+// m) with omega^2 = 1 + eta X^2 and m = eta X^2/(2 omega^2), is stated for eta >= 1, which suffices: it
+// equals a Taylor series in extended precision for all six hardenings.
 TEST(Errata, EllipticSolutionHoldsForEveryHardening) {
   constexpr std::array hardenings = {1e-3, 0.1, 0.5, 0.9, 1.0, 5.0};
   const double X = 1.2, t = 7.3;
@@ -176,7 +176,7 @@ TEST(Errata, EllipticSolutionHoldsForEveryHardening) {
         problems::TextProblem("duffing", {{"hardening", eta}}), {X, 0}, 0, 8);
     const double square = 1 + eta * X * X, modulus = std::sqrt(eta * X * X / (2 * square));
     const double closed = X * boost::math::jacobi_cn(modulus, std::sqrt(square) * t);
-    // Rounding of an argument of 20.
+    // Rounding of an argument up to 20.
     holds += std::abs(closed - static_cast<double>(motion(t)[0])) <= 64 * eps ? 1 : 0;
   }
   EXPECT_EQ(holds, static_cast<int>(hardenings.size()));

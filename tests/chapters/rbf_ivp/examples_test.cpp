@@ -1,4 +1,4 @@
-/// The three examples: their solutions against numbers and equations that were not made by this library.
+/// The three examples: their solutions against independent numbers and equations.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,7 +13,7 @@
 namespace nlmech::chapters::rbf_ivp::examples_test {
 namespace {
 
-constexpr double stated = 2e-16;  // accuracy that Case promises for its reference
+constexpr double stated = 2e-16;  // accuracy of the reference that Case states
 
 /// Components of the reference against 25 digits of a 60-digit Taylor solution.
 void expect_reference(const Case& c, double t, const ivp::LongState& digits) {
@@ -27,16 +27,15 @@ TEST(Examples, ReferencesAtKnownTimes) {
   expect_reference(free_duffing_case(), 500, {0.6356014706573872618142369L, 1.0071778004510543827621357L});
   expect_reference(impact_case(), 1, {0.2345637237526737363950751L, 0.4279799258511257045665702L});
   expect_reference(impact_case(), 500, {-0.4043016339378515331621024L, -0.2507612394654356943494855L});
-  // With the doubles next to the decimals of Table 4.5.
+  // With the decimals of Table 4.5 rounded to double.
   Vector<Extended, 6> chain;
   chain << 0.1621748860002473897017669L, 0.3465729515799769464131827L, 0.7582358883258392394078843L,
       -0.08899514991998155626594779L, -0.1639274778294406028186595L, -0.2083204784161271014782796L;
   expect_reference(three_mass_case(), 200, chain);
 }
 
-// The elliptic solution and a Taylor series have nothing in common. Quarters of the period are among the
-// times: there dn is a quotient of vanishing numbers in many formulas, Boost's among them, which is off by
-// 5e-4 there.
+// The elliptic solution against an independent Taylor series, also at quarters of the period: there many
+// formulas compute dn as a quotient of vanishing numbers, including Boost's, which has an error of 5e-4.
 TEST(Examples, EllipticSolutionIsTheTaylorSeries) {
   const problems::ReferenceTrajectory<Extended, problems::TextProblem> series(
       problems::TextProblem("duffing"), {1, 0}, 0, 500);
@@ -92,8 +91,8 @@ TEST(Measures, RmsErrorChoosesPointsAndTime) {
   EXPECT_DOUBLE_EQ(rms_error(record, 0, Points::ends, 2 * (1 - 1e-15)), std::sqrt(4.0 / 2));
 }
 
-// A run says what it was asked for: ends and nodes in the order of time, dense output over the window, errors
-// that vanish to rounding for a method that is exact.
+// Data that a run records: ends and nodes in the order of time, dense output in the window, errors at
+// rounding level for a method that is exact.
 TEST(Records, HoldWhatTheMethodGave) {
   const double P = duffing_period();
   const auto kept = record(free_duffing_case(), 2 * P, throughout(ivp::Mcpi{.step = P / 2, .order = 40}), P);

@@ -36,11 +36,12 @@ TEST(TrialSpace, GaussiansOfEqualShapeAreThoseOfTheLibrary) {
   const VectorXd nodes = family_nodes(lobatto, 9);
   const TrialSpace space = gaussians(nodes, equal(nodes, 2));
   const Eigen::MatrixXd expected = collocation::StableGaussian(nodes, 2).differentiation_matrix();
-  // The nodes of one are rounded to double, which moves D by some ulps times its condition, near 100.
+  // The nodes of one are rounded to double, which changes D by some ulps times its condition number, near
+  // 100.
   EXPECT_LE((space.derivative - expected).norm(), 1e-12 * expected.norm());
 }
 
-// A function of the span is differentiated and evaluated exactly, each with its own shape.
+// A function of the span is differentiated and evaluated exactly, for each shape.
 TEST(TrialSpace, GaussiansOfUnequalShapesReproduceTheirSpan) {
   const VectorXd nodes = family_nodes(lobatto, 8), shapes = own_shapes(nodes, 2.5);
   const TrialSpace space = gaussians(nodes, shapes);
@@ -88,9 +89,9 @@ TEST(PlacedNodes, EqualResidualsLeaveThemWhereTheyAre) {
 
 TEST(PlacedNodes, ShareOutTheDensity) {
   const VectorXd nodes = VectorXd::LinSpaced(21, 0, 1), checks = check_points(21);
-  // Residuals t^2 make the monitor t, but for two check points further on, 0.05 at most: the density is 1/2 +
-  // t, by a tenth more even at most. Half of 1/2 + t lies left of the root of t/2 + t^2/2 = 1/2, 0.118 beyond
-  // the middle, of which a tenth may be missing.
+  // Residuals t^2 give the monitor t, up to two check points, at most 0.05: the density is 1/2 + t with a
+  // tenth of uniform density at most. Half of 1/2 + t is left of the root of t/2 + t^2/2 = 1/2, which is
+  // 0.118 beyond the middle; a tenth of that may be missing.
   const VectorXd placed = placed_nodes(nodes, checks, checks.cwiseAbs2());
   EXPECT_EQ(placed[0], 0);
   EXPECT_EQ(placed[20], 1);
@@ -109,7 +110,7 @@ TEST(InsertedNodes, StandAtTheGreatestResiduals) {
   EXPECT_GT(one[2], nodes[1]);
   EXPECT_LT(one[2], nodes[2]);
   const VectorXd many = with_inserted(nodes, checks, residuals, 100);
-  EXPECT_LE(many.size(), 9);  // at most one a gap
+  EXPECT_LE(many.size(), 9);  // at most one in each gap
   EXPECT_GE(many.size(), 7);
   for (Eigen::Index k = 1; k < many.size(); ++k) EXPECT_GT(many[k], many[k - 1]);
 }
@@ -124,10 +125,10 @@ TEST(Collocate, PolynomialsAtRadauNodesAreTheIntegratorsStep) {
   EXPECT_LE((fit.states.row(6).transpose() - solution.x).norm(),
             1e-13);  // two Newton iterations to 1e-12 or less
   EXPECT_LE(fit.end_error, fit.largest_error);
-  EXPECT_GT(fit.residuals.maxCoeff(), 1e-9);  // of truncation; it is zero at the nodes alone
+  EXPECT_GT(fit.residuals.maxCoeff(), 1e-9);  // truncation error; zero at the nodes only
 }
 
-/// The weighted sum of squares that least squares makes least.
+/// The weighted sum of squares that least squares minimises.
 double objective(const Arc& arc, const TrialSpace& space, const Eigen::MatrixXd& states) {
   const Eigen::MatrixXd r = residual_columns(arc, space, states);
   return r.colwise().squaredNorm().dot(gauss_weights(r.cols()).transpose());
@@ -153,7 +154,7 @@ TEST(LeastSquares, NoNeighbourHasALessSum) {
   EXPECT_EQ(fit.states.row(0), start.states.row(0));
 }
 
-// Polynomials of degree s: least squares is of the order 2 s at the end, as Gauss collocation of s stages.
+// Polynomials of degree s: least squares has order 2 s at the end, as Gauss collocation with s stages.
 TEST(LeastSquares, DoublesTheOrderAtTheEnd) {
   double errors[2];
   for (int k = 0; k < 2; ++k) {

@@ -1,4 +1,4 @@
-/// The readings: how a printed number is compared with ours, and the chapter's own variants of Eq. 4.4.
+/// The readings: comparison of printed and computed numbers, and the chapter's variants of Eq. 4.4.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -45,7 +45,8 @@ TEST(ReadingChoice, RefusesUnknownOptions) {
   EXPECT_THROW(static_cast<void>(q.option("500 s")), std::logic_error);
 }
 
-// The variant of the library, step for step: 320 steps of roundings of numbers about 1.
+// The variant equals the library's method step by step, up to rounding errors of 320 steps of numbers about
+// 1.
 TEST(ExplicitVariants, OneIsTheLibrarysOwn) {
   const Record own = explicit_chain(0.625, ExplicitStart::half_step, ExplicitDamping::from_initial);
   const Record library = record(three_mass_case(), 200, throughout(ivp::CentralDifference{.step = 0.625}));
@@ -75,7 +76,8 @@ TEST(ExplicitVariants, HaveTheKnownErrors) {
                          Known{0.625, whole_step, from_initial, 0.051147, 0.10177, 0.15788}}) {
     const Record r = explicit_chain(k.h, k.start, k.damping);
     const auto where = std::string(to_string(k.start)) + ", " + std::string(to_string(k.damping));
-    // Half a unit of the last digit of a number that begins with 1 and has five, or with 5.9 and has four.
+    // Half a unit of the last digit of a number that starts with 1 and has five digits, or with 5.9 and has
+    // four.
     EXPECT_NEAR(rms_error(r, 0, Points::ends, 200) / k.x1, 1, 9e-5) << where;
     EXPECT_NEAR(rms_error(r, 1, Points::ends, 200) / k.x2, 1, 9e-5) << where;
     EXPECT_NEAR(rms_error(r, 2, Points::ends, 200) / k.x3, 1, 9e-5) << where;

@@ -1,4 +1,4 @@
-/// What the chapter's studies compute of collocation, against formulas that share nothing with it.
+/// Collocation studies of the chapter against independent formulas.
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
@@ -61,7 +61,7 @@ TEST(StabilityFunction, OnTheImaginaryAxis) {
   }
 }
 
-/// D of Gaussians on the unit interval with 50 digits.
+/// D of Gaussians on the unit interval in 50 digits.
 collocation::Matrix<ExtendedReal<50>> gaussian_derivative(int nodes, double shape) {
   using Digits50 = ExtendedReal<50>;
   const collocation::Vector<Digits50> times = (collocation::nodes<Digits50>(lobatto, nodes).array() + 1) / 2;
@@ -69,8 +69,8 @@ collocation::Matrix<ExtendedReal<50>> gaussian_derivative(int nodes, double shap
       .differentiation_matrix();
 }
 
-// D of nodes that are symmetric about the middle is similar to -D, so that with an odd number of them one
-// eigenvalue is 0; its vector is symmetric, and a state at rest stays. With an even number it does not.
+// For nodes that are symmetric about the middle D is similar to -D, so for an odd number one eigenvalue is 0;
+// its vector is symmetric, and a state at rest is preserved. For an even number it is not.
 TEST(Gaussians, KeepAStateAtRestIfTheNodesAreOdd) {
   const auto growth = [](int nodes) {
     using Digits50 = ExtendedReal<50>;
@@ -85,7 +85,7 @@ TEST(Gaussians, KeepAStateAtRestIfTheNodesAreOdd) {
   for (const int nodes : {4, 6, 8}) EXPECT_GT(growth(nodes), 1e-5) << nodes;
 }
 
-// Yet none of them reproduces constants at the nodes. oracle: rbf_ivp_shapes * slope of 1
+// None of them reproduces constants at the nodes. oracle: rbf_ivp_shapes * slope of 1
 TEST(Gaussians, DoNotReproduceConstants) {
   const auto defect = [](int nodes, double shape) {
     const MatrixXd sums = gaussian_derivative(nodes, shape).rowwise().sum().cast<double>();
@@ -110,8 +110,8 @@ TEST(Windows, RadauNodesHaveNone) {
     EXPECT_TRUE(windows_above(derivative_of(radau, nodes), 200, 1 + 1e-12, 5).empty()) << nodes;
 }
 
-// The first of the three masses at a spring of k1 = 1e8 grows out of 1e-9 as |R| has it: the cubic spring
-// does not matter yet, and from step 20 on the other masses and the start have decayed.
+// The first of three masses at a spring of k1 = 1e8 grows from 1e-9 by |R| a step: the cubic spring is
+// negligible, and from step 20 on the other masses and the initial state have decayed.
 TEST(Windows, AStiffSpringGrowsAsTheStabilityFunctionHasIt) {
   const problems::TextProblem chain("three-dof", {{"k1", 1e8}});
   const double frequency = std::sqrt((1e8 + chain.parameter("k2")) / chain.parameter("m1")), step = 1.2e-3;
@@ -128,7 +128,7 @@ TEST(Windows, AStiffSpringGrowsAsTheStabilityFunctionHasIt) {
   EXPECT_NEAR(std::pow(amplitude.at(24) / amplitude.at(19), 0.2), expected, 1e-3 * expected);
 }
 
-/// Unlike any special state.
+/// A state without special symmetry.
 VectorXd wave(Eigen::Index size, double phase) {
   VectorXd v(size);
   for (Eigen::Index k = 0; k < size; ++k) v[k] = std::cos(2.3 * static_cast<double>(k) + phase);
@@ -149,8 +149,8 @@ TEST(CollocationEquations, HaveTheirDerivative) {
       MatrixXd b;
       equations.linearise(x);
       equations.matrix(b);
-      // F is cubic: the symmetric difference is off by d^2/6 F''' v v v, F''' <= 6 h or 6, and roundings over
-      // d.
+      // F is cubic: the symmetric difference has an error of d^2/6 F''' v v v, F''' <= 6 h or 6, and rounding
+      // errors over d.
       const double d = 1e-5, noise = 100 * eps * b.norm() * v.norm();
       equations.residual(x + d * v, right);
       equations.residual(x - d * v, left);

@@ -1,4 +1,4 @@
-/// A run is repeated only where its time is shown: the figures compute each run once.
+/// A run is repeated only if its time is reported; figures compute each run once.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -15,7 +15,7 @@ scene::Chapter chapter();  // made from its list of scenes
 namespace nlmech::chapters::rbf_ivp::timing_test {
 namespace {
 
-/// The free oscillator with one row, whose integrations are counted.
+/// The free oscillator with one row; counts its integrations.
 Example counted(int& integrations) {
   Example example{.made = free_duffing_case,
                   .name = "counted",
@@ -46,7 +46,7 @@ TEST(Timing, FiguresIntegrateOnce) {
   EXPECT_EQ(integrations, 1);
 }
 
-// One for the errors, and one to warm up before nine that count.
+// One for the errors, and one warm-up before nine that are timed.
 TEST(Timing, TheTableTimes) {
   int integrations = 0;
   const scene::Chapter table("b", "a table", {{result_table(counted(integrations))}});

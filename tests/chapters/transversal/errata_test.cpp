@@ -1,4 +1,4 @@
-/// Each misprint of the summary: the printed form fails where the corrected one holds.
+/// Each misprint of the summary: the printed form fails, the corrected one holds.
 #include <gtest/gtest.h>
 
 #include <boost/math/quadrature/gauss_kronrod.hpp>
@@ -31,8 +31,8 @@ double integral(const std::function<double(double)>& f, double from, double to) 
   return boost::math::quadrature::gauss_kronrod<double, 31>::integrate(f, from, to, 5, 1e-14);
 }
 
-// Printed: each phi_k has the integral 1 over p h. Then a constant force 1 gives a mass the velocity p + 1
-// after any time. Corrected: the phi_k sum to one, and the velocity is p h.
+// Printed: the integral of each phi_k over p h is 1. Then a constant force 1 gives a unit mass the velocity p
+// + 1 after any time. Corrected: the phi_k sum to one, and the velocity is p h.
 TEST(Errata, BasisNeedsASumOfOneAndNoIntegralOfOne) {
   for (int p = 1; p <= 4; ++p) {
     const double h = 0.2;
@@ -56,8 +56,8 @@ TEST(Errata, BasisNeedsASumOfOneAndNoIntegralOfOne) {
   }
 }
 
-// (3) as printed keeps the time free in Q(X_k, X'_k, t). For Q = x cos 9 t the integral over phi_k then is
-// not the closed form's; with t_k in place of t it is.
+// (3) as printed leaves the time free in Q(X_k, X'_k, t). For Q = x cos 9 t the integral over phi_k differs
+// from the closed form; with t_k instead of t it agrees.
 TEST(Errata, NonlinearTermsAreTakenAtTheirPoints) {
   constexpr int p = 3;
   constexpr double h = 0.2, w = 1.5;
@@ -79,11 +79,11 @@ TEST(Errata, NonlinearTermsAreTakenAtTheirPoints) {
       {.printed = printed, .corrected = closed, .oracle = corrected, .tolerance = 64 * eps, .scale = 1});
 }
 
-/// The oscillators of two-dof with Q^(j) for one j in both equations, as (4) literally reads; j = 1.
+/// The oscillators of two-dof with one Q^(j) in both equations, as (4) literally reads; j = 1.
 constexpr const char* one_component_for_all =
     "x1'' = -x1 - x1^3 - (x1 - x2)/2; x2'' = -x2 - x1^3 + (x1 - x2)/2";
 
-// (4) has the component Q_M^(j) where the vector Q_M belongs. Masses that start against each other stay so;
+// (4) has the component Q_M^(j) instead of the vector Q_M. Masses that start in opposite directions stay so;
 // with one component for both they do not.
 TEST(Errata, NonlinearTermsAreAVector) {
   const problems::TextProblem problem("two-dof", {{"damping", 0}, {"force", 0}});
@@ -94,15 +94,15 @@ TEST(Errata, NonlinearTermsAreAVector) {
   ASSERT_TRUE(corrected.status.ok() && printed.status.ok());
   EXPECT_NEAR(corrected.x[0] + corrected.x[1], 0, 1e4 * eps);
   EXPECT_GT(std::abs(printed.x[0] + printed.x[1]), 1e-2);
-  // Mirror symmetry: the sum of the places is 0; a hundred steps round some ten times each.
+  // Mirror symmetry: the sum of the positions is 0; each of a hundred steps has some ten rounding errors.
   expect_erratum("transversal-4", {.printed = printed.x[0] + printed.x[1],
                                    .corrected = corrected.x[0] + corrected.x[1],
                                    .oracle = 0,
                                    .tolerance = 1e4 * eps});
 }
 
-// (5) is called 2 p equations: true of one degree of freedom; of n there are 2 p n, as many as the weights
-// have rows.
+// (5) is called 2 p equations: correct for one degree of freedom; for n there are 2 p n, the number of rows
+// of the weights.
 TEST(Errata, EquationsAreTwoForEachPointAndDegreeOfFreedom) {
   for (const int dof : {1, 2, 3}) {
     constexpr int p = 3;
@@ -143,7 +143,7 @@ Eigen::Vector2d block_by_quadrature(double h, const Eigen::Vector2d& from) {
     }
   }
   double x[p + 1] = {from[0], from[0], from[0], from[0]}, v = 0;
-  for (int turn = 0; turn < 60; ++turn) {  // contracts by (p h)^2 and more
+  for (int turn = 0; turn < 60; ++turn) {  // contracts by at least (p h)^2
     for (int l = 1; l <= p; ++l) {
       const double c = std::cos(l * h), s = std::sin(l * h);
       double next = c * from[0] + s * from[1];
@@ -168,8 +168,8 @@ double area_lost(double h, double change) {
   return map.determinant() - 1;
 }
 
-// "A Hamiltonian system remains Hamiltonian": then the map of a block would keep areas. For x'' + x it does,
-// to roundings; for x'' + x + x^3 it does not, by an amount that p = 3 leaves at 1e-6.
+// "A Hamiltonian system remains Hamiltonian": the map of a block would preserve areas. For x'' + x it does,
+// up to rounding errors; for x'' + x + x^3 it does not, by 1e-6 for p = 3.
 TEST(Errata, BlocksOfNonlinearSystemsDoNotKeepAreas) {
   const auto determinant = [](double hardening) {
     const problems::TextProblem problem("driven-duffing", {{"hardening", hardening}, {"force", 0}});
@@ -186,8 +186,8 @@ TEST(Errata, BlocksOfNonlinearSystemsDoNotKeepAreas) {
   };
   EXPECT_NEAR(determinant(0), 0, 100 * eps / 1e-4);
   EXPECT_GT(std::abs(determinant(1)), 1e-6);
-  // A Hamiltonian map has the determinant 1. The derivatives' error is Newton's tolerance over the change,
-  // 1e-8 at most; the determinant's distance from 1 is a hundred times that.
+  // A Hamiltonian map has determinant 1. The error of the derivatives is Newton's tolerance over the change,
+  // at most 1e-8; the distance of the determinant from 1 is a hundred times that.
   const double exact = area_lost(0.1, 1e-4);
   EXPECT_NEAR(determinant(1), exact, 0.02 * std::abs(exact));
 }

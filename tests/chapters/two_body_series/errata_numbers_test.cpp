@@ -1,4 +1,4 @@
-/// Misprinted numbers and claims of section 3.2 beside an independent oracle.
+/// Misprinted numbers and statements of section 3.2 against an independent oracle.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -23,15 +23,15 @@ namespace {
 using tests::expect_erratum;
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
-// (3.72) prints omega = 0 at no inclination: the periapsis would be on the x axis. The state of (3.71) is at
-// a turning point, r . v = 0, below the semi-major axis: its own direction is that of the periapsis.
+// (3.72) prints omega = 0 without inclination: the periapsis would be on the x axis. The state of (3.71) is
+// at a turning point, r . v = 0, below the semi-major axis: its own direction is that of the periapsis.
 TEST(Errata, PeriapsisOfTheLowOrbit) {
   const orbit::State s = low_orbit().start;
   const double degree = std::numbers::pi / 180;
   EXPECT_LE(std::abs(s.position.dot(s.velocity)), 16 * eps * s.position.norm() * s.velocity.norm());
   EXPECT_LT(s.position.norm() * orbit::reciprocal_axis(s, earth_mu), 1);
   const orbit::Vector3<double> e = orbit::eccentricity_vector(s, earth_mu);
-  EXPECT_NEAR(std::atan2(e[1], e[0]) / degree, 75, 1e-10);  // roundings of terms 1 over e = 0.1
+  EXPECT_NEAR(std::atan2(e[1], e[0]) / degree, 75, 1e-10);  // rounding errors of terms 1 over e = 0.1
   expect_erratum("two_body_series-3.72-periapsis",
                  {.printed = 0,
                   .corrected = 75,
@@ -39,8 +39,8 @@ TEST(Errata, PeriapsisOfTheLowOrbit) {
                   .tolerance = 16 * eps});
 }
 
-// The period from Kepler's second law, T = integral of r^2/h over the angle, with the conic through the
-// turning point; the sum over equal angles converges like a geometric series.
+// The period from Kepler's second law, T = integral of r^2/h over the angle, for the conic through the
+// turning point; the sum over equal angles converges geometrically.
 TEST(Numbers, PeriodOfTheLowOrbit) {
   const orbit::State s = low_orbit().start;
   const double h = orbit::angular_momentum(s).norm(), p = h * h / earth_mu, e = p / s.position.norm() - 1;
@@ -65,7 +65,7 @@ double printed(const std::string& place, const std::string& method, int orbits, 
   return found->value;
 }
 
-/// Two-norm of the energy error of Lagrange's F and G at the first @p points points.
+/// 2-norm of the energy error of Lagrange's F and G at the first @p points points.
 double norm_of_f_and_g(const Orbit& orbit, int points) {
   const double before = orbit::energy(orbit.start, earth_mu), step = period_of(orbit) / orbit.steps;
   std::vector<double> errors;
@@ -76,8 +76,8 @@ double norm_of_f_and_g(const Orbit& orbit, int points) {
   return norm_of(errors);
 }
 
-// The closed solution gives the same at a point whatever comes after it, so that a norm over 20 orbits holds
-// that over 10. What must not be lost is 1 - (second/first)^2 of the sum of squares.
+// The closed solution at a point does not depend on later points, so a norm over 20 orbits is at least that
+// over 10. The digits of 1 - (second/first)^2 of the sum of squares must not be lost.
 TEST(Errata, NormOverMorePointsIsNotSmaller) {
   const auto lost = [](double ten, double twenty) { return std::max(0.0, 1 - std::pow(twenty / ten, 2)); };
   const double ten = printed("table-3.3", "F&G", 10, "energy error norm"),
@@ -91,9 +91,10 @@ TEST(Errata, NormOverMorePointsIsNotSmaller) {
                                                .tolerance = eps});
 }
 
-// "Millimeter accuracy": the dissertation's recursion in 50 digits, free of rounding, is metres off Kepler's
-// motion after twenty low orbits. In double it is the same within 1e-4: rounding moves the body by some
-// 1e-16 a, times 60 for what a change of the velocity becomes in twenty orbits, times the root of 500 steps.
+// "Millimeter accuracy": the dissertation's recursion in 50 digits, free of rounding, differs from Kepler's
+// motion by metres after twenty low orbits. In double it agrees with that within 1e-4: rounding shifts the
+// body by some 1e-16 a, times 60 for the effect of a velocity error over twenty orbits, times the square root
+// of 500 steps.
 TEST(Errata, OrderTenLosesMetres) {
   using Real = ExtendedReal<50>;
   const Orbit orbit = low_orbit();

@@ -1,4 +1,4 @@
-/// Misprints of section 3.2: printed and corrected form, both against an independent oracle.
+/// Misprints of section 3.2: printed and corrected form against an independent oracle.
 #include <gtest/gtest.h>
 
 #include <boost/math/special_functions/factorials.hpp>
@@ -26,9 +26,9 @@ orbit::BasicState<Real> extended(const orbit::State& s) {
   return {s.position.cast<Real>(), s.velocity.cast<Real>()};
 }
 
-/// r^(n)(0)/n! of Kepler's motion by Cauchy's integral over a circle in the complex plane would need complex
-/// Stumpff functions; on the real line the polynomial through 31 places of the closed solution has them too.
-/// What it leaves out is (15 d/rho)^(31 - n), d the distance of the places: below 1e-17 of r_0 for n <= 10.
+/// r^(n)(0)/n! of Kepler's motion from the polynomial through 31 points of the closed solution; Cauchy's
+/// integral over a circle in the complex plane would need complex Stumpff functions. Truncation error: (15
+/// d/rho)^(31 - n), d the distance of the points: below 1e-17 of r_0 for n <= 10.
 std::vector<orbit::Vector3<Real>> coefficients_of_the_closed_solution(const Orbit& orbit, int order) {
   constexpr int count = 31;
   const Real d = period_of(orbit) / 4000;
@@ -52,14 +52,14 @@ std::vector<orbit::Vector3<Real>> coefficients_of_the_closed_solution(const Orbi
   return p;
 }
 
-/// |r^(n)|/n! of the dissertation's recursion with Eq. 3.66 so read.
+/// |r^(n)|/n! of the dissertation's recursion with Eq. 3.66 in this reading.
 double size_of_term(const Orbit& orbit, Equation366 reading, int n) {
   const auto found = raw_derivatives<Real>(extended(orbit.start), Real(earth_mu), n, reading);
   return static_cast<double>(
       Real(length(found.back()) / boost::math::factorial<Real>(static_cast<unsigned>(n))));
 }
 
-/// Relative error of r^(n)/n! of the dissertation's recursion with Eq. 3.66 so read.
+/// Relative error of r^(n)/n! of the dissertation's recursion with Eq. 3.66 in this reading.
 std::vector<double> errors_of_recursion(const Orbit& orbit, Equation366 reading, int order) {
   const auto exact = coefficients_of_the_closed_solution(orbit, order);
   const auto found = raw_derivatives<Real>(extended(orbit.start), Real(earth_mu), order, reading);
@@ -73,9 +73,9 @@ std::vector<double> errors_of_recursion(const Orbit& orbit, Equation366 reading,
   return errors;
 }
 
-// Eq. 3.66 prints C(p, 2) where the number p/2 must stand, and no bracket. Both states are at their
-// periapsis, where f' = 0: the first shows in g'', that is in the fourth coefficient (recorded:
-// 20 %), the second where a binomial coefficient is not 1, in the sixth.
+// Eq. 3.66 prints C(p, 2) instead of the number p/2, and lacks a bracket. Both states are at their periapsis,
+// where f' = 0: the first error appears in g'', that is in the fourth coefficient (recorded: 20 %), the
+// second where a binomial coefficient is not 1, in the sixth.
 TEST(Errata, Equation3_66) {
   for (const Orbit& orbit : {low_orbit(), high_orbit()}) {
     const auto corrected = errors_of_recursion(orbit, Equation366::corrected, 10),
@@ -100,7 +100,7 @@ TEST(Errata, Equation3_66) {
   EXPECT_NEAR(errors_of_recursion(low_orbit(), Equation366::literal, 4)[4], 0.2, 0.05);
 }
 
-/// Greatest energy error over orbits in the dissertation's steps.
+/// Largest energy error over orbits in the dissertation's steps.
 double greatest_error(const Orbit& orbit, int orbits, Equation366 reading) {
   orbit::State s = orbit.start;
   const double before = orbit::energy(s, earth_mu), step = period_of(orbit) / orbit.steps;
@@ -112,15 +112,15 @@ double greatest_error(const Orbit& orbit, int orbits, Equation366 reading) {
   return greatest;
 }
 
-// So the program behind the tables had p/2: with the misprint the error is a thousand times the printed one
-// (recorded: 1.9e-3 over five orbits).
+// Hence the program behind the tables used p/2: with the misprint the error is a thousand times the printed
+// one (recorded: 1.9e-3 over five orbits).
 TEST(Errata, Equation3_66InOrbit) {
   EXPECT_NEAR(greatest_error(low_orbit(), 5, Equation366::bracketed), 1.9e-3, 0.05e-3);
   EXPECT_LT(greatest_error(low_orbit(), 5, Equation366::corrected), 1e-8);
 }
 
-// Derivatives and binomial coefficients, in metres and seconds, are the library's normalised coefficients:
-// the same step to rounding of the terms, of which the largest are r and h v.
+// Derivatives and binomial coefficients in metres and seconds agree with the library's normalised
+// coefficients: the same step up to rounding of the terms, the largest of which are r and h v.
 TEST(Recursion, AsPrintedIsTheLibrarys) {
   for (const Orbit& orbit : {low_orbit(), high_orbit()}) {
     orbit::State s = orbit.start;
@@ -139,7 +139,7 @@ TEST(Recursion, AsPrintedIsTheLibrarys) {
   }
 }
 
-// At order 30 in SI units no derivative comes near the ends of doubles: they fall like n!/rho^n.
+// At order 30 in SI units no derivative is near the range of double: they decrease as n!/rho^n.
 TEST(Recursion, RawDerivativesStayWithinDoubles) {
   const Orbit orbit = high_orbit();
   for (const double turns : {0.0, 0.01, 0.1, 0.5}) {
@@ -151,8 +151,8 @@ TEST(Recursion, RawDerivativesStayWithinDoubles) {
   }
 }
 
-// "Combining Eq. (3.61), Eq. (3.66) and Eq. (3.68)": f itself (3.61) has no derivatives in it; with f^(n)
-// held at f for n = 0 and 0 else, g is constant and the orbit a harmonic oscillation. It takes 3.62.
+// "Combining Eq. (3.61), Eq. (3.66) and Eq. (3.68)": f itself (3.61) contains no derivatives; with f^(n) = f
+// for n = 0 and 0 otherwise g is constant and the orbit a harmonic oscillation. 3.62 is needed.
 TEST(Errata, Equation3_62IsMeantWhereTheTextSays3_61) {
   const Orbit orbit = low_orbit();
   const auto exact = coefficients_of_the_closed_solution(orbit, 4);
@@ -165,7 +165,7 @@ TEST(Errata, Equation3_62IsMeantWhereTheTextSays3_61) {
                                                  .tolerance = 1e-12});
 }
 
-/// g^(n + 1) by Eq. 3.66, corrected, from the derivatives of f and of the g that stands on its right.
+/// g^(n + 1) by the corrected Eq. 3.66, from the derivatives of f and of the g on its right-hand side.
 double next_derivative(double p, const std::vector<double>& f, const std::vector<double>& g) {
   const std::size_t n = g.size() - 1;
   double sum = p / 2 * f[1] * g[n], binomial = 1;
@@ -176,9 +176,9 @@ double next_derivative(double p, const std::vector<double>& f, const std::vector
   return -sum / f[0];
 }
 
-// The g of 3.66 and 3.68 carries no index, and 3.63 has one for every p. For f = exp t all derivatives of f
-// at 0 are 1, those of g_p are (-p/2)^n: p = 5 needs g_5 on the right of 3.66. And 3.68 needs g_3: with g_5
-// the second derivative is not that of the closed solution.
+// The g of 3.66 and 3.68 has no index, although 3.63 has one for every p. For f = exp t all derivatives of f
+// at 0 are 1, those of g_p are (-p/2)^n: p = 5 needs g_5 on the right-hand side of 3.66. 3.68 needs g_3: with
+// g_5 the second derivative differs from that of the closed solution.
 TEST(Errata, IndexOfG) {
   const auto powers = [](double p) { return std::vector{1.0, -p / 2, p * p / 4, -p * p * p / 8}; };
   tests::expect_erratum("two_body_series-3.66-index",
@@ -195,8 +195,8 @@ TEST(Errata, IndexOfG) {
                                                  .tolerance = 1e-12});
 }
 
-// The textbook form of Lagrange's F and G against Kepler's problem in 50 digits: eps times what twenty orbits
-// amplify (kappa).
+// The textbook form of Lagrange's F and G against Kepler's problem in 50 digits: eps times the amplification
+// of twenty orbits (kappa).
 TEST(TextbookForm, IsKeplersMotion) {
   for (const Orbit& orbit : {low_orbit(), high_orbit()}) {
     for (const double turns : {0.01, 0.3, 0.5, 1.0, 7.77, 20.0}) {
@@ -212,7 +212,7 @@ TEST(TextbookForm, IsKeplersMotion) {
   }
 }
 
-// Two-norms, not root mean squares: over twice the orbits a linearly growing error has 2^1.5 times the norm.
+// 2-norms, not root mean squares: over twice the orbits a linearly growing error has 2^1.5 times the norm.
 TEST(Norm, IsTheRootOfTheSum) {
   EXPECT_EQ(norm_of({3, 4}), 5);
   EXPECT_EQ(norm_of({}), 0);

@@ -1,5 +1,5 @@
-/// What the chapter's own studies claim: that steps beyond the radius of convergence diverge, and that units
-/// do not matter.
+/// Statements of the chapter's studies: steps beyond the radius of convergence diverge, and units have no
+/// influence.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -18,7 +18,7 @@ namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
-/// |dr|/a after one step of a share of an orbit from the periapsis.
+/// |dr|/a after one step of a fraction of an orbit from the periapsis.
 double error_of_a_step(double eccentricity, int steps, int order) {
   const orbit::State start = on_ellipse(eccentricity);
   const double step = revolution / steps;
@@ -46,7 +46,7 @@ TEST(Ellipses, AreWhereTheyShouldBe) {
   EXPECT_EQ(position_error(far, 0, 1, far.position), 0);
 }
 
-// Scaling by powers of two touches no digit; by other numbers it rounds mu, the time and six components.
+// Scaling by powers of two changes no digit; other factors round mu, the time and six components.
 TEST(Units, DoNotMatter) {
   EXPECT_EQ(difference_between_units(0x1p23, 0x1p10), 0);
   EXPECT_EQ(difference_between_units(0x1p-40, 0x1p-33), 0);
@@ -55,7 +55,7 @@ TEST(Units, DoNotMatter) {
   EXPECT_LE(difference_between_units(1000, 1), 16 * rounding_between_units());
 }
 
-// The propagators as integrators in general give what they give by themselves, and observers see every step.
+// The propagators as integrators give the results of direct calls, and observers receive every step.
 TEST(Propagators, AsIntegrators) {
   const ivp::System system(problems::TextProblem("two-body", {{"mu", 1}}));
   const orbit::State start = on_ellipse(0.7, 1);

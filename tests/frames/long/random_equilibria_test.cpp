@@ -1,4 +1,4 @@
-/// Ten thousand random toggles: for the nightly run.
+/// Ten thousand random toggles, for the nightly tests.
 #include "tests/frames/random_equilibria.hpp"
 
 namespace nlmech::frames::random_equilibria_test {

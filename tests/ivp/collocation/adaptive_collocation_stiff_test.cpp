@@ -1,4 +1,4 @@
-// adaptive-collocation where equations are stiff.
+// adaptive-collocation on stiff equations.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ AdaptiveCollocation to(double relative, double absolute) {
   return {.relative_tolerance = relative, .absolute_tolerance = absolute};
 }
 
-/// Digits of the largest error relative to each component.
+/// Correct digits of the component with the largest relative error.
 template <class X>
 double digits(const X& x, const std::vector<double>& exact) {
   double error = 1e-16;
@@ -29,11 +29,11 @@ double digits(const X& x, const std::vector<double>& exact) {
   return -std::log10(error);
 }
 
-// Digits that an end may lack of those asked: each of some hundred steps errs by a tolerance, and earlier
-// errors fade.
+// Digits that the end state may lack compared with the tolerance: each of some hundred steps adds an error of
+// one tolerance, and earlier errors decay.
 constexpr double lost = 1.5;
 
-/// A fast and a slow rate along the axes (0.8, 0.6) and (-0.6, 0.8).
+/// A linear system with a fast and a slow rate along the axes (0.8, 0.6) and (-0.6, 0.8).
 System turned_rates(double fast, double slow) {
   return testing::typed(fmt::format(
       "along = -fast (0.8 x + 0.6 y); across = -slow (0.8 y - 0.6 x); fast = {:.17g}; slow = {:.17g}\n"
@@ -41,14 +41,14 @@ System turned_rates(double fast, double slow) {
       fast, slow));
 }
 
-// The sweeps of the first steps part so quickly that states overflow before a slope does.
+// Picard sweeps of the first steps diverge so quickly that states overflow before a slope does.
 TEST(StiffAdaptiveCollocation, SweepsThatOverflowAreNoSolution) {
   for (const double fast : {1e6, 1e9, 1e12}) {
     const double end = 0.1, slow = 0.3;
     const auto s = integrate(turned_rates(fast, slow), {-0.6, 0.8}, 0, end, to(1e-11, 1e-11));
     ASSERT_TRUE(s.status.ok()) << s.status.text();
     const State exact = std::exp(-slow * end) * State{-0.6, 0.8};
-    // 30 tolerances, and the rounding of the axes.
+    // 30 tolerances, and the rounding error of the axes.
     EXPECT_LT((s.x - exact).cwiseAbs().maxCoeff(), 30 * 1e-11 + 4 * eps) << fast;
   }
 }
@@ -83,9 +83,9 @@ TEST(StiffAdaptiveCollocation, VanDerPolThousand) {
   }
 }
 
-// Components of 1e-4 to 1e-2, under absolute tolerances a hundredth of the smallest and less; a fast reaction
-// comes to its end just before that of the interval. Published to 14 digits. With an estimate of lower order
-// than the end, held against a power of the tolerance, this lost up to five digits.
+// Components of 1e-4 to 1e-2 with absolute tolerances of at most a hundredth of the smallest; a fast reaction
+// ends just before t1. Published to 14 digits. An estimate of lower order than the solution, compared with a
+// power of the tolerance, lost up to five digits.
 TEST(StiffAdaptiveCollocation, Hires) {
   const auto exact = published_end_state("HIRES");
   ASSERT_EQ(exact.size(), 8U);
@@ -101,7 +101,7 @@ TEST(StiffAdaptiveCollocation, Hires) {
   }
 }
 
-/// Counts its evaluations in double.
+/// Van der Pol's equation that counts its evaluations in double.
 struct Counted {
   static constexpr int dimension = Eigen::Dynamic;
   std::int64_t* count;
@@ -121,7 +121,7 @@ TEST(StiffAdaptiveCollocation, CountsEveryRightHandSide) {
   EXPECT_EQ(s.statistics.right_hand_sides, count);
 }
 
-// The stiff spring and the hardest oscillator against Taylor series and Jacobi's functions.
+// A stiff spring against a Taylor series, and the hardest Duffing oscillator against Jacobi's functions.
 TEST(StiffAdaptiveCollocation, StructuresThatVibrateFast) {
   const problems::TextProblem chain("three-dof", {{"k1", 1e8}});
   const State end = testing::reference(chain, State::Zero(6), 0, 2);
@@ -135,13 +135,14 @@ TEST(StiffAdaptiveCollocation, StructuresThatVibrateFast) {
     const auto fast = integrate(System(hard.text()), {1, 0}, 0, 10 * P, to(tolerance, tolerance));
     ASSERT_TRUE(fast.status.ok()) << fast.status.text();
     const State exact = oracle::duffing(10 * P, hard);
-    // In the units of the motion, time 1/sqrt(eta), this is ten periods of an oscillator like Table 4.1's.
+    // In the time unit 1/sqrt(eta) of this motion the interval is ten periods of an oscillator like that of
+    // Table 4.1.
     const double bound = static_cast<double>(fast.statistics.steps) * (tolerance + eps) * 75;
     EXPECT_LT(std::abs(fast.x[0] - exact[0]), bound) << tolerance;
   }
 }
 
-// Sweeps before the leap, Newton on the branch, and back again: a stiff problem that becomes gentle.
+// A stiff problem that becomes non-stiff: Newton's iteration first, then a return to sweeps.
 TEST(StiffAdaptiveCollocation, ComesBackToSweeps) {
   const System system = testing::typed("x' = cos(t) - 1e5 exp(-t) (x - sin(t))");
   const auto stiff = integrate(system, State{0.0}, 0, 10, to(1e-8, 1e-8));

@@ -1,5 +1,5 @@
-// adaptive-collocation: what each step promises, at which order, and by which engine. What it owes as others
-// do: every_integrator_test.cpp, integrator_accuracy_test.cpp.
+// adaptive-collocation: local error, order, and iteration of each step. Requirements on all methods:
+// every_integrator_test.cpp, integrator_accuracy_test.cpp.
 #include "nlmech/ivp/collocation/adaptive_collocation.hpp"
 
 #include <fmt/format.h>
@@ -21,7 +21,7 @@ AdaptiveCollocation to(double tolerance, int nodes = 0) {
   return {.relative_tolerance = tolerance, .absolute_tolerance = tolerance, .nodes = nodes};
 }
 
-/// The largest error that a step adds, in tolerances: against the Taylor series from the step's own begin.
+/// Largest local error of a step in tolerances, against a Taylor series from the start of the step.
 template <class Problem>
 double largest_local_error(const Problem& problem, double end, const AdaptiveCollocation& method,
                            std::int64_t* jacobians = nullptr) {
@@ -43,8 +43,8 @@ double largest_local_error(const Problem& problem, double end, const AdaptiveCol
   return largest;
 }
 
-// What a step may add. At the orders that the method chooses, sweeps keep the tolerance, of which they plan
-// with a tenth; more nodes than suit a tolerance take steps of which the estimate knows less.
+// Local errors. With the default number of nodes sweeps meet the tolerance, because the step size aims at a
+// tenth of it; with more nodes than suit the tolerance the estimate is less reliable.
 TEST(AdaptiveCollocation, SweepsKeepTheirTolerance) {
   for (const int nodes : {0, 9, 13, 17}) {
     const double most = nodes == 0 ? 1 : 5;
@@ -56,13 +56,13 @@ TEST(AdaptiveCollocation, SweepsKeepTheirTolerance) {
       check(largest_local_error(problems::TextProblem("three-dof"), 60, method));
       std::int64_t jacobians = 0;
       const double lorenz = largest_local_error(problems::TextProblem("lorenz"), 15, method, &jacobians);
-      if (jacobians == 0) check(lorenz);  // else see the next test
+      if (jacobians == 0) check(lorenz);  // otherwise see the next test
     }
   }
 }
 
-// The estimate carries the defect to the end by the equation's linear part; what it does not see is how that
-// part changes within the step.
+// The error estimate propagates the defect to the end of the step by the linear part of the equation; it
+// neglects the change of the linear part within the step.
 TEST(AdaptiveCollocation, NewtonsStepsThroughLeaps) {
   for (const double tolerance : {1e-3, 1e-5, 1e-7, 1e-9, 1e-11}) {
     std::int64_t jacobians = 0;
@@ -74,7 +74,8 @@ TEST(AdaptiveCollocation, NewtonsStepsThroughLeaps) {
   }
 }
 
-// A slope of degree 2s - 2 in time alone is integrated exactly by s nodes, and no more: the order is 2s - 1.
+// Quadrature with s nodes is exact for slopes of degree 2s - 2 in time, and not for 2s - 1: the order is 2s -
+// 1.
 TEST(AdaptiveCollocation, QuadratureOfRadau) {
   const auto error = [](int degree, int nodes) {
     const std::string n = std::to_string(degree);
@@ -92,8 +93,8 @@ TEST(AdaptiveCollocation, QuadratureOfRadau) {
   EXPECT_LT(error(30, 17), 16 * eps);
 }
 
-// Newton's steps between their ends: the trial function, of order s + 1 where the end is of 2s - 1, on the
-// smooth branch of van der Pol.
+// Dense output of Newton's steps: the collocation polynomial has order s + 1, where the end of a step has
+// order 2s - 1; on the smooth branch of van der Pol's equation.
 TEST(AdaptiveCollocation, DenseOutputOfStiffSteps) {
   const problems::TextProblem problem("van-der-pol", {{"mu", 100}});
   const problems::ReferenceTrajectory<long double, problems::TextProblem> reference(problem, {2, 0}, 0, 60);
@@ -113,8 +114,8 @@ TEST(AdaptiveCollocation, DenseOutputOfStiffSteps) {
   EXPECT_LT(largest, 1e-5);  // 0.1 tol^((s+1)/2s) for s = 5 is 4e-7 a step
 }
 
-// Gaussians at the same nodes: they keep their promise with more steps, and where they are wide against the
-// step they are the polynomials.
+// Gaussians at the same nodes meet the tolerance with at least as many steps as polynomials; wide Gaussians
+// approach the polynomials.
 TEST(AdaptiveCollocation, Gaussians) {
   const double end = oracle::duffing_period;
   const State exact = oracle::duffing(end);
@@ -135,27 +136,28 @@ TEST(AdaptiveCollocation, Gaussians) {
 
 // ------------------------------------------------------------ edges
 
-/// x = sin(w t) from 0.
+/// The solution from x = 0 is sin(w t).
 System driven(double frequency) {
   return testing::typed(fmt::format("x' = w cos(w t) - (x - sin(w t)); w = {:.17g}", frequency));
 }
 
-// A step starts from the polynomial of the one before, which twice as far on may be a thousand times as large
-// as any state. A tolerance relative to that guess would let errors grow from step to step.
+// The initial guess of a step extrapolates the polynomial of the step before; at twice the distance it may be
+// a thousand times as large as any state. A tolerance relative to that guess would let errors grow from step
+// to step.
 TEST(AdaptiveCollocation, NoToleranceFollowsAGuess) {
   for (const double tolerance : {1e-2, 1e-3, 1e-5, 1e-7}) {
     for (int k = 0; k < 60; ++k) {
       const double frequency = 5 + 0.41 * k, end = 14.2;
       const auto s = integrate(driven(frequency), State{0.0}, 0, end, to(tolerance));
       ASSERT_TRUE(s.status.ok()) << s.status.text();
-      // Errors fade in a unit of time, in which there is a step of two tolerances (|x| <= 1) or a few.
+      // Errors decay in a unit of time, which contains a step of two tolerances (|x| <= 1) or a few steps.
       EXPECT_LT(std::abs(s.x[0] - std::sin(frequency * end)), 10 * tolerance)
           << frequency << ' ' << tolerance;
     }
   }
 }
 
-// An unannounced jump makes the estimate shorten steps around it, and costs no more than the tolerance.
+// At a jump that is not announced the estimate shortens the steps; the error stays near the tolerance.
 TEST(AdaptiveCollocation, FindsUnannouncedJumps) {
   const testing::Unannounced<testing::JumpingForce> problem;
   const auto s = integrate(System(problem), State{0, 0}, 0, 1, to(1e-8));

@@ -23,20 +23,20 @@ double error_at_five(const Method& method) {
   return distance(s.x, oracle::duffing(5));
 }
 
-// 32 steps over t = 5 with 7 nodes: 1.1e-9 and 3.3e-15 are recorded.
+// 32 steps over t = 5 with 7 nodes: the recorded errors are 1.1e-9 and 3.3e-15.
 TEST(PolynomialCollocation, RadauBeatsLobattoWithTheSameUnknowns) {
   const double lobatto = error_at_five(PolynomialCollocation{.step = 5.0 / 32, .nodes = 7});
   const double radau = error_at_five(
       PolynomialCollocation{.step = 5.0 / 32, .nodes = 7, .points = NodeFamily::left_end_and_radau});
   EXPECT_NEAR(lobatto, 1.1e-9, 0.1e-9);
-  EXPECT_LT(radau, 60 * eps);  // rounding of 32 steps
+  EXPECT_LT(radau, 60 * eps);  // rounding errors of 32 steps
 }
 
 // The solution is t^6 - t^5 + constant.
 TEST(PolynomialCollocation, ExactForPolynomialsOfItsDegree) {
   const auto s = integrate(testing::typed("x' = 6 t^5 - 5 t^4"), State{1}, 0, 2,
                            PolynomialCollocation{.step = 2, .nodes = 7});
-  EXPECT_NEAR(s.x[0], 64 - 32 + 1, 33 * 50 * eps);  // t^6 - t^5 + 1; the matrix' norm is about 50
+  EXPECT_NEAR(s.x[0], 64 - 32 + 1, 33 * 50 * eps);  // t^6 - t^5 + 1; the norm of the matrix is about 50
 }
 
 TEST(PolynomialCollocation, DenseOutputMeetsTheNodesAndStaysClose) {
@@ -56,8 +56,9 @@ TEST(PolynomialCollocation, DenseOutputMeetsTheNodesAndStaysClose) {
         }
         return true;
       });
-  EXPECT_LT(at_nodes, 1e-13);  // node times round: speed 1.2 times an ulp, magnified by the Lebesgue constant
-  EXPECT_LT(between, 1e-12);   // order 30 at half a period: truncation 1e-14, rounding above it
+  EXPECT_LT(at_nodes,
+            1e-13);  // rounding of the node times: speed 1.2 times an ulp, times the Lebesgue constant
+  EXPECT_LT(between, 1e-12);  // order 30 at half a period: truncation 1e-14, rounding above it
 }
 
 TEST(RbfCollocation, TendsToThePolynomialLimit) {
@@ -71,7 +72,7 @@ TEST(RbfCollocation, DefaultShapeIsTheDissertationsRule) {
   const auto rule = integrate(system, {1, 0}, 0, P, RbfCollocation{.step = P / 2, .nodes = 15});
   const auto given =
       integrate(system, {1, 0}, 0, P, RbfCollocation{.step = P / 2, .nodes = 15, .shape = 14 / (2 * P)});
-  EXPECT_LE(distance(rule.x, given.x), 1e-10);  // one ulp of c times the condition, 3e11
+  EXPECT_LE(distance(rule.x, given.x), 1e-10);  // one ulp of c times the condition number, 3e11
 }
 
 TEST(RbfCollocation, AShortenedStepKeepsTheRelativeShape) {

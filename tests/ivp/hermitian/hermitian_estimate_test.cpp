@@ -1,4 +1,4 @@
-// The estimates of a Hermitian step, the sum of them, and what lies between the ends of a step.
+// Error estimates of a Hermitian step, their sum over all steps, and dense output.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,9 +18,9 @@ namespace {
 using problems::TextProblem;
 using testing::eps;
 
-// Undamped oscillation of amplitude 1 in any phase, one step of z = h omega: the estimate of unresolved steps
-// objects to every one, so that no choice of steps finds lengths at which it is zero. The least value, for z
-// from 1.5 to 1e4, comes from an independent evaluation of the same formula: 0.03, 0.5 and 0.0007.
+// One step of z = h omega on an undamped oscillation of amplitude 1 and any phase: the estimate for
+// unresolved steps is positive for every z, so no sequence of steps avoids it. Its least value for z from 1.5
+// to 1e4 comes from an independent evaluation of the same formula: 0.03, 0.5 and 0.0007.
 TEST(HermitianEstimate, VanishesForNoLengthOfAStep) {
   const double least[] = {0.02, 0.3, 5e-4};
   int row = 0;
@@ -33,8 +33,8 @@ TEST(HermitianEstimate, VanishesForNoLengthOfAStep) {
         HermitianTrial trial(system, pair, {});
         Statistics work;
         ASSERT_TRUE(trial.begin_segment(0, 1, State{std::cos(phase), -z * std::sin(phase)}, work));
-        if (trial.attempt(0, 1, work) != Outcome::success) continue;  // refused in another way
-        // With an absolute tolerance of 1 for positions; velocities count for as much.
+        if (trial.attempt(0, 1, work) != Outcome::success) continue;  // rejected for another reason
+        // The absolute tolerance of positions is 1; velocities have equal weight.
         smallest = std::min(smallest, trial.unresolved(1, 0, false, work));
       }
     }
@@ -43,8 +43,8 @@ TEST(HermitianEstimate, VanishesForNoLengthOfAStep) {
   }
 }
 
-// 1e4 radians at 1e-6: errors of every step are within the tolerance, and those of all steps together are a
-// percent of the state and more. The end is off by 8e-3; that is no success.
+// 1e4 radians with tolerance 1e-6: the error of every step is within the tolerance, but their sum is a
+// percent of the state or more. The end state has an error of 8e-3; the status is a failure.
 TEST(HermitianEstimate, ErrorsThatAddUpAreNoSuccess) {
   const System system(TextProblem("linear", {{"natural_frequency", 1e4}}));
   for (const char* name : {"laier", "argyris"}) {
@@ -52,27 +52,29 @@ TEST(HermitianEstimate, ErrorsThatAddUpAreNoSuccess) {
     EXPECT_EQ(s.status.outcome(), Outcome::not_converged) << name;
     EXPECT_NE(s.status.sentence().find("smaller tolerance"), std::string::npos) << s.status.text();
   }
-  // A smaller tolerance helps, as the sentence says: 1e-8 in each of some 1e5 steps.
+  // A smaller tolerance succeeds, as the message says: 1e-8 in each of some 1e5 steps.
   const auto s = named_integrator("laier", {.tolerance = 1e-8})(system, State{1, 0}, 0, 1, {}, {});
   ASSERT_TRUE(s.status.ok()) << s.status.text();
   EXPECT_NEAR(s.x[0], std::cos(1e4), 1e-8 * static_cast<double>(s.statistics.steps));
 }
 
-// One step would do for a constant force, and a load that makes whole turns in a half of it looks like one.
+// A load that makes whole periods within half of the interval looks like a constant force, for which one step
+// would suffice.
 TEST(HermitianEstimate, SeesALoadThatTurnsWithinTheFirstStep) {
   const TextProblem p(
       "linear", {{"natural_frequency", 1e-3}, {"force", 0.1}, {"frequency", 2 * std::numbers::pi * 528}});
   for (const char* name : {"laier", "argyris", "hoff"}) {
     const auto s = named_integrator(name, {.tolerance = 1e-5})(System(p), State::Zero(2), 0, 1, {}, {});
-    // In exact F (1 - cos)/W^2 = 0, but for steps times tolerance; F/2 is the other answer.
+    // The exact end position F (1 - cos)/W^2 is 0; the tolerance allows steps times tolerance. A constant
+    // force gives F/2.
     EXPECT_TRUE(!s.status.ok() || std::abs(s.x[0]) <= 1e-5 * static_cast<double>(s.statistics.steps))
         << s.x[0];
     EXPECT_LT(std::abs(s.x[0]), 1e-2) << name;
   }
 }
 
-// Velocities within tiny steps: two nearly equal positions, divided by the step, would have an error of
-// eps |q|/h, here 1e-3.
+// Velocities within tiny steps: a difference of two nearly equal positions over the step size would have an
+// error of eps |q|/h, here 1e-3.
 TEST(HermitianDenseOutput, KeepsVelocitiesInTinySteps) {
   const System system(problems::TextProblem("two-dof"));
   const State x0{1, -0.5, 0.12, 0.3};
@@ -96,9 +98,9 @@ TEST(HermitianDenseOutput, KeepsVelocitiesInTinySteps) {
   }
 }
 
-// Within a step a velocity has, beside the error of the ends, the derivative of what the step's error of the
-// position makes of the quintic: for q'' = t a step by Newmark's operators has h^3/12 of it, and v at a share
-// s 30 s^2 (1 - s)^2 h^2/12.
+// The velocity within a step has, besides the error of the ends, the derivative of the quintic's part that
+// stems from the position error of the step. For q'' = t Newmark's operators have a position error of h^3/12
+// a step, so at the fraction s the velocity error is 30 s^2 (1 - s)^2 h^2/12.
 TEST(HermitianDenseOutput, VelocitiesHaveTheErrorOfTheirPlace) {
   const System system = testing::typed("x'' = t");
   for (const double h : {1e-1, 1e-2}) {
@@ -108,7 +110,7 @@ TEST(HermitianDenseOutput, VelocitiesHaveTheErrorOfTheirPlace) {
         const double t = step.t0 + s * (step.t1 - step.t0);
         step.dense.at(t, x);
         const double off = 30 * s * s * (1 - s) * (1 - s) * h * h / 12;
-        EXPECT_NEAR(std::abs(x[1] - t * t / 2), off, 1e-14) << h << ' ' << t;  // roundings of 1
+        EXPECT_NEAR(std::abs(x[1] - t * t / 2), off, 1e-14) << h << ' ' << t;  // rounding errors of 1
       }
       return true;
     };

@@ -1,4 +1,4 @@
-// Hermitian operators: Laier's Table 1, corrected and as printed, and what a step does to a linear
+// Hermitian operators: Laier's Table 1, corrected and as printed, and the amplification matrix of a linear
 // oscillator.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -17,7 +17,7 @@ using tests::expect_erratum;
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
-/// Motion at both ends of a step.
+/// Positions, velocities and accelerations at both ends of a step.
 struct Ends {
   double q0, q1, v0, v1, a0, a1;
 };
@@ -25,19 +25,19 @@ struct Ends {
 /// The motion t^2 from 1 to 1 + h.
 Ends parabola(double h) { return {1, (1 + h) * (1 + h), 2, 2 * (1 + h), 2, 2}; }
 
-/// The position at the end that an operator without jerks gives. Jerks of a parabola are 0 in any.
+/// The end position that an operator without jerks gives. The jerk of a parabola is 0 in any case.
 double position_at_end(const HermitianOperator& op, const Ends& m, double h) {
   return -(op.A * m.q0 + h * (op.C * m.v0 + op.D * m.v1) + h * h * (op.E * m.a0 + op.F * m.a1)) / op.B;
 }
 
-/// The velocity at the end. @param rate the factor of C and D: h
+/// The end velocity. @param rate the factor of C and D: h
 double velocity_at_end(const HermitianOperator& op, const Ends& m, double h, double rate) {
   return -(op.A * m.q0 + op.B * m.q1 + rate * op.C * m.v0 + h * h * (op.E * m.a0 + op.F * m.a1)) /
          (rate * op.D);
 }
 
-// Laier and Argyris carry q of degree 4, respectively 5 in the first operator, and v of degree 4; the
-// others 2.
+// Laier and Argyris are exact for q of degree 4, respectively 5 in the first operator, and for v of degree 4;
+// the others for degree 2.
 TEST(HermitianOperators, AreOfTheStatedOrder) {
   for (const HermitianPair& pair : hermitian_table) {
     const bool high = pair.name == "laier" || pair.name == "argyris";
@@ -49,7 +49,7 @@ TEST(HermitianOperators, AreOfTheStatedOrder) {
   EXPECT_EQ(residual_on_power(laier.first, 5), -12 + 6 * 5 - 20);  // B + 5 D + 20 F
 }
 
-// Solved for the end, the corrected rows of Newmark, Hoff and Bazzi are the same eight numbers.
+// Solved for the end state, the corrected rows of Newmark, Hoff and Bazzi give the same eight coefficients.
 TEST(HermitianOperators, NewmarkHoffAndBazziAreOne) {
   const HermitianStep n = solved_for_end(newmark_pair);
   for (const HermitianPair& pair : {hoff, bazzi}) {
@@ -69,8 +69,9 @@ TEST(HermitianOperators, NewmarkHoffAndBazziAreOne) {
   EXPECT_EQ(n.va1, 0.5);
 }
 
-// The rows as printed: Newmark's second operator leaves -2 h y' of uniform motion (its A1 and B1 have the
-// wrong sign), Hoff's first one -h^2 y'' (its F has); those of Laier, Bazzi and Argyris leave nothing.
+// The rows as printed: Newmark's second operator has the residual -2 h y' for uniform motion (its A1 and B1
+// have the wrong sign), Hoff's first one -h^2 y'' (its F has the wrong sign); those of Laier, Bazzi and
+// Argyris have none.
 TEST(HermitianOperators, PrintedRowsOfNewmarkAndHoffAreInconsistent) {
   const HermitianOperator newmark = {1, -1, -1, 0, -1. / 4, -1. / 4, 0, 0};
   EXPECT_EQ(residual_on_power(newmark, 1), -2);
@@ -78,7 +79,7 @@ TEST(HermitianOperators, PrintedRowsOfNewmarkAndHoffAreInconsistent) {
   const HermitianOperator hoff_first = {0, 0, 1, -1, 1. / 2, -1. / 2, 0, 0};
   EXPECT_EQ(residual_on_power(hoff_first, 2), -2);  // y'' = 2
   EXPECT_EQ(residual_on_power(hoff.first, 2), 0);
-  // A step of 1 of uniform motion from 1 ends at 2, and one of t^2 at a velocity of 4.
+  // From 1, uniform motion reaches 2 after a step of 1, and t^2 reaches the velocity 4.
   const Ends uniform = {1, 2, 1, 1, 0, 0};
   expect_erratum("hermitian-table-1-newmark", {.printed = position_at_end(newmark, uniform, 1),
                                                .corrected = position_at_end(newmark_pair.second, uniform, 1),
@@ -101,7 +102,7 @@ TEST(HermitianOperators, PrintedRowsOfNewmarkAndHoffAreInconsistent) {
   EXPECT_NE(refusal({"twice", laier.first, laier.first}).find("do not determine"), std::string::npos);
 }
 
-// Equation (1) to the letter, with its mixed signs: only Hoff's first row is consistent with it.
+// Equation (1) as printed, with its mixed signs: only Hoff's first row is consistent with it.
 TEST(HermitianOperators, SignsOfEquationOneAsPrinted) {
   const auto literal = [](const HermitianOperator& p) {
     return HermitianOperator{p.A, -p.B, p.C, p.D, p.E, -p.F, p.G, -p.H};
@@ -116,7 +117,7 @@ TEST(HermitianOperators, SignsOfEquationOneAsPrinted) {
   EXPECT_LT(degree(literal(argyris.first)), 0);
   EXPECT_LT(degree(literal(bazzi.first)), 0);
   EXPECT_EQ(degree(literal(HermitianOperator{0, 0, 1, -1, 1. / 2, -1. / 2, 0, 0})), 3);
-  // With all signs positive, as Eq. (6) uses it.
+  // With all signs positive, as in Eq. (6).
   EXPECT_EQ(degree(laier.first), 4);
   EXPECT_EQ(degree(argyris.first), 5);
   EXPECT_EQ(degree(bazzi.first), 2);
@@ -128,7 +129,7 @@ TEST(HermitianOperators, SignsOfEquationOneAsPrinted) {
   }
 }
 
-// Equation (1), second line: without h at C1 and D1 the velocity at the end depends on the unit of time.
+// Equation (1), second line: without the factor h at C1 and D1 the end velocity depends on the unit of time.
 TEST(HermitianOperators, RatesOfTheSecondLineNeedTheStep) {
   for (const double h : {0.1, 100.}) {
     for (const HermitianOperator& op : {laier.second, argyris.second}) {
@@ -152,7 +153,8 @@ TEST(HermitianOperators, AreFoundByName) {
   }
 }
 
-// The closed forms, derived by computer algebra. Rounding of the quotient: relative, of its terms.
+// The closed forms, derived by computer algebra. Tolerance: rounding errors of the quotient, relative to its
+// terms.
 TEST(Amplification, IsTheRationalFunction) {
   for (double z = 0.01; z < 1e4; z *= 1.03) {
     const double z2 = z * z, z4 = z2 * z2;
@@ -167,7 +169,7 @@ TEST(Amplification, IsTheRationalFunction) {
   }
 }
 
-// Rounding of the coefficients 21/60, 9/60, ... moves the edges by some eps.
+// Rounding of the coefficients 21/60, 9/60, ... shifts the limits by some eps.
 TEST(Amplification, ArgyrisIsUnstableInAWindowAndBeyond) {
   const auto radius = [](double z2) {
     return amplification(solved_for_end(argyris), std::sqrt(z2)).spectral_radius;
@@ -179,9 +181,9 @@ TEST(Amplification, ArgyrisIsUnstableInAWindowAndBeyond) {
   EXPECT_NEAR(radius(12 + d), 1, 8 * eps);
   EXPECT_NEAR(radius(60 - d), 1, 8 * eps);
   EXPECT_GT(radius(60 + d), 1 + 1e-6);
-  EXPECT_NEAR(radius(3.3 * 3.3), 1.13, 0.005);  // the worst of the window
+  EXPECT_NEAR(radius(3.3 * 3.3), 1.13, 0.005);  // the maximum of the window
   EXPECT_NEAR(radius(1e16), 3 + std::sqrt(8), 1e-12);
-  // Damping of a tenth of the critical does not help it.
+  // It is unstable also with a tenth of the critical damping.
   EXPECT_GT(amplification(solved_for_end(argyris), 7.9, 0.1).spectral_radius, 1);
   EXPECT_LT(amplification(solved_for_end(argyris), 7.0, 0.1).spectral_radius, 1);
 }

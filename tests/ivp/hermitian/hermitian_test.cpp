@@ -1,4 +1,4 @@
-// Integration by Hermitian operators: symmetry, one step in closed form, energy, degrees of freedom.
+// Integration by Hermitian operators: symmetry, closed form of one step, energy, degrees of freedom.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -15,8 +15,8 @@ namespace {
 
 using namespace testing;
 
-// f, its derivative along the solution, and both Jacobians, against the same by hand for van der Pol's
-// equation: j = mu (1 - q^2) a - 2 mu q v^2 - v. Rounding of a few terms.
+// f, its derivative along the solution, and both Jacobians, against van der Pol's equation differentiated by
+// hand: j = mu (1 - q^2) a - 2 mu q v^2 - v. Tolerance: rounding errors of a few terms.
 RC_GTEST_PROP(SecondDerivative, IsThatOfVanDerPol, ()) {
   const double q = *rc::gen::inRange(-300, 300) / 100.0, v = *rc::gen::inRange(-300, 300) / 100.0, mu = 2.5;
   const System system(problems::TextProblem("van-der-pol", {{"mu", mu}}));
@@ -35,7 +35,7 @@ RC_GTEST_PROP(SecondDerivative, IsThatOfVanDerPol, ()) {
   RC_ASSERT(near(gx(1, 0), jq) && near(gx(1, 1), jv) && near(gx(0, 0), aq) && near(gx(0, 1), av));
 }
 
-// And of a load: j = -f w sin(w t) - c a - (k + 3 m q^2) v.
+// The same with a load: j = -f w sin(w t) - c a - (k + 3 m q^2) v.
 TEST(SecondDerivative, KnowsTheLoad) {
   const System system(problems::TextProblem(
       "driven-duffing",
@@ -47,8 +47,8 @@ TEST(SecondDerivative, KnowsTheLoad) {
   EXPECT_NEAR(g[1], -0.25 * std::sin(0.6) - 0.4 * a + (1 + 1.5 * 0.49) * 0.3, 8 * eps);
 }
 
-// Laier's Newmark is the library's: the same equations, solved for other unknowns. Newton's tolerance 1e-12 a
-// step, quadratically exceeded.
+// Newmark's row in Laier's table is the method newmark: the same equations for other unknowns. Newton's
+// tolerance of 1e-12 a step is met with quadratic convergence.
 TEST(Hermitian, NewmarksRowIsNewmark) {
   const System system(problems::TextProblem("driven-duffing"));
   const auto ours = integrate(system, State{1, 0}, 0, 10, Hermitian{.operators = newmark_pair, .step = 0.05});
@@ -69,7 +69,7 @@ TEST(Hermitian, TurnsTheLinearOscillator) {
       const State a = integrate(system, State{1, 0}, 0, 1, method).x;
       const State b = integrate(system, State{0, 1}, 0, 1, method).x;
       const auto expected = amplification(solved_for_end(pair), z);
-      // Velocities are z times as large: their rounding comes back into the determinant.
+      // Velocities are z times as large; their rounding errors enter the determinant.
       EXPECT_NEAR((a[0] + b[1]) / 2, expected.half_trace,
                   64 * eps * std::max(1.0, std::abs(expected.half_trace)))
           << pair.name << z;
@@ -78,8 +78,9 @@ TEST(Hermitian, TurnsTheLinearOscillator) {
   }
 }
 
-// There and back again: a symmetric step forgets nothing but rounding. All rows are: q0 and q1, h and -h
-// exchanged, each pair spans the same equations. A fourth-order Runge-Kutta step of that length does forget.
+// Forwards and backwards: a symmetric step is reversible up to rounding errors. All rows are symmetric:
+// exchanging q0 and q1, h and -h gives the same equations. A fourth-order Runge-Kutta step of that size is
+// not reversible.
 TEST(Hermitian, StepsAreSymmetric) {
   const System system(problems::TextProblem("duffing"));
   const auto return_error = [&](const auto& method) {
@@ -87,13 +88,14 @@ TEST(Hermitian, StepsAreSymmetric) {
     const auto back = integrate(system, there.x, 25, 0, method);
     return (back.x - State{1, 0.3}).cwiseAbs().maxCoeff();
   };
-  // Newton's tolerance and rounding, 200 steps, amplified some tens of times.
+  // Tolerance: Newton's tolerance and rounding errors of 200 steps, amplified some tens of times.
   for (const HermitianPair& pair : hermitian_table)
     EXPECT_LT(return_error(Hermitian{.operators = pair, .step = 0.25}), 1e-11) << pair.name;
   EXPECT_GT(return_error(Rk4{.step = 0.25}), 1e-5);
 }
 
-// Bounded energy: the second half of a long run errs no more than the first.
+// The energy error is bounded: that of the second half of a long integration does not exceed that of the
+// first half.
 TEST(Hermitian, EnergyErrorIsBounded) {
   const problems::Duffing problem;
   const double at_first = problem.energy(State{1, 0.3});
@@ -108,11 +110,11 @@ TEST(Hermitian, EnergyErrorIsBounded) {
                           Hermitian{.operators = pair, .step = 0.2}, look)
                     .status.ok());
     EXPECT_LT(second, 1.01 * first) << pair.name;
-    EXPECT_GT(first, 1e-6) << pair.name;  // not exact: the bound would hold for nothing
+    EXPECT_GT(first, 1e-6) << pair.name;  // otherwise the bound would test nothing
   }
 }
 
-// Two degrees of freedom: masses that move as one are two Duffing oscillators, each the other's double.
+// Two degrees of freedom: masses with equal motion are two identical Duffing oscillators.
 TEST(Hermitian, TwoDegreesOfFreedomMoveAsOne) {
   const problems::TextProblem pair("two-dof", {{"damping", 0}, {"force", 0}});
   const problems::TextProblem one("driven-duffing", {{"damping", 0}, {"force", 0}});

@@ -1,6 +1,6 @@
-/// The Taylor series method: tolerances by every order, its two paths, where a series has an end, a gap or
-/// coefficients out of range, jumps, failures, refusals. What it owes as others do:
-/// every_integrator_test.cpp; the problems of its sources: the checks of the chapter algebraic_series.
+/// Taylor series method: tolerance at every order, the inlined form and the tape, poles, gaps and
+/// coefficients beyond the range of double, jumps, failures, refusals. Requirements on all methods:
+/// every_integrator_test.cpp. Problems of its sources: the checks of the chapter algebraic_series.
 #include "nlmech/ivp/series/series.hpp"
 
 #include <gtest/gtest.h>
@@ -16,13 +16,13 @@ namespace {
 
 using namespace testing;
 
-/// Steps chosen by one tolerance.
+/// Adaptive steps with one tolerance.
 Series with_tolerance(double tolerance, int order = 0) {
   return {.relative_tolerance = tolerance, .absolute_tolerance = tolerance, .order = order};
 }
 
-// The norm of the last terms is the tolerance for every step; a step adds less than that, the tolerance times
-// the next term's share, and ten units of time of a damped motion sum them.
+// The norm of the last terms is the tolerance in every step. The local error is smaller by the ratio of the
+// next term; ten units of time of a damped motion sum the errors.
 TEST(Series, MeetsItsTolerance) {
   const Manufactured problem;
   for (const double tolerance : {1e-3, 1e-6, 1e-9, 1e-12, 1e-15}) {
@@ -41,20 +41,20 @@ TEST(Series, OrderFollowsTheTolerance) {
 
 // ------------------------------------------------------------ inlined, and by a tape
 
-// Both sum the same series in another order.
+// Both sum the same series in different order.
 TEST(Series, InlinedAndTapedAgree) {
   const chapters::PlainLorenz lorenz;
   const State x0{0, 1, 0};
   const auto inlined = integrate(Direct(lorenz), x0, 0, 4, with_tolerance(1e-13));
   const auto taped = integrate(System(lorenz), x0, 0, 4, with_tolerance(1e-13));
   EXPECT_TRUE(inlined.status.ok() && taped.status.ok());
-  // Errors of 1e-13 |x|, |x| to 50, grow by exp(0.9 4) = 37.
+  // Errors of 1e-13 |x|, with |x| up to 50, grow by exp(0.9 4) = 37.
   EXPECT_LT((inlined.x - taped.x).cwiseAbs().maxCoeff(), 2e-10);
   EXPECT_LT((inlined.x - reference(lorenz, x0, 0, 4)).cwiseAbs().maxCoeff(), 2e-10);
   EXPECT_EQ(inlined.statistics.steps, taped.statistics.steps);
 }
 
-// Of what a tolerance chooses nothing is left to the tape; with a sanitizer fewer orders are unrolled.
+// Every order that a tolerance chooses is unrolled; with a sanitizer fewer orders are unrolled.
 TEST(Series, TightestToleranceHasTheHighestUnrolledOrder) {
   constexpr int with_sanitizer = 10;
   if (unrolled::most_order == with_sanitizer) GTEST_SKIP();
@@ -86,7 +86,7 @@ TEST(Series, RefusesAnUnannouncedBranch) {
 
 // ------------------------------------------------------------ extremes
 
-// x' = x^2 has the radius of convergence 1/x, and y' = y^3 ends at t = 1/2, by whatever order.
+// x' = x^2 has the radius of convergence 1/x, and y' = y^3 has a pole at t = 1/2, at any order.
 TEST(Series, NoChosenStepIsLongerThanTheRadiusOfConvergence) {
   const System pole = typed("x' = x^2"), blow_up(problems::TextProblem("blow-up"));
   for (const int order : {2, 8, 20, 40, 100}) {
@@ -104,7 +104,7 @@ TEST(Series, NoChosenStepIsLongerThanTheRadiusOfConvergence) {
   }
 }
 
-// From t = 0 the series of x' = t^20 to order 10 is zero: the slope at the end gives it away.
+// From t = 0 the series of x' = t^20 to order 10 is zero: the slope at the end of the step detects it.
 TEST(Series, DoesNotTakeAGapForAPolynomial) {
   const System gap = typed("x' = t^20");
   const auto s = integrate(gap, State{0.0}, 0, 2, with_tolerance(1e-9, 10));
@@ -114,7 +114,7 @@ TEST(Series, DoesNotTakeAGapForAPolynomial) {
   EXPECT_EQ(integrate(gap, State{0.0}, 0, 2, with_tolerance(1e-9, 23)).statistics.steps, 1);
 }
 
-// Coefficient 40 of cos(1e9 t) is 1e360/40!: it is kept in units of the step.
+// Coefficient 40 of cos(1e9 t) is 1e360/40!: coefficients are scaled by the step size.
 TEST(Series, CoefficientsBeyondTheRangeOfDouble) {
   const Oscillator fast{.frequency = 1e9};
   for (const int order : {20, 40, 100}) {

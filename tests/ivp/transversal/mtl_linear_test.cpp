@@ -25,7 +25,7 @@ State exact(const TextProblem& p, const State& x0, double t) {
       static_cast<long double>(p.parameter("force")) / Complex(w * w - wf * wf, 2 * zeta * w * wf);
   const Complex root(-zeta * w, w * std::sqrt(1 - zeta * zeta));
   const long double x = x0[0] - c.real(), v = x0[1] - (i * wf * c).real();
-  // The rest: the real part of d exp(root t).
+  // Transient: the real part of d exp(root t).
   const Complex d(x, (root.real() * x - v) / root.imag());
   const Complex free = d * std::exp(root * static_cast<long double>(t));
   const Complex forced = c * std::exp(i * wf * static_cast<long double>(t));
@@ -33,8 +33,8 @@ State exact(const TextProblem& p, const State& x0, double t) {
           static_cast<double>((root * free + i * wf * forced).real())};
 }
 
-// "Exact" for every step: what is left are roundings. A block of p steps makes some 10 (1 + w h) eps of its
-// own, relative to the scale (1, w) of the state, and undamped they add up over the blocks.
+// Exact for every step size up to rounding errors: a block of p steps makes some 10 (1 + w h) eps, relative
+// to the scale (1, w) of the state, and without damping they add up over the blocks.
 TEST(Mtl, LinearProblemsAreExact) {
   const State x0{1, 0.5};
   for (const double w : {1e-3, 1., 30., 1e3}) {
@@ -58,7 +58,7 @@ TEST(Mtl, LinearProblemsAreExact) {
   }
 }
 
-// At resonance the particular solution grows with time; a formula that divides by w^2 - W^2 has nothing.
+// At resonance the particular solution grows with time; a formula with the denominator w^2 - W^2 fails.
 TEST(Mtl, ResonanceIsExact) {
   const TextProblem problem("linear", {{"force", 1}, {"frequency", 1}});
   const auto s = integrate(System(problem), State{0, 0}, 0, 30, Mtl{.step = 0.5, .points = 3});
@@ -66,7 +66,7 @@ TEST(Mtl, ResonanceIsExact) {
   EXPECT_NEAR(s.x[1], (std::sin(30.) + 30 * std::cos(30.)) / 2, 2e3 * eps);
 }
 
-// An oscillation of which the block sees many periods is there between the points.
+// Dense output resolves an oscillation with many periods in one block.
 TEST(Mtl, DenseOutputOfAFastOscillation) {
   const TextProblem problem("linear", {{"natural_frequency", 100}});
   double worst = 0;
@@ -80,7 +80,7 @@ TEST(Mtl, DenseOutputOfAFastOscillation) {
     return true;
   };
   static_cast<void>(integrate(System(problem), State{1, 0}, 0, 6, Mtl{.step = 0.5, .points = 3}, observe));
-  EXPECT_LE(worst, 20 * 600 * eps);  // 600 rad, each rounded
+  EXPECT_LE(worst, 20 * 600 * eps);  // 600 rad, each with a rounding error
 }
 
 }  // namespace

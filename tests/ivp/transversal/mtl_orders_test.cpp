@@ -1,4 +1,5 @@
-/// Multi-step transversal linearisation: the orders of its bases, and what its error goes with.
+/// Multi-step transversal linearisation: the orders of its bases, and the dependence of its error on the
+/// nonlinearity.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -21,7 +22,8 @@ double error_of(const TextProblem& problem, const State& exact, double end, cons
   return oracle::distance(s.x, exact);
 }
 
-// x'' + 0.1 x' + x + x^3 = cos t to t = 12: the order from the last of some halvings, all errors above 1e-12.
+// x'' + 0.1 x' + x + x^3 = cos t to t = 12: the observed order is that of the last of some halvings with
+// errors above 1e-12.
 TEST(Mtl, ObservedOrders) {
   const TextProblem problem("driven-duffing", {{"damping", 0.1}});
   const State exact = testing::reference(problem, {1, 0}, 0, 12);
@@ -54,7 +56,7 @@ TEST(Mtl, InterpoletsAreOfSecondOrder) {
   }
 }
 
-// With straight lines a step depends on the one before alone, however many are solved at once.
+// With linear interpolation a step depends only on the step before, however many steps are solved together.
 TEST(Mtl, InterpoletsOfThreePointsAreThreeStepsOfOne) {
   const TextProblem problem("driven-duffing", {{"damping", 0.1}});
   const auto one = integrate(System(problem), State{1, 0}, 0, 3,
@@ -65,7 +67,7 @@ TEST(Mtl, InterpoletsOfThreePointsAreThreeStepsOfOne) {
   EXPECT_NEAR(one.x[1], three.x[1], 100 * eps);
 }
 
-// First order in form.
+// Equations in first-order form.
 TEST(Mtl, FirstOrderProblems) {
   const problems::TextProblem problem("lorenz");
   const State exact = testing::reference(problem, problems::TextProblem("lorenz").initial_state(), 0, 1);
@@ -78,8 +80,7 @@ TEST(Mtl, FirstOrderProblems) {
   EXPECT_NEAR(std::log2(error(1. / 300) / error(1. / 600)), 4, 0.1);
 }
 
-// The linear part and the load are solved exactly, so a weak nonlinearity is all there is of an error: it
-// goes with the hardening.
+// The linear part and the load are solved exactly, so the error is proportional to the hardening.
 TEST(Mtl, ErrorGoesWithTheNonlinearity) {
   const auto error = [](double hardening) {
     const TextProblem problem("driven-duffing", {{"damping", 0.1}, {"hardening", hardening}});

@@ -1,4 +1,4 @@
-/// Multi-step transversal linearisation: several degrees of freedom, symmetry, dense output, its estimate.
+/// Multi-step transversal linearisation: several degrees of freedom, symmetry, dense output, error estimate.
 /// Stiff and fast problems: the scene extremes of the chapter transversal.
 #include "nlmech/ivp/transversal/mtl.hpp"
 
@@ -22,8 +22,7 @@ using testing::refusal;
 
 // ------------------------------------------------------------ more degrees of freedom
 
-// Two masses that move as one, or against each other, are Duffing oscillators with the stiffness 1 or 1 + 2
-// s.
+// Two masses with equal or opposite motion are Duffing oscillators with the stiffness 1 or 1 + 2 s.
 TEST(Mtl, TwoDegreesOfFreedom) {
   const TextProblem problem("two-dof", {{"damping", 0}, {"coupling", 0.5}, {"force", 0}});
   for (const int sign : {1, -1}) {
@@ -32,7 +31,7 @@ TEST(Mtl, TwoDegreesOfFreedom) {
     const auto s =
         integrate(System(problem), State{1, 1. * sign, 0, 0}, 0, 5, Mtl{.step = 0.01, .points = 5});
     ASSERT_TRUE(s.status.ok()) << s.status.text();
-    // Order 6, of the size of (w h)^6 = 1e-12 a period, and 100 blocks of roundings.
+    // Order 6: errors of about (w h)^6 = 1e-12 a period, and rounding errors of 100 blocks.
     EXPECT_NEAR(s.x[0], exact[0], 1e-10);
     EXPECT_NEAR(s.x[2], exact[1], 1e-10);
     EXPECT_NEAR(s.x[1], sign * exact[0], 1e-10);
@@ -40,9 +39,10 @@ TEST(Mtl, TwoDegreesOfFreedom) {
   }
 }
 
-// ------------------------------------------------------------ what is conserved
+// ------------------------------------------------------------ conserved quantities
 
-// There and back: time-symmetric with a fixed linear part, and not with one taken at the start of a block.
+// Forwards and backwards: the method is time-symmetric with a fixed linear part, and not with one taken at
+// the start of a block.
 TEST(Mtl, SymmetricInTime) {
   const TextProblem problem("driven-duffing");
   const auto gap = [&](MtlLinear linear, int p) {
@@ -53,15 +53,15 @@ TEST(Mtl, SymmetricInTime) {
     return oracle::distance(back.x, State{1, 0});
   };
   for (int p = 1; p <= 6; ++p) {
-    // Roundings of 120 steps, which the motion amplifies some ten times.
+    // Rounding errors of 120 steps, which the motion amplifies some ten times.
     EXPECT_LE(gap(MtlLinear::given, p), 1e4 * eps) << p;
     EXPECT_LE(gap(MtlLinear::zero, p), 1e4 * eps) << p;
   }
   EXPECT_GT(gap(MtlLinear::jacobian, 3), 1e-8);
 }
 
-// x'' + x + x^3 = 0, h = 0.1, to t = 600: the largest error of the energy at ends of blocks is
-// recorded, and it is there in the first tenth as in the last: no drift.
+// x'' + x + x^3 = 0, h = 0.1, to t = 600: the largest energy error at ends of blocks is recorded. It is equal
+// in the first tenth and the last: no drift.
 TEST(MtlEnergy, IsBounded) {
   const problems::Duffing problem;
   const double known[] = {1.4e-3, 3.8e-5, 4.4e-5, 4.8e-6, 2.3e-6};
@@ -105,7 +105,7 @@ TEST(Mtl, BlocksAreNotSymplectic) {
 
 // ------------------------------------------------------------ dense output
 
-// It meets the states at the points. Within a block, and at its inner points, it is of the order p + 1.
+// Dense output equals the states at the points; within a block and at its inner points it has order p + 1.
 TEST(Mtl, DenseOutputIsTheLinearisedSolution) {
   const TextProblem problem("driven-duffing", {{"damping", 0.1}});
   const problems::ReferenceTrajectory<long double, TextProblem> reference(problem, {1, 0}, 0, 6);
@@ -128,11 +128,11 @@ TEST(Mtl, DenseOutputIsTheLinearisedSolution) {
   const auto s = integrate(System(problem), State{1, 0}, 0, 6, Mtl{.step = 0.05, .points = 4}, observe);
   ASSERT_TRUE(s.status.ok());
   EXPECT_EQ(at_points, 0);
-  // The error at the ends, and h^5 for the interpolation within.
+  // The error at the ends, and h^5 for the interpolation within a block.
   EXPECT_LE(worst, 4 * oracle::distance(s.x, State(reference(6).cast<double>())) + std::pow(0.05, 5));
 }
 
-// ------------------------------------------------------------ stiff problems, and what the estimate says
+// ------------------------------------------------------------ stiff problems, and the error estimate
 
 TEST(MtlStiff, EstimateNamesTheBlock) {
   const auto s = integrate(System(TextProblem("van-der-pol", {{"mu", 10}})), State{2, 0}, 0, 40,
@@ -142,7 +142,7 @@ TEST(MtlStiff, EstimateNamesTheBlock) {
     EXPECT_NE(s.status.sentence().find(word), std::string::npos) << s.status.text();
 }
 
-// On a smooth problem the estimate is an upper bound of what a block adds, and of the order h^(p + 2).
+// On a smooth problem the estimate is an upper bound of the local error of a block, with order h^(p + 2).
 TEST(MtlStiff, EstimateBoundsTheErrorOfABlock) {
   const TextProblem problem("driven-duffing", {{"damping", 0.1}});
   const problems::ReferenceTrajectory<long double, TextProblem> reference(problem, {1, 0}, 0, 2);
@@ -152,7 +152,7 @@ TEST(MtlStiff, EstimateBoundsTheErrorOfABlock) {
       const State exact = reference(p * h).cast<double>();
       const auto end = integrate(System(problem), State{1, 0}, 0, p * h, method);
       const double error = oracle::distance(end.x, exact);
-      // With the error itself as what is allowed, the estimate must object; a thousand times more must do.
+      // A quarter of the error as tolerance is rejected; 20 h^(p + 2) is accepted.
       method.error_tolerance = error / 4;
       EXPECT_EQ(integrate(System(problem), State{1, 0}, 0, p * h, method).status.outcome(),
                 Outcome::wrong_branch)

@@ -1,5 +1,5 @@
-/// Weights of multi-step transversal linearisation: polynomials that they integrate exactly, Newton and
-/// Cotes' rules, the propagator.
+/// Weights of multi-step transversal linearisation: exactness for polynomials, the rules of Newton and Cotes,
+/// the propagator.
 #include "nlmech/ivp/transversal/mtl_weights.hpp"
 
 #include <gtest/gtest.h>
@@ -19,19 +19,19 @@ Eigen::Matrix2d oscillator(double w, double zeta) {
   return (Eigen::Matrix2d() << 0, 1, -w * w, -2 * zeta * w).finished();
 }
 
-// A load t^m, m up to p, is its own interpolating polynomial: a block that begins on x = (t/(p h))^m stays on
-// it. All of them together determine each weight, for slow, fast, damped and growing linear parts.
+// A load t^m with m up to p is its own interpolating polynomial: a block that starts on x = (t/(p h))^m stays
+// on it. All powers together determine each weight, for slow, fast, damped and growing linear parts.
 TEST(MtlWeights, AreExactForPolynomials) {
   const double h = 0.1;
   for (const double z : {0., 1e-8, 0.3, 7., 1e3}) {
     for (const double zeta : {0., 0.1, 5., -0.5}) {
-      if (std::abs(zeta) * z > 40) continue;  // growth or decay by e^40 and more a step: scaled otherwise
+      if (std::abs(zeta) * z > 40) continue;  // growth or decay by e^40 or more a step needs another scale
       for (const int p : {1, 2, 3, 5, 8}) {
         const double w = z / h, end = p * h;
         MtlWeights weights(2, 1, MtlBasis::lagrange, p, {});
         ASSERT_EQ(weights.compute(oscillator(w, zeta), h), Outcome::success);
         for (int m = 0; m <= p; ++m) {
-          const auto power = [&](int k, int times) {  // its derivatives at the point k
+          const auto power = [&](int k, int times) {  // derivatives at the point k
             double value = 1;
             for (int i = 0; i < times; ++i) value *= (m - i) / end;
             return m < times ? 0 : value * std::pow(static_cast<double>(k) / p, m - times);
@@ -47,8 +47,8 @@ TEST(MtlWeights, AreExactForPolynomials) {
               terms += term.norm();
               x += term;
             }
-            // Roundings of all terms; those of a velocity enter the position by the time or by 1/w, and the
-            // exponential is known to roundings of its angle.
+            // Rounding errors of all terms. Those of a velocity enter the position with the factor time or
+            // 1/w; the exponential has the rounding error of its angle.
             const double room = 60 * p * eps * terms * (1 + z) * (1 + zeta * zeta);
             const double time = std::min(end, z > 0 ? 1 / w : end);
             EXPECT_NEAR(x[1], power(l, 1), room) << z << ' ' << zeta << ' ' << p << ' ' << m << ' ' << l;
@@ -62,7 +62,7 @@ TEST(MtlWeights, AreExactForPolynomials) {
 }
 
 // Without spring and damper the velocities are integrals of interpolating polynomials: over all p steps the
-// weights of Newton and Cotes, whose sum is p and not one.
+// weights are those of Newton and Cotes, with the sum p, not 1.
 TEST(MtlWeights, AreNewtonAndCotesWithoutLinearPart) {
   const std::vector<std::vector<double>> rules = {{0.5, 0.5},
                                                   {1. / 3, 4. / 3, 1. / 3},
@@ -82,8 +82,8 @@ TEST(MtlWeights, AreNewtonAndCotesWithoutLinearPart) {
   }
 }
 
-// phi_k(t_i) = delta_ki, and a sum of one everywhere: the conditions on a basis. The printed one, an integral
-// of one over p steps, holds of no Lagrange basis for every h.
+// Conditions on a basis: phi_k(t_i) = delta_ki, and the sum 1 everywhere. The printed condition, an integral
+// of one over p steps, holds for no Lagrange basis at every h.
 TEST(MtlBasis, InterpolatesAndSumsToOne) {
   for (const MtlBasis basis : {MtlBasis::lagrange, MtlBasis::interpolet}) {
     for (int p = 1; p <= 8; ++p) {
@@ -102,7 +102,7 @@ TEST(MtlBasis, InterpolatesAndSumsToOne) {
   }
 }
 
-// The response to a harmonic load, from rest: x'' + w^2 x = cos W t, from t = 0.7 on.
+// Response from rest at t = 0.7 to a harmonic load: x'' + w^2 x = cos W t.
 TEST(MtlPropagator, AnswersHarmonicLoads) {
   const double w = 3, wf = 1.2, t0 = 0.7, tau = 2.5;
   const std::vector<Harmonic> load = {{1, wf, 1, 0}, {1, 0, 0.5, 0}, {1, wf, 0, 0.25}};

@@ -1,4 +1,4 @@
-/// Digits against cost: fronts of runs, who is fastest and what is in colour, labels that are moved apart.
+/// Digits against cost: Pareto fronts, fastest methods, coloured methods, and labels that are moved apart.
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -17,7 +17,8 @@
 namespace nlmech::scene::cost_test {
 namespace {
 
-/// Runs of 2 to @p most digits, that cost @p first seconds and @p growth times more for each further digit.
+/// Runs with 2 to @p most digits: the first costs @p first seconds, each further digit a factor @p growth
+/// more.
 MethodLine line(const std::string& method, double first, double growth, int most, std::size_t group = 0,
                 Side side = Side::ours) {
   MethodLine made{method, group, {}, side};
@@ -27,7 +28,8 @@ MethodLine line(const std::string& method, double first, double growth, int most
   return made;
 }
 
-/// Cheap and of low order, dear and of high order: they meet between six and nine digits.
+/// A cheap method of low order and an expensive one of high order: their fronts cross between six and nine
+/// digits.
 ProblemLines crossing() {
   return {"", {line("low", 1e-3, 2, 9), line("high", 2e-2, 1.1, 12), line("high, N = 5", 3e-2, 1.1, 12)}};
 }
@@ -89,14 +91,14 @@ TEST(Rankings, NeedSomebodyWhoArrives) {
 
 const std::vector<MethodGroup> groups = {{"subject", 0}, {"ours", 1}, {"explicit", 3}, {"implicit", 4}};
 
-/// Methods in colour, in the order of importance.
+/// The coloured methods, most important first.
 std::vector<std::string> names(const std::vector<ProblemLines>& problems) {
   std::vector<std::string> all;
   for (const InColour& c : foreground(groups, problems)) all.push_back(problems[0].lines[c.line].method);
   return all;
 }
 
-/// A dozen methods: too many for all to be in colour.
+/// A dozen methods: more than there are colours.
 std::vector<ProblemLines> field() {
   std::vector<ProblemLines> problems = {
       {"",
@@ -142,12 +144,12 @@ TEST(Foreground, IsAllOfAFew) {
 
 TEST(Foreground, IsNeverMoreThanThereAreColours) {
   std::vector<ProblemLines> many = {{"", {}}};
-  for (int digits = 2; digits <= 15; ++digits)  // each the fastest for its digits
+  for (int digits = 2; digits <= 15; ++digits)  // each is the fastest for its number of digits
     many[0].lines.push_back(line("m" + std::to_string(digits), 0.1 * digits, 1.01, digits, 1));
   EXPECT_EQ(names(many).size(), method_looks.size());
 }
 
-// On either problem the other method is the best of its kind, on the second by more digits.
+// In either problem another method is the best of its kind; in the second one by more digits.
 TEST(Foreground, CountsAllProblemsTogether) {
   auto problems = field();
   problems.push_back(problems[0]);
@@ -160,7 +162,7 @@ TEST(Foreground, CountsAllProblemsTogether) {
 TEST(Foreground, CountsDigitsOnTheOrdinateAlone) {
   auto problems = field();
   problems[0].lines[4] =
-      line("explicit", 0.01, 3, 9, 2, Side::peer);  // ahead, and at its end before the other
+      line("explicit", 0.01, 3, 9, 2, Side::peer);  // faster, but with fewer digits at most
   const auto best = [&](double least) {
     return problems[0].lines[foreground(groups, problems, least)[1].line].method;
   };
@@ -168,7 +170,7 @@ TEST(Foreground, CountsDigitsOnTheOrdinateAlone) {
   EXPECT_EQ(best(8), "slow explicit") << "nine digits against ten, eleven and twelve";
 }
 
-// ---- How much a method gives for how little time: digits of runs, and the front through them.
+// ---- Digits against run time: runs, and the Pareto front through them.
 
 Attempt run(std::optional<double> error, double seconds) {
   return {"", "", error, {seconds, seconds, seconds, 1}};
@@ -211,7 +213,7 @@ TEST(AFront, IsStraightInTheLogarithmOfTime) {
   EXPECT_FALSE(front.time(8.1)) << "no run has so many";
 }
 
-// A run that another one beats in both is no part of it; the front rises, in whatever order runs come.
+// A run that another one dominates in both is not on the front; the front increases for any order of runs.
 TEST(AFront, IsMonotone) {
   const Front front(
       {"", 0, {run(1e-9, 4), run(1e-3, 0.5), run(1e-6, 5), run(1e-5, 1), run({}, 0.1), run(1e-2, 0.7)}});
@@ -235,7 +237,7 @@ TEST(AFront, HasNothingOfRunsWithoutDigitsOrTime) {
   EXPECT_FALSE(one.time(4));
 }
 
-// ---- Labels that are moved apart: gaps, order, range, and the least way.
+// ---- Labels that are moved apart: gaps, order, range, and smallest displacement.
 
 using Places = std::vector<double>;
 

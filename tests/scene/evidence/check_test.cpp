@@ -20,7 +20,7 @@ using tests::TemporaryFolder;
 constexpr double inf = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-/// A source with two chapters, `ours` and `theirs`; tests write the values and measure them.
+/// A source with two chapters, `ours` and `theirs`; tests write and measure the values.
 class Check : public ::testing::Test {
  protected:
   Check() {
@@ -28,7 +28,7 @@ class Check : public ::testing::Test {
         "source,place,chapter,kind,subject,scenes\nbook,table-1,ours,table,x,\nbook,table-2,theirs,table,y,"
         "\n");
   }
-  /// A printed 1 that is expected to be reproduced.
+  /// A row with the printed value 1 and the verdict reproduced.
   static std::string row(const std::string& place_and_row) {
     return place_and_row + ",x,1,1,error,,,reproduced,0.15,made up,,,,\n";
   }
@@ -38,7 +38,7 @@ class Check : public ::testing::Test {
         "erratum,reading\n" +
             rows);
   }
-  /// A scene of one value near 1 that measures a number.
+  /// Adds a scene with one value near 1 that measures a number.
   void measure(const std::string& name, Measured measured) { add(1, {{name, measured}}); }
   void add(double value, const std::map<std::string, Measured>& measured = {}) {
     scenes_.push_back({.name = "scene-" + std::to_string(scenes_.size() + 1), .title = ""});
@@ -72,7 +72,7 @@ TEST_F(Check, JudgesTheValuesOfTheChapterAndNoOthers) {
   EXPECT_TRUE(result.passes());
 }
 
-// A scene that fails costs its own values, and leaves the others with their verdicts.
+// A failing scene loses its own values only; the other values keep their verdicts.
 TEST_F(Check, GoesOnAfterAFailure) {
   publish(row("table-1,a") + row("table-1,b"));
   add_failing("no memory for the picture");
@@ -143,7 +143,7 @@ TEST_F(Check, LeavesWhatThePagesNeed) {
       "book/table-1/t/s,,,context,1,\n");
 }
 
-// A method that diverges where the source prints a number: the page must say what the check said.
+// A method that diverges where the source prints a number: the page shows what the check reported.
 TEST_F(Check, LeavesInfiniteAndUndefinedNumbersAsTheyAre) {
   publish(
       "table-1,inf,x,1,1,error,,,differs,digits,,,,,\n"

@@ -18,7 +18,7 @@ constexpr double inf = std::numeric_limits<double>::infinity();
 using Number = std::optional<double>;
 constexpr Number none = std::nullopt;
 
-/// A printed number, as the columns of the files have it.
+/// A printed number with the columns of the files.
 PublishedValue printed(double value, Verdict expected, std::string nominal = "", std::string inferred = "",
                        std::string tolerance = "0.1", std::string kind = "error") {
   PublishedValue p;
@@ -202,7 +202,7 @@ TEST(Judge, SaysWhatTheNumbersSupportInstead) {
   EXPECT_EQ(instead(printed(1, Verdict::input), 1.01), Verdict::reproduced);
 }
 
-/// A text of the columns `nominal` and `inferred`, seen through `differs`.
+/// A text for the columns `nominal` and `inferred`, tested through `differs`.
 PublishedValue beginning_with(const std::string& words) {
   return printed(1e9, Verdict::differs, words, "", "1e-9");
 }
@@ -229,7 +229,7 @@ TEST(LeadingNumber, OrRangeIsReadOffTheWords) {
   }
 }
 
-// The words then ask for nothing, and any other number than the printed one will do.
+// Without a leading number the text states no value, and any other number than the printed one is accepted.
 TEST(LeadingNumber, IsNoneWhereNoNumberStandsFirst) {
   for (const char* words :
        {"2-cycle, 4.389 lb", "6-7 its", "x3", "3x", "", "distribution: median 100", "1.2.3", "345/2", "1e-6m",
@@ -247,7 +247,7 @@ TEST(Tolerance, OfANumberIsRelative) {
   EXPECT_FALSE(Tolerance("1e-3").allows(1.0011, 1));
 }
 
-// Rounded up, rounded down or cut off: what is printed may have grown by half a unit and lost a whole one.
+// Rounded or truncated: the printed number is at most half a unit too large or one unit too small.
 TEST(Tolerance, OfDigitsIsRoundingOrCuttingOff) {
   const Tolerance digits("digits", "1.18e-4");
   EXPECT_TRUE(digits.allows(1.1899e-4, 1.18e-4));

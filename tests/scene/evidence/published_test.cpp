@@ -80,7 +80,7 @@ TEST(ReadPublished, NamesFileAndLineOfWhatItRefuses) {
             file + ": line 3: 'roughly' is no tolerance");
 }
 
-// A verdict without what it rests on is refused.
+// A verdict without its evidence is refused.
 TEST(ReadPublished, AsksForTheEvidence) {
   const TemporaryFolder folder;
   const auto refused = [&](const std::string& end) {
@@ -144,7 +144,7 @@ TEST(Owner, IsTheChapterOfThePlaceInThatSource) {
 
 std::vector<PublishedValue> all_values() { return read_published(NLMECH_SOURCE_DIR); }
 
-/// The numbers at the beginning of a text, found without the code under test: "4.7..1800 m" has two,
+/// The numbers at the start of a text, parsed independently of the tested code: "4.7..1800 m" has two,
 /// "2-cycle" none.
 std::vector<double> numbers_at_front(const std::string& text) {
   const std::string first = text.substr(0, text.find_first_of(" ;"));
@@ -156,9 +156,9 @@ std::vector<double> numbers_at_front(const std::string& text) {
              : std::vector<double>{};
 }
 
-// The numbers that were found before must support the verdict that stands beside them. A range shows how
-// rounding noise or unstated settings scatter; for a reproduced value the printed number must lie within it
-// or as near as the tolerance says.
+// The recorded numbers must support the verdict of their row. A range shows the scatter due to rounding noise
+// or unstated settings; for a reproduced value the printed number must lie within the range or within the
+// tolerance of it.
 TEST(PublishedFiles, AgreeWithThemselves) {
   int judged = 0;
   for (const PublishedValue& value : all_values()) {
@@ -184,8 +184,8 @@ TEST(PublishedFiles, AgreeWithThemselves) {
   EXPECT_GT(judged, 80);
 }
 
-// "Reproduced" under an inferred reading is a claim about the printed number, whatever range we found
-// ourselves.
+// "Reproduced" under an inferred reading is a statement about the printed number, whatever the measured
+// range.
 TEST(PublishedFiles, InferReadingsThatGiveThePrintedNumber) {
   for (const PublishedValue& value : all_values()) {
     const auto range = numbers_at_front(value.inferred);

@@ -1,5 +1,4 @@
-/// Printed ratios of run times beside ours, and claims about speed: the rules and the files; nothing here is
-/// timed.
+/// Printed and measured ratios of run times, and statements about speed: rules and files; no timing.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -76,7 +75,7 @@ PublishedValue value(const std::string& place, const std::string& row, double nu
   return v;
 }
 
-/// Two methods over two lengths, and an error and another table that must not come in.
+/// Times of two methods in one table; an error and another table that must be ignored.
 std::vector<PublishedValue> published() {
   return {value("table-1", "slow (P/10)", 8, "time", "s"),
           value("table-1", "slow (P/10)", 1e-5, "error", "1"), value("table-1", "own", 2, "time", "s"),
@@ -138,7 +137,7 @@ TEST(Ratios, CompareAClaimWithTheMeanOfItsRows) {
                std::invalid_argument);
 }
 
-/// The names of an object, in their order.
+/// The names of an object in order.
 std::string names_of(const nlohmann::ordered_json& json) {
   std::string names;
   for (const auto& [name, value] : json.items()) names += (names.empty() ? "" : " ") + name;

@@ -53,7 +53,7 @@ TEST(WriteWhole, LeavesAnUnchangedFileAlone) {
   fs::last_write_time(file, old);
   write_whole(file, "1,2\n");
   EXPECT_EQ(fs::last_write_time(file), old);
-  write_whole(file, "1,3\n");  // as long, but other bytes
+  write_whole(file, "1,3\n");  // equal length, other bytes
   EXPECT_NE(fs::last_write_time(file), old);
   EXPECT_EQ(bytes_of(file), "1,3\n");
 }
@@ -73,7 +73,7 @@ TEST(WriteWhole, SaysThatTheNameIsTooLong) {
   EXPECT_TRUE(tests::holds(said, "File name too long"));
 }
 
-// Root may write everywhere: a test that runs as root steps down for a moment.
+// Root may write everywhere: a test that runs as root drops its rights temporarily.
 TEST(WriteWhole, SaysThatTheFolderIsNotWritable) {
   const TemporaryFolder folder;
   fs::create_directory(folder / "closed");
@@ -94,7 +94,7 @@ TEST(WriteWhole, SaysThatTheFolderIsNotWritable) {
 }
 
 TEST(WriteWhole, SaysThatTheFileSystemRefuses) {
-  // Nobody can make a file in /proc, not even root.
+  // No user, not even root, can create a file in /proc.
   const std::string said = tests::thrown<Failure>([] { write_whole("/proc/nlmech.csv", "x"); });
   EXPECT_TRUE(tests::holds(said, "/proc/nlmech.csv: cannot be written: "));
 }
@@ -109,7 +109,7 @@ TEST(ReadWhole, GivesAllBytes) {
 }
 
 TEST(ReadWhole, SaysThatReadingFailed) {
-  // The first page of a process is never mapped: opening its memory works, reading fails.
+  // The first page of a process is never mapped: opening its memory succeeds, reading fails.
   const std::string said = tests::thrown<InputError>([] { return read_whole("/proc/self/mem"); });
   EXPECT_TRUE(tests::holds(said, "/proc/self/mem: "));
 }

@@ -1,5 +1,5 @@
-/// The command line: what is typed reaches its member, or is refused with the option, the text and what is
-/// allowed.
+/// The command line: an option sets its member, or is refused with a message that names the option, the text
+/// and the accepted values.
 #include "nlmech/scene/program/options.hpp"
 
 #include <gtest/gtest.h>
@@ -79,7 +79,7 @@ TEST(Options, RefusalsNameOptionTextAndRange) {
             "--place 1,2: 2 numbers where 3 are needed");
   EXPECT_EQ(refusal(options.add("--list", list, "").range(0, 1), "0.5,2"),
             "--list 0.5,2: must be from 0 to 1");
-  EXPECT_EQ(number, 1);  // what is refused leaves its member alone
+  EXPECT_EQ(number, 1);  // a refused option does not change its member
   EXPECT_EQ(word, "left");
 }
 
@@ -99,7 +99,7 @@ TEST(Options, HelpSaysRangeAndDefault) {
 
 void declare_nothing(Options& /*options*/, int& /*typed*/) {}
 
-// The library's own word, std::bad_alloc, tells a user nothing.
+// The message of the library, std::bad_alloc, does not help a user.
 TEST(Options, ACommandWithoutMemorySaysWhatToChange) {
   Commands commands("program");
   commands.add("work", "takes much", declare_nothing,
@@ -144,7 +144,7 @@ TEST(Typed, SplittingAndJoiningGivesTheTextBack) {
   }
 }
 
-// ---- Manual page and completions: made of the declared options, and understood by those who read them.
+// ---- Manual page and completions: generated from the declared options and accepted by their readers.
 
 struct Typed {
   std::string frame = "fixed";
@@ -186,13 +186,13 @@ TEST(ManualPage, ListsCommandsWithTheirOptions) {
   EXPECT_EQ(page, manual_page(declared(), "Flies", "2.0.0"));
 }
 
-/// What bash offers after these words, of which the last is being typed.
+/// Bash's completions for the command line @p words, whose last word is incomplete.
 std::string offered(const std::string& words, const std::string& last, const std::string& before) {
   namespace fs = std::filesystem;
   const fs::path folder = fs::temp_directory_path() / ("nlmech-completion" + std::to_string(::getpid()));
   fs::create_directories(folder);
   std::ofstream(folder / "completions") << bash_completion(declared());
-  // The program itself, as far as its list of scenes goes.
+  // A replacement for the program that prints its list of scenes.
   std::ofstream(folder / "orbiter") << "#!/bin/sh\nprintf 'Title\\n\\n| scene | place |\\n| :--- | :--- |\\n"
                                        "| moon | a |\\n| fig-2 | b |\\n'\n";
   fs::permissions(folder / "orbiter", fs::perms::owner_all);
@@ -235,7 +235,7 @@ TEST(Aligned, LeavesAsItIsWhatFits) {
 }
 
 TEST(Aligned, CutsTheWidestColumnsFirst) {
-  EXPECT_EQ(aligned(example(), 60),  // 10 + 18 + 19 + 7 characters, and 6 between
+  EXPECT_EQ(aligned(example(), 60),  // 10 + 18 + 19 + 7 characters, and 6 spaces between
             "scene       title               runs                 seconds\n"
             "fig-1       A title that sa...  one two three fo...      0.5\n"
             "table-2.10  \xce\x94\xce\xb8                  one                       12\n");

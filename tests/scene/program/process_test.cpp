@@ -1,4 +1,4 @@
-/// Processes: programs that are run, the end of this one, and turns on the processors of the machine.
+/// Processes: programs that are run, the end of this program, and shared use of the machine's processors.
 #include "nlmech/scene/program/process.hpp"
 
 #include <gtest/gtest.h>
@@ -67,7 +67,7 @@ TEST(RunProgram, NamesTheProgramThatMayNotRun) {
   EXPECT_THROW((void)run_program({(folder / "text").string()}, {}), Failure);
 }
 
-// Each pipe holds 64 KiB: a reader that empties them one after the other would wait for ever.
+// A pipe holds 64 KiB: a reader that reads the pipes one after the other would block for ever.
 TEST(RunProgram, ReadsMuchFromBothPipesAtOnce) {
   const Finished done = shell(
       "i=0; while [ $i -lt 40 ]; do head -c 50000 /dev/zero; head -c 50000 /dev/zero >&2; i=$((i+1)); done");
@@ -86,8 +86,7 @@ TEST(RunProgram, TellsASignalFromAnExit) {
   EXPECT_EQ(shell("kill -TERM $$").exit_code, 128 + SIGTERM);
 }
 
-// A parent that ignores SIGCHLD hands this down: the system then throws the exit code away, and it must not
-// read as 0.
+// A process inherits an ignored SIGCHLD: the system then discards the exit code, which must not count as 0.
 TEST(RunProgram, DoesNotTakeALostExitCodeForSuccess) {
   ASSERT_NE(::signal(SIGCHLD, SIG_IGN), SIG_ERR);
   EXPECT_THROW((void)shell("exit 3"), Failure);
@@ -131,7 +130,7 @@ TEST(ThisProcess, ClearsItsTracesAwayAtItsEnd) {
   EXPECT_TRUE(fs::exists(gone)) << "its trace was given up";
 }
 
-// The act ends the test with 5 if it was cut short.
+// end_process() waits for the end of the critical section.
 TEST(ThisProcess, FinishesTheActUnderWay) {
   const auto end = [] {
     auto act = std::make_unique<CriticalSection>();
@@ -166,7 +165,7 @@ TEST(ThisProcess, SaysWhatItIsDoing) {
   EXPECT_EQ(doing_now(), "computing");
 }
 
-/// Standard error is a terminal as long as this lives.
+/// Redirects standard error to a terminal during its lifetime.
 class ErrorsOnATerminal {
  public:
   ErrorsOnATerminal() : before_(::dup(STDERR_FILENO)) {
@@ -178,7 +177,7 @@ class ErrorsOnATerminal {
   ErrorsOnATerminal(const ErrorsOnATerminal&) = delete;
   ErrorsOnATerminal& operator=(const ErrorsOnATerminal&) = delete;
   ~ErrorsOnATerminal() { static_cast<void>(shown()); }
-  /// All that was written; from here on standard error is what it was before.
+  /// @returns the output, and restores standard error.
   std::string shown() {
     if (before_ < 0) return "";
     ::dup2(before_, STDERR_FILENO);
@@ -222,10 +221,11 @@ TEST(TimeLimit, IsSilentBeforeAndInAPipeAndWhileTheUserTypes) {
   EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
 }
 
-/// A lock of the test's own, and another program that leaves a file where it ends.
+/// A lock file for the test, and another program that reports its end in a file.
 class TheMachine : public ::testing::Test {
  protected:
-  /// Returns once @p hold has given the other program what it holds; that goes on for @p time.
+  /// Starts the other program, which acquires by @p hold and continues for @p time; returns once it has
+  /// acquired.
   pid_t other(const std::function<void(const std::function<void()>&)>& hold,
               std::chrono::milliseconds time = std::chrono::milliseconds(200)) const {
     std::array<int, 2> pipe{};
@@ -281,7 +281,7 @@ TEST_F(TheMachine, LetsNoMoreProgramsComputeThanItHasProcessorsUntilOneEndsOrDie
   }
 }
 
-// The child, once it waits, comes before the next scene of the parent.
+// A waiting child gets the machine before the next scene of the parent.
 TEST_F(TheMachine, IsTakenInTurn) {
   Machine machine(1);
   std::optional<Machine::Processor> processor(machine);
@@ -300,7 +300,7 @@ TEST_F(TheMachine, IsTakenInTurn) {
   ::waitpid(child, nullptr, 0);
 }
 
-// Who waits has the first processor as soon as the program that holds it has few scenes left.
+// A waiting program gets the first processor as soon as the other program has few scenes left.
 TEST_F(TheMachine, IsKeptWithManyScenesLeft) {
   Results results(false);
   results.take_turn(100);
