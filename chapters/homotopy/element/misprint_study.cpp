@@ -12,7 +12,7 @@
 namespace nlmech::chapters::homotopy::misprint_study {
 namespace {
 
-/// Half span and member length read into Table 2.1, and loads.
+/// A reading of l in Table 2.1 (member length or half span) with a load and its printed accuracy.
 struct Case {
   const char* reading;
   double length, load, printed;
@@ -26,11 +26,12 @@ std::vector<Case> cases() {
           {"l is the member's length", 12.94, near_load, near}};
 }
 
-/// The cycle of Newton's iteration with A_nd as printed.
+/// Last two iterates of Newton's iteration with A_nd as printed, which cycles.
 struct Cycle {
   Case setting;
   std::array<double, 2> residual, deflection;  ///< relative; inch
-  double root, consistent, misprinted;         ///< delta, dF/ddelta, and what is taken for it, there
+  double root, consistent,
+      misprinted;  ///< delta of the root; there dF/ddelta, and the tangent by A_nd as printed
 
   [[nodiscard]] double load() const { return setting.load; }
   [[nodiscard]] const char* reading() const { return setting.reading; }
@@ -68,7 +69,7 @@ Cycle cycle(const Case& c) {
           slope(Model::element_printed, c, root)};
 }
 
-/// Newton's map delta - F/K with the tangent of a model.
+/// Newton's map delta - F/K with the tangent K of a model.
 double newton_map(Model model, double deflection) {
   LoadedToggle toggle(model, 0.44, last_load);
   Eigen::VectorXd x = toggle.unknowns(deflection), f(1);
@@ -109,16 +110,17 @@ void draw(const Cycle& c, scene::Show& show) {
 
 void put(const std::vector<Cycle>& all, scene::Show& show) {
   draw(all[0], show);
-  show.table(all, {{"load (lb)", &Cycle::load, 4},
-                   {"reading", &Cycle::reading},
-                   {"|F|/|F(0)|, greater", &Cycle::greater, 5},  // rounding decides which iterations have it
-                   {"lesser", &Cycle::lesser, 5},
-                   {"greater (lb of load)", [](const Cycle& c) { return c.greater() * c.setting.load; }, 5},
-                   {"lesser (lb)", [](const Cycle& c) { return c.lesser() * c.setting.load; }, 5},
-                   {"published", &Cycle::printed, 5},
-                   {"K at the root (lb/in)", &Cycle::consistent, 4},
-                   {"K with A_nd as printed", &Cycle::misprinted, 4},
-                   {"multiplier 1 - K/K'", &Cycle::multiplier, 4}});
+  show.table(all,
+             {{"load (lb)", &Cycle::load, 4},
+              {"reading", &Cycle::reading},
+              {"|F|/|F(0)|, greater", &Cycle::greater, 5},  // even or odd iterations, depending on rounding
+              {"lesser", &Cycle::lesser, 5},
+              {"greater (lb of load)", [](const Cycle& c) { return c.greater() * c.setting.load; }, 5},
+              {"lesser (lb)", [](const Cycle& c) { return c.lesser() * c.setting.load; }, 5},
+              {"published", &Cycle::printed, 5},
+              {"K at the root (lb/in)", &Cycle::consistent, 4},
+              {"K with A_nd as printed", &Cycle::misprinted, 4},
+              {"multiplier 1 - K/K'", &Cycle::multiplier, 4}});
   // oracle: homotopy_williams cycle under *, element 0.44 slope of the half*
   const char *program = "tools/oracles/homotopy_williams.py, all its digits",
              *four = "tools/oracles/homotopy_williams.py, four digits";
