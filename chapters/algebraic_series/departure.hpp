@@ -72,14 +72,14 @@ struct Motion {
 
 /// Selects one component of the solution.
 struct Exact {
-  Eigen::Index i;  ///< which
-  /// Its value.
+  Eigen::Index i;  ///< index of the component
+  /// Value of the component.
   [[nodiscard]] double operator()(const Both& b) const { return b.exact[i]; }
 };
 /// Selects one component of the motion by the printed steps.
 struct Printed {
-  Eigen::Index i;  ///< which
-  /// Its value.
+  Eigen::Index i;  ///< index of the component
+  /// Value of the component.
   [[nodiscard]] double operator()(const Both& b) const { return b.printed[i]; }
 };
 

@@ -16,7 +16,7 @@ struct PrintedCoefficient {
   bool in_height;              ///< true: belongs to h_k; false: to phi_k
   int order;                   ///< k
   int power;                   ///< power of cos(phi_0)^2
-  std::vector<int> by_height;  ///< its coefficients of b^(n-i) h_0^i, i = 0..n
+  std::vector<int> by_height;  ///< coefficients of b^(n-i) h_0^i, i = 0..n
   std::string remark;          ///< correction of a term with a misprint; empty if none was needed
 };
 

@@ -37,7 +37,7 @@ struct Row {
   std::string column;  ///< operators, such as "Laier"
   double step;
   double printed, ours,
-      on_grid;  ///< printed value; computed by dense output (`ours`), and at the ends of steps
+      on_grid;                  ///< `ours` by dense output, `on_grid` at the ends of steps
   double printed_error, error;  ///< errors of `printed` and `ours` against the exact peak
   std::string name;             ///< PublishedValue::name()
 };

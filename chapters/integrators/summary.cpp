@@ -135,7 +135,7 @@ void put(const std::vector<ProblemTrials>& all, scene::Show& show) {
   show.equals("problems with a solution", problems.size(), 22, "those of the list that have a reference");
   double least = infinity;
   for (const ProblemTrials* p : problems) {
-    if (p->kind == Kind::extreme) continue;  // as far as time allows
+    if (p->kind == Kind::extreme) continue;  // their digits are limited by the bounded work
     double most = 0;
     for (const MethodTrials& m : p->methods) {
       for (const Trial& t : m.trials) most = std::max(most, t.success() ? t.digits() : 0);

@@ -22,7 +22,7 @@ using frames::LoadHistory;
 
 constexpr double most_imbalance = 0.01;
 constexpr double most_difference = 0.01;  // from half the step size, relative to the largest displacement
-constexpr int most_halvings = 6;  // of the default step size; 64 times the work, plus one comparison run
+constexpr int most_halvings = 6;  // of the default step size: 64 times the work; comparison: twice that
 constexpr std::size_t most_rows = 1'000'000;
 
 /// Methods that need no derivative of the forces beyond the tangent.

@@ -91,7 +91,7 @@ double difference_from_damped_newton() {
 struct Study {
   std::vector<Census> steps;   ///< over the whole range of step sizes; drawn
   std::vector<Census> window;  ///< over the window of step sizes
-  std::vector<Census> starts;  ///< of Newton's iteration
+  std::vector<Census> starts;  ///< over starts of Newton's iteration
   double window_of_30_low = 0, window_of_30_high = 0;
   double difference = 0;  ///< difference_from_damped_newton()
 };

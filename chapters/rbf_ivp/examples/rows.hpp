@@ -19,7 +19,7 @@ namespace nlmech::chapters::rbf_ivp {
 /// Expected range of an error.
 struct Expected {
   double low = 0;           ///< least value
-  double high = 0;          ///< greatest value
+  double high = 0;          ///< largest value
   const char* reason = "";  ///< source of the range
 
   /// Checks that @p value is in the range.

@@ -43,8 +43,7 @@ void add_claims(scene::TimeRatios& all, const Orbit& orbit,
 
 scene::TimeRatios compare(chapters::Speed& speed) {
   const std::vector<Orbit> all_orbits = {two_body::low_orbit(), two_body::high_orbit()};
-  std::map<std::string, std::map<std::string, std::string>>
-      references;  // the series over the same number of orbits
+  std::map<std::string, std::map<std::string, std::string>> references;  // the series over as many orbits
   for (const Orbit& orbit : all_orbits) {
     for (const int orbits : two_body::revolutions) {
       for (const Propagator propagator : timed) {
