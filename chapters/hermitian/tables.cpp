@@ -36,10 +36,9 @@ struct PeakTable {
 struct Row {
   std::string column;  ///< operators, such as "Laier"
   double step;
-  double printed, ours,
-      on_grid;                  ///< `ours` by dense output, `on_grid` at the ends of steps
-  double printed_error, error;  ///< errors of `printed` and `ours` against the exact peak
-  std::string name;             ///< PublishedValue::name()
+  double printed, ours, on_grid;  ///< `ours`: dense output; `on_grid`: ends of steps
+  double printed_error, error;    ///< errors of `printed` and `ours` against the exact peak
+  std::string name;               ///< PublishedValue::name()
 };
 
 // oracle: transversal_motions Laier's Duffing peak, Laier's van der Pol peak

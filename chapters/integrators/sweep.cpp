@@ -172,8 +172,7 @@ std::optional<double> MethodTrials::seconds_for(double digits) const {
 }
 
 double ProblemTrials::digits_to_expect(double tolerance) const {
-  constexpr double rounding =
-      16 * std::numeric_limits<double>::epsilon();  // accumulated over some hundred steps
+  constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();  // for some hundred steps
   return std::max(0., -std::log10(length * (tolerance * tolerance_condition + rounding * condition)));
 }
 

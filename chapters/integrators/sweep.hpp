@@ -69,7 +69,7 @@ struct WorkLimit {
   int tightest;         ///< -log10 of the last tolerance
   int by;               ///< increment of -log10
   std::int64_t steps;   ///< step limit of a run; lower for fixed steps of many nodes
-  std::int64_t enough;  ///< work_of() a run after which the sweep ends
+  std::int64_t enough;  ///< work_of() of a run above which the sweep ends
 };
 
 /// Sweep of every method on one problem.

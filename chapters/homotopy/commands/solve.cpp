@@ -91,9 +91,8 @@ algebraic::Report run(const algebraic::NamedSolver& method, algebraic::Equations
 
 /// Stability of an equilibrium and its relation to the path from rest.
 struct Standing {
-  std::optional<Eigen::Index>
-      unstable;                  ///< number of unstable modes of the whole toggle; nothing if not known
-  frames::TogglePath from_rest;  ///< path up to the load or the first critical point
+  std::optional<Eigen::Index> unstable;  ///< unstable modes of the whole toggle; nothing if unknown
+  frames::TogglePath from_rest;          ///< path up to the load or the first critical point
 };
 
 Standing standing_of(const Loaded& toggle, double height, double load, int elements,

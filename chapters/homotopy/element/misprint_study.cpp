@@ -30,8 +30,7 @@ std::vector<Case> cases() {
 struct Cycle {
   Case setting;
   std::array<double, 2> residual, deflection;  ///< relative; inch
-  double root, consistent,
-      misprinted;  ///< delta of the root; there dF/ddelta, and the tangent by A_nd as printed
+  double root, consistent, misprinted;         ///< delta; dF/ddelta there; tangent with A_nd as printed
 
   [[nodiscard]] double load() const { return setting.load; }
   [[nodiscard]] const char* reading() const { return setting.reading; }
@@ -110,17 +109,16 @@ void draw(const Cycle& c, scene::Show& show) {
 
 void put(const std::vector<Cycle>& all, scene::Show& show) {
   draw(all[0], show);
-  show.table(all,
-             {{"load (lb)", &Cycle::load, 4},
-              {"reading", &Cycle::reading},
-              {"|F|/|F(0)|, greater", &Cycle::greater, 5},  // even or odd iterations, depending on rounding
-              {"lesser", &Cycle::lesser, 5},
-              {"greater (lb of load)", [](const Cycle& c) { return c.greater() * c.setting.load; }, 5},
-              {"lesser (lb)", [](const Cycle& c) { return c.lesser() * c.setting.load; }, 5},
-              {"published", &Cycle::printed, 5},
-              {"K at the root (lb/in)", &Cycle::consistent, 4},
-              {"K with A_nd as printed", &Cycle::misprinted, 4},
-              {"multiplier 1 - K/K'", &Cycle::multiplier, 4}});
+  show.table(all, {{"load (lb)", &Cycle::load, 4},
+                   {"reading", &Cycle::reading},
+                   {"|F|/|F(0)|, greater", &Cycle::greater, 5},  // rounding decides which iterations have it
+                   {"lesser", &Cycle::lesser, 5},
+                   {"greater (lb of load)", [](const Cycle& c) { return c.greater() * c.setting.load; }, 5},
+                   {"lesser (lb)", [](const Cycle& c) { return c.lesser() * c.setting.load; }, 5},
+                   {"published", &Cycle::printed, 5},
+                   {"K at the root (lb/in)", &Cycle::consistent, 4},
+                   {"K with A_nd as printed", &Cycle::misprinted, 4},
+                   {"multiplier 1 - K/K'", &Cycle::multiplier, 4}});
   // oracle: homotopy_williams cycle under *, element 0.44 slope of the half*
   const char *program = "tools/oracles/homotopy_williams.py, all its digits",
              *four = "tools/oracles/homotopy_williams.py, four digits";

@@ -166,10 +166,9 @@ std::optional<std::int64_t> steps_until_divergence(double periods, int order) {
 }
 
 struct Limits {
-  std::vector<PhaseLimits> duffing;  ///< one per order
-  PhaseLimits by_legendre;           ///< reference with 120 Legendre nodes
-  std::vector<std::optional<double>> impact,
-      three_masses;  ///< one per order; nothing if the method does not support it
+  std::vector<PhaseLimits> duffing;                         ///< one per order
+  PhaseLimits by_legendre;                                  ///< reference with 120 Legendre nodes
+  std::vector<std::optional<double>> impact, three_masses;  ///< one per order; nothing if too high
 
   [[nodiscard]] const PhaseLimits& of(int order) const {
     return duffing.at(

@@ -43,9 +43,8 @@ struct Solve {
   VectorXd x;                   ///< states at all nodes except the first
   std::int64_t iterations = 0;  ///< updates of x
   bool converged = false;       ///< was |F| reduced by `reduction`?
-  bool diverged =
-      false;  ///< did |F| exceed `too_much` or become non-finite? Otherwise the iteration limit was reached
-  bool is_solution = false;  ///< converged, with errors below 0.01 of the amplitudes at all nodes
+  bool diverged = false;        ///< |F| above `too_much` or non-finite; else the iteration limit
+  bool is_solution = false;     ///< converged, with errors below 0.01 of the amplitudes at all nodes
   std::vector<double> scattered =
       {};  ///< iterations from 16 starts that differ by rounding; infinite without convergence
 };

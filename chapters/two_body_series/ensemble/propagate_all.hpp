@@ -20,8 +20,7 @@ struct CatalogueRequest {
   std::string method = "series";  ///< series or kepler
   double tolerance = 1e-15;       ///< tolerance of a step of series
   int threads = 0;                ///< number of threads; 0: one per processor
-  double seconds =
-      std::numeric_limits<double>::infinity();  ///< limit of wall time, s; unfinished orbits end there
+  double seconds = std::numeric_limits<double>::infinity();  ///< wall time, s; then orbits stop
 };
 
 /// Prints rows `row,t,x,y,z,vx,vy,vz,...,status` in the order of the file; `...` are its other columns. The

@@ -122,8 +122,7 @@ Answer second_order(int steps) {
 
 struct Outcome {
   std::vector<Answer> answers;
-  double powers_of_two = 0, canonical = 0,
-         rounding = 0;  ///< difference_between_units() and its rounding bound
+  double powers_of_two = 0, canonical = 0, rounding = 0;  ///< difference_between_units(), its bound
 };
 
 Outcome measure(bool quick) {

@@ -18,14 +18,13 @@ namespace nlmech::chapters::two_body_series {
 
 /// Energy errors of a propagator, and its work.
 struct EnergyRecord {
-  std::vector<double> t;        ///< times of the output points without the start, s
-  std::vector<double> error;    ///< |E_k/E_0 - 1| at t (Eq. 3.69), E_k in double precision
-  std::vector<double> at_ends;  ///< ode45 only: errors at the ends of its steps
-  std::vector<double>
-      at_refined;          ///< ode45 only: errors at the four values per step that MATLAB returns by default
-  std::int64_t steps = 0;  ///< number of steps; number of points for a closed solution
-  double position_error = 0;  ///< at the end, m, against Kepler's solution in 50 digits
-  double milliseconds = 0;    ///< median time of a run without output
+  std::vector<double> t;           ///< times of the output points without the start, s
+  std::vector<double> error;       ///< |E_k/E_0 - 1| at t (Eq. 3.69), E_k in double precision
+  std::vector<double> at_ends;     ///< ode45 only: errors at the ends of its steps
+  std::vector<double> at_refined;  ///< ode45 only: errors at MATLAB's default four values per step
+  std::int64_t steps = 0;          ///< number of steps; number of points for a closed solution
+  double position_error = 0;       ///< at the end, m, against Kepler's solution in 50 digits
+  double milliseconds = 0;         ///< median time of a run without output
 };
 
 /// Norm ||eps||: square root of the sum of squares, not of their mean.

@@ -57,11 +57,10 @@ Radii radii(double eccentricity, int half) {
 /// Errors for a number of steps per orbit.
 struct Choice {
   double eccentricity;
-  int steps;           ///< steps per orbit
-  const char* remark;  ///< remark in the table, such as "as printed"
-  double ratio = 0;    ///< step over the radius of convergence at the periapsis
-  std::vector<double> first = {},
-                      orbit = {};  ///< |dr|/a after the step from the periapsis and after an orbit, by order
+  int steps;                                   ///< steps per orbit
+  const char* remark;                          ///< remark in the table, such as "as printed"
+  double ratio = 0;                            ///< step over the radius of convergence at the periapsis
+  std::vector<double> first = {}, orbit = {};  ///< |dr|/a after one step and an orbit, by order
 };
 
 constexpr std::array orders{10, 20, 30, 40, 60, 80};
