@@ -10,32 +10,32 @@
 
 namespace nlmech::chapters {
 
-/// A place on the page.
+/// A point on the page.
 struct Spot {
   double x, y;
 };
 [[nodiscard]] Spot operator+(Spot a, Spot b);
 [[nodiscard]] Spot operator-(Spot a, Spot b);
 [[nodiscard]] Spot operator*(double s, Spot a);
-[[nodiscard]] double length(Spot a);         ///< from the origin
-[[nodiscard]] Spot direction(double angle);  ///< of length one; radians, from the x axis
+[[nodiscard]] double length(Spot a);         ///< distance from the origin
+[[nodiscard]] Spot direction(double angle);  ///< unit vector; angle from the x axis, radians
 
-/// Collects what is drawn. Kinds of paths: `member` thick, `outline`, `ground` a thick support, `thin`,
-/// `hatch`, `rest` dashed; `body` a filled outline. Kinds of arrows: `axis`, `force`, and `arrow`, a thin one
-/// for measures.
+/// Collects the elements of a drawing. Kinds of paths: `member` (thick), `outline`, `ground` (thick support),
+/// `thin`, `hatch`, `rest` (dashed), `body` (filled outline). Kinds of arrows: `axis`, `force`, `arrow`
+/// (thin, for dimensions).
 class Drawing {
  public:
   void path(const std::string& kind, const std::vector<Spot>& points);
   void arrow(Spot from, Spot to, const std::string& kind = "arrow");
-  /// Words about a place; they may hold gnuplot's markup, but none of | @ '.
-  /// @param shade `ink`, or `soft` for what stands back
+  /// Adds a label at a point. Gnuplot markup is allowed; the characters | @ ' are not.
+  /// @param shade `ink`, or `soft` for secondary labels
   void text(const std::string& words, Spot at, const std::string& shade = "ink");
   void joint(Spot at);  ///< a dot
-  /// A part of a circle, angles in radians.
+  /// Adds a circular arc; angles in radians.
   void arc(const std::string& kind, Spot centre, double radius, double from, double to);
-  /// The same, thin, with an arrow's head at its end.
+  /// Adds a thin circular arc with an arrow head at its end.
   void turn(Spot centre, double radius, double from, double to, const std::string& kind = "arrow");
-  /// The figure. @param variables of the template: heading, xrange, yrange, and others that it names
+  /// Moves the drawing into a figure. @param variables of the template: heading, xrange, yrange and others
   [[nodiscard]] scene::Figure take(std::map<std::string, std::string> variables);
 
  private:
@@ -44,18 +44,18 @@ class Drawing {
   std::string labels_;
 };
 
-/// Boxes, decisions and the ways between them, on a page of 100 by 100.
+/// Flow chart: boxes, decisions and connecting arrows on a page of 100 by 100.
 class FlowChart {
  public:
-  /// A rectangle with lines of words. @param half its half sides
+  /// Adds a rectangle with lines of text. @param half half of its sides
   void box(Spot centre, Spot half, const std::vector<std::string>& lines);
-  /// The same in a diamond.
+  /// Adds a diamond with lines of text. @param half half of its diagonals
   void decision(Spot centre, Spot half, const std::vector<std::string>& lines);
-  /// A way with an arrow's head at its end.
+  /// Adds a connection through the points, with an arrow head at its end.
   void way(const std::vector<Spot>& points);
-  /// Words beside a way.
+  /// Adds a label next to a connection.
   void note(const std::string& words, Spot at) { drawing_.text(words, at, "soft"); }
-  /// The figure.
+  /// Moves the chart into a figure.
   [[nodiscard]] scene::Figure take(const std::string& heading);
 
  private:

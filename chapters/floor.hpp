@@ -1,5 +1,5 @@
 /// @file
-/// The floor under a computation in lanes: its multiply-adds and nothing else. Included by programs of
+/// Lower bound of the time of a SIMD computation: its multiply-adds alone. Included by programs of
 /// `make bench`.
 #pragma once
 
@@ -9,18 +9,18 @@
 
 namespace nlmech::chapters {
 
-/// Numbers in a register of that set.
+/// Doubles in a SIMD register of the instruction set.
 [[nodiscard]] inline int register_width(InstructionSet set) {
   return set == InstructionSet::avx512 ? 8 : set == InstructionSet::avx2 ? 4 : 2;
 }
 
 namespace detail {
 
-/// Numbers that the compiler does not know.
+/// Operands that the compiler cannot fold to constants.
 inline const volatile double unknown[] = {0.5, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13};
 
-/// Multiply-adds of whole registers, all operands in registers, in twelve chains, so that none waits for
-/// another.
+/// Multiply-adds of whole registers in twelve independent chains, which hide the latency. All operands stay
+/// in registers.
 template <class Register>
 [[gnu::always_inline]] inline double multiply_adds(std::int64_t count) {
   const Register factor = Register{} + unknown[0], term = Register{} + unknown[1];
@@ -52,8 +52,8 @@ struct OfWidth {
 
 }  // namespace detail
 
-/// Does @p count multiply-adds of numbers, as many at once as a register of @p set holds. @returns one of the
-/// sums, so that it cannot be left out
+/// Computes @p count multiply-adds of doubles with registers of @p set. @returns one of the sums, so that
+/// the compiler cannot remove the loop
 [[nodiscard]] inline double multiply_adds(InstructionSet set, double count) {
   const auto registers = static_cast<std::int64_t>(count / register_width(set));
 #if defined(__x86_64__)

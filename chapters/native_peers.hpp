@@ -1,5 +1,5 @@
 /// @file
-/// Libraries as their manuals run them, on equations in C++: what benchmarks compare with.
+/// Peer libraries called through their own interfaces on equations in C++, for comparison in benchmarks.
 #pragma once
 
 #include <algorithm>
@@ -15,16 +15,17 @@
 
 namespace nlmech::chapters {
 
-/// A library on one problem. @return did it get from t0 to t1? x is the state, to the end in place
+/// Integrates one problem by a library. @param x state at t0; overwritten by the state at t1
+/// @return whether t1 was reached
 using NativeRun = std::function<bool(double relative, double absolute, double t0, double t1, double* x)>;
 
 /// One formula of a library.
 struct NativePeer {
-  std::string name;  ///< as in our interface: "gsl-rk8pd"
-  NativeRun run;     ///< from the library's own loop
+  std::string name;  ///< method name in nlmech, such as "gsl-rk8pd"
+  NativeRun run;     ///< by the library's own step loop
 };
 
-/// A problem's own equation on plain arrays, where nobody writes it down anew.
+/// Adapter: calls the right-hand side of a problem on plain arrays.
 template <class Problem>
 struct OnArrays {
   Problem p;  ///< the problem
@@ -37,14 +38,15 @@ struct OnArrays {
   }
 };
 
-/// A problem for C libraries: the equations written for arrays, the Jacobian by dual numbers.
+/// A problem for C libraries: right-hand side from @p Plain, Jacobian and time derivative from
+/// ivp::Direct<Problem>.
 template <class Problem, class Plain>
 class NativeProblem {
  public:
-  static constexpr int n = Problem::dimension;  ///< components
-  /// Takes copies.
+  static constexpr int n = Problem::dimension;  ///< number of components
+  /// Copies both arguments.
   NativeProblem(const Problem& problem, const Plain& plain) : direct_(problem), plain_(plain) {}
-  /// For a library; this object outlives it.
+  /// Equations for a C library. They point to this object, which must outlive them.
   [[nodiscard]] peers::NativeEquations equations() { return {n, &rhs, &jacobian, this}; }
 
  private:
@@ -68,7 +70,7 @@ class NativeProblem {
   Plain plain_;
 };
 
-/// A formula of Odeint on an array of n numbers.
+/// A formula of Odeint on a state of n numbers.
 template <std::size_t n, class Plain>
 [[nodiscard]] NativeRun odeint_alone(const Plain& plain, peers::Odeint::Formula formula) {
   return [plain, formula](double relative, double absolute, double t0, double t1, double* x) {
@@ -90,7 +92,7 @@ template <class Peer, class Shared, class Natively>
           }};
 }
 
-/// Formulas of GSL and CVODE.
+/// All compared formulas of GSL and CVODE; without a library that the build does not have.
 template <class Problem, class Plain>
 [[nodiscard]] std::vector<NativePeer> native_c_peers(const Problem& problem, const Plain& plain) {
   const auto shared = std::make_shared<NativeProblem<Problem, Plain>>(problem, plain);
@@ -107,7 +109,7 @@ template <class Problem, class Plain>
   return all;
 }
 
-/// These, and the explicit formulas of Odeint.
+/// native_c_peers() and the explicit formulas of Odeint.
 template <class Problem, class Plain>
 [[nodiscard]] std::vector<NativePeer> native_peers(const Problem& problem, const Plain& plain) {
   std::vector<NativePeer> all = native_c_peers(problem, plain);

@@ -1,7 +1,6 @@
 /// @file
-/// Equations in C++, for benchmarks: as a user of another library writes them on an array of that library,
-/// and as a problem that our methods inline. Those of the problems of the same names are texts; a test holds
-/// these to them.
+/// Hand-written equations for benchmarks: on the array type of a peer library, and as problems that nlmech
+/// methods inline. A test checks them against the .ode files of the same problems.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +12,7 @@
 
 namespace nlmech::chapters {
 
-/// The free oscillator.
+/// Free Duffing oscillator.
 struct PlainDuffing {
   static constexpr int dimension = 2;           ///< position and velocity
   double natural_frequency = 1, hardening = 1;  ///< parameters of duffing.ode
@@ -36,7 +35,7 @@ struct PlainDuffing {
   }
 };
 
-/// The oscillator under an impact.
+/// Duffing oscillator under an impact load.
 struct PlainImpact {
   static constexpr int dimension = 2;                                    ///< position and velocity
   double natural_frequency = 1, hardening = 1, slope = 2, duration = 1;  ///< parameters of impact.ode
@@ -57,7 +56,7 @@ struct PlainImpact {
   void operator()(const T& t, const Vector<T, 2>& x, Vector<T, 2>& dxdt) const {
     problems::first_order_form(*this, t, x, dxdt);
   }
-  /// Where the slope of the force jumps between two times, in the direction of travel.
+  /// Times in the interval at which the slope of the force jumps, in the direction of integration.
   [[nodiscard]] std::vector<double> discontinuities(double from, double to) const {
     std::vector<double> times;
     for (const double t : {0.0, duration / 2, duration}) {
@@ -77,7 +76,7 @@ struct PlainImpact {
   }
 };
 
-/// Lorenz's equations.
+/// Lorenz equations.
 struct PlainLorenz {
   static constexpr int dimension = 3;      ///< u, v, w
   double sigma = 10, r = 28, b = 8.0 / 3;  ///< parameters
@@ -117,7 +116,7 @@ struct PlainChain {
     dxdt[4] = (force * std::cos(frequency * t) + e2 - e3) / m2;
     dxdt[5] = (e3 - e4) / m3;
   }
-  /// The accelerations for every type of number. Cubic terms with the coefficient 0 are not formed.
+  /// The accelerations for every type of number. Cubic terms with coefficient 0 are not evaluated.
   template <class T>
   void acceleration(const T& t, const Vector<T, 3>& q, const Vector<T, 3>& v, Vector<T, 3>& a) const {
     using std::cos;
@@ -144,7 +143,7 @@ struct PlainChain {
   }
 };
 
-/// Kepler's problem.
+/// Two-body problem.
 struct PlainTwoBody {
   static constexpr int dimension = 6;  ///< positions and velocities
   double mu = 1;                       ///< gravitational parameter

@@ -1,5 +1,5 @@
 /// @file
-/// The numbers that a table of a source prints, for the chapters that show them beside their own.
+/// Values printed in a table of a source, to be compared with computed ones.
 #pragma once
 
 #include <map>
@@ -11,7 +11,7 @@
 
 namespace nlmech::chapters {
 
-/// Those of @p table, "table-4.2", by PublishedValue::name().
+/// Printed values of @p table (such as "table-4.2"), indexed by PublishedValue::name().
 [[nodiscard]] inline std::map<std::string, scene::PublishedValue> printed_values(const std::string& table) {
   std::map<std::string, scene::PublishedValue> values;
   for (scene::PublishedValue& value : scene::read_published(scene::data_folder())) {

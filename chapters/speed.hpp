@@ -1,7 +1,7 @@
 /// @file
-/// What the programs of `make bench` share: each one adds its rows (pieces of work, and claims about them) to
-/// a `Speed`, which measures, judges and writes them. Included by them alone, since Google Benchmark is
-/// looked for only there.
+/// Common part of the programs of `make bench`: each adds work and claims to a `Speed`, which measures them,
+/// checks the claims and writes the results. Included by these programs alone; only they need Google
+/// Benchmark.
 #pragma once
 
 #include <benchmark/benchmark.h>
@@ -24,15 +24,15 @@
 
 namespace nlmech::chapters {
 
-/// A piece of work.
+/// A measured computation.
 struct Work {
-  std::string name;           ///< of its series
-  std::function<void()> run;  ///< once
-  double points = 0;          ///< that one run converts; 0: its time is given for a run, not for a point
-  double seconds = 0;         ///< of a run, found by fastest()
+  std::string name;           ///< of the series of times
+  std::function<void()> run;  ///< runs the computation once
+  double points = 0;          ///< converted by one run; 0: time is given per run, otherwise per point
+  double seconds = 0;         ///< per run, set by fastest()
 };
 
-/// A function whose result the compiler has to compute.
+/// Wraps a function so that the compiler cannot remove the computation of its result.
 template <class Run>
 [[nodiscard]] std::function<void()> keep_result(Run run) {
   return [run = std::move(run)]() mutable {
@@ -46,15 +46,15 @@ template <class Run>
   };
 }
 
-/// Powers of ten whose exponents are halves: 10^(-from/2), ..., 10^(-to/2).
+/// Powers of ten from 10^(-from/2) to 10^(-to/2); the exponents differ by stride/2.
 [[nodiscard]] inline std::vector<double> half_decades(int from, int to, int stride = 1) {
   std::vector<double> all;
   for (int half = from; half <= to; half += stride) all.push_back(std::pow(10, -0.5 * half));
   return all;
 }
 
-/// Median error of runs to several end times; nothing if one of them fails.
-/// @param error_at gives the error of the run to the i-th time, or nothing
+/// Median error of runs to several end times; nothing if a run fails.
+/// @param error_at returns the error of the run to the i-th time, or nothing if it fails
 template <class ErrorAt>
 [[nodiscard]] std::optional<double> median_error(std::size_t times, const ErrorAt& error_at) {
   std::vector<double> errors;
@@ -66,9 +66,10 @@ template <class ErrorAt>
   return median(errors);
 }
 
-/// The fastest of some settings that has the wanted error; nothing if none has.
-/// @param settings cheapest first: the search ends where times are twice the least one
-/// @param error of a setting, nothing if it fails @param run what is timed of a setting
+/// The fastest setting whose error is at most @p wanted; nothing if there is none.
+/// @param settings cheapest first; the search stops when a time exceeds twice the least one
+/// @param error of a setting; nothing if it fails
+/// @param run timed with the setting
 template <class Setting, class Error, class Run>
 [[nodiscard]] std::optional<Work> fastest(const std::string& name, const std::vector<Setting>& settings,
                                           double wanted, const Error& error, const Run& run) {
@@ -88,7 +89,7 @@ template <class Setting, class Error, class Run>
   return best;
 }
 
-/// Keeps the CPU time of every repetition, in microseconds a run.
+/// Records the CPU time of every repetition, in microseconds per run.
 class TimeKeeper : public benchmark::BenchmarkReporter {
  public:
   bool ReportContext(const Context& /*context*/) override { return true; }
@@ -101,10 +102,10 @@ class TimeKeeper : public benchmark::BenchmarkReporter {
   std::map<std::string, std::vector<double>> times;
 };
 
-/// All that one program measures, and what it promises.
+/// All measurements and claims of one program.
 class Speed {
  public:
-  /// Adds work. One that returns whether it succeeds is tried, and left out if it does not.
+  /// Adds work. A run that returns bool is tried once and left out if it returns false.
   template <class Run>
   void add(const std::string& name, Run run) {
     if constexpr (std::is_same_v<std::invoke_result_t<Run&>, bool>) {
@@ -112,26 +113,27 @@ class Speed {
     }
     add(Work{name, keep_result(std::move(run))});
   }
-  /// Adds it unless there is one of this name, or none was found.
+  /// Adds work if there is any and its name is new.
   void add(std::optional<Work> work) {
     if (work && !has(work->name)) all_.push_back(std::move(*work));
   }
-  /// Adds times that are measured otherwise.
+  /// Adds times measured elsewhere.
   void add(scene::BenchSeries series) { others_.push_back(std::move(series)); }
-  /// Adds a time that is promised, so that the promise is a ratio as all others.
+  /// Adds a time limit as a series, so that a claim can compare with it.
   void add_budget(const std::string& name, double microseconds) {
     add(scene::BenchSeries{name, "us a run", std::vector<double>(11, microseconds)});
   }
 
-  /// Is there work of this name, or a series?
+  /// Is there work or a series of this name?
   [[nodiscard]] bool has(const std::string& name) const {
     return std::ranges::count(all_, name, &Work::name) +
                std::ranges::count(others_, name, &scene::BenchSeries::name) >
            0;
   }
 
-  /// "Ours takes at most 1/least of the time of theirs", where this build and machine have both.
-  /// @param text empty: "ours against theirs"
+  /// Claims that @p ours takes at most 1/least of the time of @p theirs. Skipped with a message if one of
+  /// them was not added.
+  /// @param text of the claim; empty: "ours against theirs"
   void claim(const std::string& ours, const std::string& theirs, double least, std::string text = {}) {
     if (text.empty()) text = fmt::format("{} against {}", ours, theirs);
     if (has(ours) && has(theirs))
@@ -140,7 +142,7 @@ class Speed {
       fmt::print("not measured here: {}\n", text);
   }
 
-  /// Measures all.
+  /// Measures all work; returns these series and the added ones.
   [[nodiscard]] std::vector<scene::BenchSeries> measure() const {
     for (const Work& w : all_) {
       benchmark::RegisterBenchmark(w.name.c_str(), [&w](benchmark::State& state) {
@@ -161,8 +163,8 @@ class Speed {
     return series;
   }
 
-  /// Measures all, judges the claims, prints a line each, and writes results/bench/<name>.json.
-  /// @return the exit code: 1 if a claim is not held
+  /// Measures all work, checks and prints the claims, and writes results/bench/<name>.json.
+  /// @return exit code: 1 if a claim does not hold
   [[nodiscard]] int judge(const std::string& name) const {
     const std::vector<scene::BenchSeries> series = measure();
     bool held = true;
@@ -183,8 +185,8 @@ class Speed {
   std::vector<scene::SpeedClaim> claims_;
 };
 
-/// Prints a line for each ratio, and writes results/ratios/<name>.json.
-/// @return the exit code: 0, because a ratio that does not hold is a finding and no promise of ours
+/// Prints the ratios and writes results/ratios/<name>.json.
+/// @return exit code 0: a ratio that does not hold is a finding, not a broken claim
 inline int tell_ratios(const std::string& name, const scene::TimeRatios& ratios) {
   const auto tell = [](const std::string& what, const scene::RatioVerdict& v) {
     fmt::print("{:4} {}: {:.3g} printed, {:.3g} ({:.3g} to {:.3g})\n", v.holds ? "" : "NOT", what, v.printed,
@@ -199,12 +201,12 @@ inline int tell_ratios(const std::string& name, const scene::TimeRatios& ratios)
   return 0;
 }
 
-/// Hands the options of the command line to Google Benchmark, behind ours, and calls @p body with an empty
-/// `Speed`; a failure is a sentence and exit code 1.
-/// @param least_time of a repetition, in seconds
+/// Initialises Google Benchmark with default options, which the command line can override, and calls @p body
+/// with an empty `Speed`. An exception is printed and gives exit code 1.
+/// @param least_time of a repetition, s
 template <class Body>
 int run_bench(const std::string& program, int argc, char** argv, const char* least_time, const Body& body) {
-  // Interleaved in random order, so that a disturbance of the machine does not fall on one method.
+  // Random interleaving spreads disturbances of the machine over all methods.
   std::vector<std::string> defaults = {"--benchmark_repetitions=11",
                                        "--benchmark_enable_random_interleaving=true",
                                        std::string("--benchmark_min_time=") + least_time};

@@ -10,20 +10,20 @@ namespace nlmech::chapters {
 namespace {
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
-/// What ends a number within a line, or a line.
+/// Is it a character that can follow a number?
 bool is_blank_or_comma(char c) { return std::string_view(" \t\r\n,]}").find(c) != std::string_view::npos; }
 
 void require_shallow(std::string_view text, const std::string& name) {
   constexpr std::ptrdiff_t most = 2000;
   std::ptrdiff_t dots = 0;
-  bool is_last_a_point = false;  // the dot before, if only digits were between
+  bool is_last_a_point = false;  // was the previous dot a decimal point, with no separator since?
   for (std::size_t i = 0; i < text.size(); ++i) {
     if (text[i] != '.') {
       is_last_a_point = is_last_a_point && !is_blank_or_comma(text[i]);
       continue;
     }
-    // A decimal point stands between two digits, and there is one in a number. Of two dots that are next to
-    // each other in a key one is counted at least.
+    // A decimal point is between two digits, and a number has one. Of two successive dots in a key at least
+    // one is counted.
     const bool is_point =
         !is_last_a_point && i > 0 && is_digit(text[i - 1]) && i + 1 < text.size() && is_digit(text[i + 1]);
     if (!is_point) ++dots;

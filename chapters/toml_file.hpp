@@ -1,5 +1,5 @@
 /// @file
-/// A user's file of TOML: read, with complaints that name file, line, key and value.
+/// Reading of TOML input files; error messages name file, line, key and value.
 #pragma once
 
 #include <toml++/toml.h>
@@ -9,19 +9,19 @@
 
 namespace nlmech::chapters {
 
-/// The table in a text. @param name what complaints call the text
-/// @throws InputError naming line and column of what is no TOML, and for more than 2000 dots besides decimal
-/// points, more than any file of this suite can use: keys such as a.b.c make a table in a table, toml++ goes
-/// through tables by recursion, and with some 30 000 of them, which fit on one line, a program would run out
-/// of stack. A key whose every other dot looks like a decimal point is at most twice as deep.
+/// Parses a TOML text. @param name of the text in error messages
+/// @throws InputError naming line and column of a syntax error, and for more than 2000 dots besides decimal
+/// points. Keys such as a.b.c nest tables, and toml++ visits tables by recursion: some 30 000 levels, which
+/// fit on one line, would overflow the stack. A key with every second dot between two digits nests at most
+/// twice as deep as counted.
 [[nodiscard]] toml::table parse_toml(std::string_view text, const std::string& name);
 
-/// Says what is wrong with the value @p node of @p key: "NAME, line 3: KEY = VALUE: WHAT". The value stands
-/// as in the file, near enough to be found there. @throws InputError
+/// Throws for the value @p node of @p key: "NAME, line 3: KEY = VALUE: WHAT". VALUE may be formatted
+/// differently than in the file. @throws InputError
 [[noreturn]] void complain(const std::string& name, const toml::node& node, std::string_view key,
                            std::string_view what);
 
-/// A finite number. @throws InputError
+/// The value of @p node as a finite number. @throws InputError if it is none
 [[nodiscard]] double number_of(const std::string& name, const toml::node& node, std::string_view key);
 
 }  // namespace nlmech::chapters

@@ -1,7 +1,7 @@
 /// @file
-/// `algebraic_series_bench`: Taylor series against the fastest classical formula of high order as its
-/// library's manual runs it, both compiled with the problem, what our loop over steps costs that library, and
-/// what the tape costs us; by Google Benchmark. Writes results/bench/algebraic_series.json under the current
+/// `algebraic_series_bench`: Taylor series against the fastest classical formula of high order in its own
+/// library loop, both compiled with the problem; overhead of the nlmech step loop for that formula, and of
+/// the tape for the series; by Google Benchmark. Writes results/bench/algebraic_series.json under the current
 /// folder; exit code 1 if a claim does not hold.
 #include <algorithm>
 #include <cmath>
@@ -21,14 +21,14 @@ namespace {
 
 using namespace nlmech;
 
-constexpr double wanted = 1e-9;  // nine digits
+constexpr double wanted = 1e-9;  // relative error
 constexpr std::size_t end_times = 16;
 constexpr auto fehlberg78 = peers::Odeint::Formula::fehlberg78;
 
-/// To a time with a tolerance; nothing after a failure.
+/// Integrates to a time with a tolerance; returns the state, or nothing after a failure.
 using Runner = std::function<std::optional<ivp::State>(double end, double tolerance)>;
 
-/// A method of integrate().
+/// Runner of a method by integrate().
 template <class System, class Make>
 Runner by_integrate(const System& system, const ivp::State& x0, const Make& make) {
   return [system, x0, make](double end, double tolerance) -> std::optional<ivp::State> {
@@ -45,8 +45,9 @@ double error_of(const ivp::State& found, const ivp::LongState& reference) {
                                  .maxCoeff<Eigen::PropagateNaN>());
 }
 
-/// Ours inlined, ours through the tape, and the library alone and in our loop, each at the fastest tolerance
-/// that has the wanted median over the end times. @param least of ours inlined against the library
+/// Adds the series inlined and through the tape, and the library formula alone and in the nlmech loop. Each
+/// uses the fastest tolerance whose median error over the end times is at most `wanted`.
+/// @param least claimed speed ratio of the inlined series to the library
 template <class Problem>
 void add_rivals(chapters::Speed& all, const std::string& name, const ivp::State& x0, double end,
                 double least) {
@@ -82,7 +83,7 @@ void add_rivals(chapters::Speed& all, const std::string& name, const ivp::State&
     });
     const auto native = chapters::odeint_alone<Problem::dimension>(problem, fehlberg78);
     add(walk, walked, {});
-    // Alone it may never come back: only with tolerances with which it does in our loop.
+    // The library's own loop may not terminate: skip tolerances that fail in the nlmech loop.
     add(
         alone,
         [native, x0](double until, double tolerance) -> std::optional<ivp::State> {
@@ -93,7 +94,7 @@ void add_rivals(chapters::Speed& all, const std::string& name, const ivp::State&
         walked);
   }
   all.claim(inlined, alone, least);
-  all.claim(walk, alone, 0.5);    // a library pays for our loop: at most so much again
+  all.claim(walk, alone, 0.5);    // at most twice the time in the nlmech loop
   all.claim(tape, inlined, 0.4);  // at most 2.5 times the time
 }
 

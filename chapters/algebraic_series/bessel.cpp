@@ -14,13 +14,13 @@ namespace {
 using boost::math::cyl_bessel_j, boost::math::cyl_bessel_j_prime;
 using Real = ExtendedReal<80>;
 
-/// Bessel's equation on (0, T), Eq. 32, expanded about tau = x/T = 1.
+/// Solution of Bessel's equation on (0, T), Eq. 32, expanded about tau = x/T = 1.
 struct Expansion {
-  int order;                ///< of the equation, nu
+  int order;                ///< nu, order of the equation
   int length;               ///< T
   std::vector<Real> value;  ///< coefficients of (tau - 1)^i
 
-  /// The sum of the first @p terms.
+  /// Sum of the first @p terms terms.
   [[nodiscard]] Real at(const Real& tau, int terms) const {
     Real sum = 0;
     for (int i = terms - 1; i >= 0; --i) sum = sum * (tau - 1) + value[static_cast<std::size_t>(i)];
@@ -28,8 +28,8 @@ struct Expansion {
   }
 };
 
-/// The recurrence of Eqs. 36 to 38 with alpha = (1, 1, 0, ...), beta = (1, 2, 1, 0, ...), from A_0 and A_1.
-/// D_i, the coefficient of tau^2 v, has three terms, C_i two, B_i two.
+/// Continues the coefficients from A_0 and A_1 by the recurrence of Eqs. 36 to 38 with alpha = (1, 1, 0,
+/// ...), beta = (1, 2, 1, 0, ...). D_i, the coefficient of tau^2 v, has three terms, C_i and B_i have two.
 Expansion continued(Expansion e, int terms) {
   const int nu = e.order, T = e.length;
   const auto A = [&](int i) { return i < 0 ? Real(0) : e.value[static_cast<std::size_t>(i)]; };
@@ -42,7 +42,7 @@ Expansion continued(Expansion e, int terms) {
   return e;
 }
 
-/// The solution that is J_nu(T tau).
+/// The solution J_nu(T tau).
 Expansion expand(int nu, int T, int terms) {
   return continued({nu, T, {cyl_bessel_j(nu, Real(T)), T * cyl_bessel_j_prime(nu, Real(T))}}, terms);
 }
@@ -51,7 +51,8 @@ double error(const Expansion& e, const Real& tau, int terms) {
   return static_cast<double>(abs(e.at(tau, terms) - cyl_bessel_j(e.order, Real(e.length * tau))));
 }
 
-/// Another solution: A_0 = 1, A_1 = 0. It has the logarithm of Y_nu in it, and does not converge at 0.
+/// Ratio of the last two coefficients of the solution with A_0 = 1, A_1 = 0. It contains the logarithm of
+/// Y_nu, and its series does not converge at 0.
 double growth_of_the_free_solution(int nu, int T, int terms) {
   const Expansion e = continued({nu, T, {1, 0}}, terms);
   return static_cast<double>(abs(e.value.back() / e.value[e.value.size() - 2]));

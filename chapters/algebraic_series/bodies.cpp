@@ -18,9 +18,9 @@ using problems::TextProblem;
 using State = ivp::State;
 
 struct Orbits {
-  std::vector<Sample> path;   ///< to t = 3000, every 5
-  double energy_drift = 0;    ///< greatest, relative
-  double momentum_drift = 0;  ///< greatest, relative to the momentum of body 4
+  std::vector<Sample> path;   ///< every 5 to t = 3000
+  double energy_drift = 0;    ///< largest relative error
+  double momentum_drift = 0;  ///< largest error, relative to the initial momentum, which is that of body 4
 };
 
 Orbits orbits() {
@@ -62,7 +62,7 @@ void put_data(scene::Show& show) {
   show.near("energy", problem.invariants(0.0, x0)[3], energy, 1e-14, "from distances by hand; rounding");
 }
 
-/// How a body is drawn.
+/// Line style and name of a body.
 struct Curve {
   int style, width;
   const char* name;

@@ -1,5 +1,5 @@
 /// @file
-/// When a run leaves the solution: the paper's claim is that its steps never do.
+/// Departure of a run from the solution. The paper claims that its steps never depart.
 #pragma once
 
 #include <optional>
@@ -11,20 +11,20 @@
 
 namespace nlmech::chapters::algebraic_series {
 
-/// The distance from the solution at the ends of steps.
+/// Errors of a run at the ends of steps.
 struct Departure {
-  std::string status;         ///< "success", or how the run failed
+  std::string status;         ///< outcome of the run, such as "success"
   std::vector<double> t;      ///< ends of steps
-  std::vector<double> error;  ///< max_i |error of x_i| there
+  std::vector<double> error;  ///< max_i |error of x_i| at t
 
-  /// The first time at which the error exceeds @p bound; nothing if it never does.
+  /// First time at which the error exceeds @p bound; nothing if it never does.
   [[nodiscard]] std::optional<double> first_above(double bound) const {
     for (std::size_t i = 0; i < t.size(); ++i) {
       if (!(error[i] <= bound)) return t[i];
     }
     return {};
   }
-  /// Of all errors up to @p end.
+  /// Largest error up to @p end.
   [[nodiscard]] double greatest(double end) const {
     double greatest = 0;
     for (std::size_t i = 0; i < t.size() && t[i] <= end; ++i) greatest = std::max(greatest, error[i]);
@@ -32,8 +32,8 @@ struct Departure {
   }
 };
 
-/// Runs a method from the start of an example to @p end, which may lie beyond its own, as far as its
-/// reference reaches. A run that fails is cut off there.
+/// Runs a method from the start of an example to @p end, which may exceed the example's own end but not its
+/// reference. After a failure only the errors up to it are returned.
 template <class Method>
 [[nodiscard]] Departure departure(const comparison::Example& example, const Method& method, double end) {
   Departure seen;
@@ -48,19 +48,19 @@ template <class Method>
   return seen;
 }
 
-/// The solution and the printed steps at a time.
+/// States of the solution and of the printed steps at one time.
 struct Both {
   double t;                   ///< time
   ivp::State exact, printed;  ///< states
 };
 
-/// A motion by the printed steps beside the solution.
+/// A solution with the motion by the printed steps.
 struct Motion {
   std::vector<Both> path;  ///< at equidistant times
-  Departure departure;     ///< of the printed steps
+  Departure departure;     ///< departure of the printed steps
 };
 
-/// The motion of an example to @p end, which may lie beyond its own; states every @p dt.
+/// Computes the motion of an example to @p end, which may exceed the example's own end; states every @p dt.
 [[nodiscard]] inline Motion motion(const comparison::Example& example, const ivp::Series& printed, double end,
                                    double dt) {
   const auto exact = sampled(example.system, example.x0, example.t0, end, accurate_series(), dt);
@@ -70,16 +70,16 @@ struct Motion {
   return motion;
 }
 
-/// Reads one component of the solution.
+/// Selects one component of the solution.
 struct Exact {
-  Eigen::Index i;  ///< which
-  /// Its value.
+  Eigen::Index i;  ///< index of the component
+  /// Value of the component.
   [[nodiscard]] double operator()(const Both& b) const { return b.exact[i]; }
 };
-/// Reads one component of what the printed steps give.
+/// Selects one component of the motion by the printed steps.
 struct Printed {
-  Eigen::Index i;  ///< which
-  /// Its value.
+  Eigen::Index i;  ///< index of the component
+  /// Value of the component.
   [[nodiscard]] double operator()(const Both& b) const { return b.printed[i]; }
 };
 

@@ -13,12 +13,12 @@
 namespace nlmech::chapters::algebraic_series::divergence {
 namespace {
 
-/// Forward Euler with one step.
+/// Forward Euler with one step size.
 struct Euler {
   double step;
-  std::optional<double> visible;   ///< time at which x errs by 0.05, a tenth of the amplitude
+  std::optional<double> visible;   ///< time at which the error of x exceeds 0.05, a tenth of the amplitude
   std::optional<double> large;     ///< time at which |x| exceeds 1, twice the amplitude
-  std::optional<double> overflow;  ///< time at which no number is left
+  std::optional<double> overflow;  ///< time of overflow
 };
 
 Euler with(double step, double until) {
@@ -35,7 +35,7 @@ Euler with(double step, double until) {
   return seen;
 }
 
-/// @param quick without the two shortest steps
+/// @param quick omits the two smallest step sizes
 std::vector<Euler> compute(bool quick) {
   std::vector<Euler> all;
   for (const double h : {0.2, 0.125, 0.1, 0.05, 0.02, 0.01, 0.005, 0.002, 0.001}) {

@@ -16,10 +16,10 @@ std::vector<comparison::MethodSweep> methods(bool quick) {
           comparison::by_tolerances("ode45", Kind::explicit_, quick)};
 }
 
-// A tolerance bounds the error of a step; the condition tells how a change of the start grows. Errors of
-// later steps may grow more than that, so the bound of one tolerance a step has a margin. It is empirical: on
-// the oscillator the error was 13 times the bound without it at 1e-8, 3.4 times at 1e-13. The run is the most
-// accurate by its setting, not by the luck of errors that cancel.
+// The tolerance bounds the error of a step; the condition number is the growth of a change of the initial
+// state. Errors of later steps can grow more, so the bound of one tolerance per step has an empirical factor
+// of 20: on the oscillator the error was 13 times the bound without it at 1e-8, 3.4 times at 1e-13. The run
+// checked is the one with the tightest tolerance, not the one with the smallest error.
 void check(const comparison::Costs& costs, scene::Show& show) {
   const scene::Attempt& last = costs.lines.of("series").attempts.back();
   const double bound =
@@ -29,7 +29,7 @@ void check(const comparison::Costs& costs, scene::Show& show) {
                "20 tolerances in each step, all of one sign, times the condition: 13 have been seen");
 }
 
-/// @param change of the start, for the condition
+/// @param change of the initial state, for the condition number
 scene::Scene scene_of(const comparison::Example& (*example)(), const std::string& name,
                       const std::string& title, double change) {
   return comparison::work_precision_scene({.name = name,

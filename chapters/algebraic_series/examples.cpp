@@ -9,8 +9,9 @@ namespace {
 using comparison::example_of;
 using problems::TextProblem;
 
-/// Lorenz's motion loses sixteen digits in 40 units of time. The strong oscillator loses six in 750; 64 bits
-/// are left with 4e-14 there, a thousandth of what double can reach, in a twentieth of the time.
+/// Precision of the references: the Lorenz solution loses sixteen digits in 40 units of time. The strongly
+/// nonlinear oscillator loses six in 750, so a 64-bit significand suffices: error 4e-14, a thousandth of that
+/// of double, in a twentieth of the time.
 using Digits35 = ExtendedReal<35>;
 
 }  // namespace

@@ -17,15 +17,15 @@
 namespace nlmech::chapters::algebraic_series::extremes {
 namespace {
 
-/// One case.
+/// A table row: one run with its outcome.
 struct Attempt {
   std::string what, status;
-  std::optional<double> error;  ///< greatest of the components at the end
+  std::optional<double> error;  ///< largest error of a component at the end
   std::int64_t steps = 0;
   std::string remark;
 };
 
-/// Bessel's equation of order 0 in x, as a first-order system that is singular at x = 0.
+/// Bessel equation of order 0 as a first-order system, singular at t = 0.
 struct SingularCentre {
   static constexpr int dimension = 2;
   template <class T>
@@ -35,7 +35,7 @@ struct SingularCentre {
   }
 };
 
-/// A force that sets in when the body has moved far enough: a branch on the state, which nothing announces.
+/// An oscillator whose stiffness doubles for x > 0.5: a branch on the state without a declared event.
 struct UnannouncedBranch {
   static constexpr int dimension = 2;
   template <class T>

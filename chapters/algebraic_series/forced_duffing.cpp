@@ -16,7 +16,7 @@ namespace {
 constexpr double T = 0.35, t_end = 100, dt = 0.05;
 constexpr std::size_t N = 20;
 
-/// a_0 to a_N of u in powers of t - t0 by (69), from u and u' at t0.
+/// Coefficients a_0 to a_N of u in powers of t - t0 by (69), from u and u' at t0.
 std::vector<double> coefficients(double t0, const ivp::State& x) {
   std::vector<double> a = {x[0], x[1]}, square, cosine = {std::cos(t0)}, sine = {std::sin(t0)};
   for (std::size_t i = 0; i + 2 <= N; ++i) {
@@ -35,7 +35,7 @@ std::vector<double> coefficients(double t0, const ivp::State& x) {
   return a;
 }
 
-/// u by the series and u' by its derivative (57), which has one term less.
+/// u by the series, and u' by its derivative (57) with one term less.
 ivp::State at(const std::vector<double>& a, double x) {
   double u = 0, v = 0;
   for (std::size_t k = a.size(); k-- > 0;) {
@@ -45,7 +45,7 @@ ivp::State at(const std::vector<double>& a, double x) {
   return ivp::State{{u, v}};
 }
 
-/// The solution beside the steps of (56), (57) and (69).
+/// Solution and printed steps by (56), (57) and (69).
 Motion compute() {
   const auto& c = forced_duffing_example();
   Motion m{{}, {.status = "success", .t = {}, .error = {}}};
@@ -121,19 +121,19 @@ void put_phase(const Motion& m, scene::Show& show) {
   show.near("greatest u", most, 3.344, 0.006, known);
 }
 
-/// The oscillator beside the linear equations of a small distance from its motion.
+/// The oscillator with its variational equation for a small distance d.
 constexpr const char* with_distance = "u'' = 7.5 cos(t) - 0.05 u' - u^3; d'' = -0.05 d' - 3 (u^2 d)";
 
-/// The motion from (3, 4) beside that from (3.1, 4.1), at a time.
+/// Motions from (3, 4) and (3.1, 4.1) at one time.
 struct Pair {
   double t, u, u_near;
-  double apart;  ///< distance in the plane of u and u'
+  double apart;  ///< distance in the phase plane (u, u')
 };
 
 struct Starts {
-  std::vector<Pair> pairs;  ///< every twentieth to t = 100
-  ivp::State half, full;    ///< from (3.1, 4.1), at t = 50 and 100
-  double growth;            ///< ln of the factor by which a small distance grows to t = 100
+  std::vector<Pair> pairs;  ///< every 0.05 to t = 100
+  ivp::State half, full;    ///< states at t = 50 and 100 of the motion from (3.1, 4.1)
+  double growth;            ///< ln of the growth factor of a small distance from t = 0 to 100
 };
 
 Starts start_nearby(const Motion& m) {

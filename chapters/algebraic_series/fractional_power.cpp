@@ -13,11 +13,11 @@ namespace {
 
 using Real = ExtendedReal<40>;
 
-/// The fifth root of a polynomial, whose nearest zero is that far from 0.
+/// A polynomial f whose fifth root is expanded about 0.
 struct Root {
   std::string name;
-  std::vector<Real> f;  ///< coefficients
-  double zero;          ///< distance of its nearest zero
+  std::vector<Real> f;  ///< coefficients of f
+  double zero;          ///< distance from 0 to the nearest zero of f
 };
 
 const std::vector<Root>& roots() {
@@ -29,9 +29,9 @@ const std::vector<Root>& roots() {
   return all;
 }
 
-/// Errors at t = 1 of the sums of the first 1, 2, ... terms of f^(1/5).
+/// Errors at t = 1 of the partial sums of 1, 2, ... terms of f^(1/5).
 std::vector<double> errors(const Root& root, int terms) {
-  // k f_0 h_k = sum_j (k/5 - 6 j/5) f_{k-j}... in the form for few f: only f_1 and f_2 differ from zero.
+  // k f_0 h_k = sum_m (m/5 - (k - m)) f_m h_{k-m}; f_0 = 1, and only f_1 and f_2 can be non-zero.
   std::vector<Real> h = {1};
   Real at_one = 0;
   for (const Real& c : root.f) at_one += c;
@@ -50,19 +50,19 @@ std::vector<double> errors(const Root& root, int terms) {
   return found;
 }
 
-/// What sums of a root come to.
+/// Errors of the partial sums of a root.
 struct Sums {
   std::string name;
-  double zero;                 ///< distance of the nearest zero of f
-  std::vector<double> errors;  ///< of 1, 2, ... terms
+  double zero;                 ///< distance from 0 to the nearest zero of f
+  std::vector<double> errors;  ///< errors of 1, 2, ... terms
 
-  /// Terms after which the error stays below @p bound; 0 if that does not happen.
+  /// Number of terms from which on the error stays below @p bound; 0 if there is none.
   [[nodiscard]] int terms_for(double bound) const {
     std::size_t last = errors.size();
     while (last > 0 && errors[last - 1] < bound) --last;
     return last == errors.size() ? 0 : static_cast<int>(last) + 1;
   }
-  /// The same for a table.
+  /// terms_for() as a table cell.
   [[nodiscard]] scene::Cell terms(double bound) const {
     return terms_for(bound) > 0 ? scene::Cell(terms_for(bound)) : scene::Cell("more than 3000");
   }
@@ -74,7 +74,7 @@ std::vector<Sums> compute() {
   return all;
 }
 
-/// The error of 60 terms of the first root by the library's own power.
+/// Error of 60 terms of the first root by the library's pow().
 double error_of_the_library() {
   const auto variable = PowerSeries<Real>::variable(Real(0), 59);
   const auto f = Real(1) + Real(3) / 10 * variable + Real(2) / 10 * variable * variable;

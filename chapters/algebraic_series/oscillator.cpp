@@ -11,12 +11,12 @@
 namespace nlmech::chapters::algebraic_series::oscillator {
 namespace {
 
-constexpr double euler_step = 0.01;  // the paper names the method, not the step
+constexpr double euler_step = 0.01;  // the paper states the method, but not the step size
 
 struct Motions {
-  std::vector<Sample> series;  ///< T = 0.125, N = 50, every twentieth to 375 s
-  std::vector<Sample> euler;   ///< forward Euler, the same to 40 s
-  Departure departure;         ///< of the series, to 750 s
+  std::vector<Sample> series;  ///< T = 0.125, N = 50; every 0.05 s to 375 s
+  std::vector<Sample> euler;   ///< forward Euler; every 0.05 s to 40 s
+  Departure departure;         ///< departure of the series, to 750 s
 };
 
 Motions compute() {

@@ -18,7 +18,7 @@ namespace {
 using States = std::vector<ivp::State>;
 
 constexpr std::int64_t many = 20'000;
-// The elliptic orbit of 31 periods in the middle of the islands starts here at rest.
+// Start at rest of the elliptic orbit of 31 periods at the centre of the islands.
 /// Of the island. oracle: algebraic_series_motions period 31 at
 const ivp::State centre{-0.500135737928720, 0};
 
@@ -49,7 +49,7 @@ void put_printed(const States& all, scene::Show& show) {
   show.measured(time, show.printed(time));
 }
 
-/// Between the outermost of every 31st section.
+/// Range of a component over every 31st section: width of the island.
 double width(const States& all, int component) {
   double least = HUGE_VAL, most = -HUGE_VAL;
   for (std::size_t k = 0; k < all.size(); k += 31) {

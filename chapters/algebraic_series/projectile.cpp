@@ -12,12 +12,12 @@ namespace {
 using State = ivp::State;
 
 struct Flight {
-  std::vector<Sample> path;  ///< up to the landing
+  std::vector<Sample> path;  ///< states at the ends of steps up to landing
   Sample apex, landing;
-  double x_without_wind = 0;  ///< at landing
+  double x_without_wind = 0;  ///< x at landing without wind
 };
 
-/// Flies until z = 0 with the printed T = 0.01 and N = 20.
+/// Integrates until z = 0 with the printed T = 0.01 and N = 20.
 Flight fly(const problems::TextProblem& problem) {
   const ivp::System system(problem);
   const State& x0 = problem.initial_state();

@@ -17,13 +17,13 @@
 namespace nlmech::chapters::algebraic_series::radius {
 namespace {
 
-/// The radius of convergence along a solution.
+/// Radius of convergence along a solution.
 struct Radii {
   std::vector<double> t, radius;
   [[nodiscard]] double least() const { return *std::min_element(radius.begin(), radius.end()); }
 };
 
-/// The coefficients of each component.
+/// Taylor coefficients of each component.
 using Rows = std::vector<const double*>;
 
 double greatest_of(const Rows& coefficients, int k) {
@@ -32,9 +32,9 @@ double greatest_of(const Rows& coefficients, int k) {
   return greatest;
 }
 
-/// From the decay of the coefficients between orders 40 and 100: the slope of log max_i |c_k,i| by least
-/// squares, which averages over the beat of a pair of complex singularities. A pole of order m makes it too
-/// small by (m - 1)/70.
+/// Radius from the decay of the coefficients of orders 40 to 100: least-squares slope of log max_i |c_k,i|,
+/// which averages the oscillation due to a pair of complex singularities. A pole of order m makes the result
+/// too small by (m - 1)/70.
 double radius_at(const Rows& coefficients) {
   constexpr int first = 40, last = 100;
   constexpr double middle = (first + last) / 2.0;
@@ -62,33 +62,33 @@ Radii radii(const comparison::Example& c, int samples) {
   return found;
 }
 
-/// One choice of T and N.
+/// A choice of T and N with its result.
 struct Choice {
-  double step = 0;  ///< 0: by the radius of convergence
+  double step = 0;  ///< T; 0: from the radius of convergence
   int order = 0;
   std::string remark = {}, problem = {};
-  std::optional<double> share = {};  ///< of the step in the least radius
+  std::optional<double> share = {};  ///< step over the smallest radius
   Departure departure = {};
 
-  /// For a table.
+  /// T and N as table cells.
   [[nodiscard]] scene::Cell step_or_word() const { return step > 0 ? scene::Cell(step) : "chosen"; }
   [[nodiscard]] scene::Cell order_or_word() const { return step > 0 ? scene::Cell(order) : "chosen"; }
 };
 
-/// A problem: radii along its solution, and what choices come to.
+/// A problem with the radii along its solution and the results of choices.
 struct Problem {
-  std::string name;  ///< in the figure's data
+  std::string name;  ///< name in the data of the figure
   Radii radii;
   std::vector<Choice> choices;  ///< the first is the printed one
 
-  /// @throws std::out_of_range if that was not chosen
+  /// @throws std::out_of_range if there is no such choice
   [[nodiscard]] const Departure& with(double step, int order) const {
     for (const Choice& c : choices) {
       if (c.step == step && c.order == order) return c.departure;
     }
     throw std::out_of_range("no such choice for " + name);
   }
-  /// When its error exceeds a bound; NaN if it never does.
+  /// First time at which the error exceeds @p bound; NaN if it never does.
   [[nodiscard]] double first_above(double step, int order, double bound) const {
     return with(step, order).first_above(bound).value_or(NAN);
   }

@@ -21,7 +21,7 @@ double rotation_number(const std::vector<ivp::State>& sections) {
   double sum = 0, weights = 0;
   const auto count = static_cast<double>(sections.size() - 1);
   for (std::size_t k = 0; k + 1 < sections.size(); ++k) {
-    // The motion goes clockwise; the angle between neighbours is taken without a jump.
+    // Clockwise angle from a to b, in turns; added modulo 1.
     const ivp::State &a = sections[k], &b = sections[k + 1];
     double advance = std::atan2(a[1] * b[0] - a[0] * b[1], a.dot(b)) / turn;
     if (advance < 0) advance += 1;

@@ -1,6 +1,6 @@
 /// @file
 /// `geodesy_bench`: times of all timed_methods by Google Benchmark, and the claims about them. Writes
-/// results/bench/geodesy.json under the current folder; exit code 1 if a claim is not held.
+/// results/bench/geodesy.json under the current folder; exit code 1 if a claim does not hold.
 #include <memory>
 #include <string>
 
@@ -11,7 +11,7 @@ namespace {
 
 using namespace nlmech;
 
-/// All timed_methods on so many points, and what the chapter promises of them.
+/// Adds all timed_methods on @p count points, and the claims about them.
 void add_rows(chapters::Speed& all, std::size_t count) {
   const geodesy::Ellipsoid earth = geodesy::Ellipsoid::wgs84();
   const auto points =
@@ -35,15 +35,15 @@ void add_rows(chapters::Speed& all, std::size_t count) {
   for (const std::string set : {"baseline", "avx2", "avx512"}) {
     for (const std::string method :
          {"Bowring 1976, 2 iterations", "Bowring 1985, 2 iterations", "Fukushima 2006, 2 iterations"}) {
-      // In the baseline as fast on one processor that was tried, and a third faster on another.
+      // Baseline: equally fast on one processor tested, a third faster on another.
       claim("fast, batch " + set, method + ", batch " + set, set == "baseline" ? 0.9 : 1);
     }
   }
 }
 
 void rows(chapters::Speed& all) {
-  add_rows(all, 4096);     // second-level cache
-  add_rows(all, 1000000);  // memory
+  add_rows(all, 4096);     // fit into the second-level cache
+  add_rows(all, 1000000);  // exceed the caches
 }
 
 }  // namespace

@@ -26,10 +26,10 @@ using nlmech::geodesy::Cartesian;
 using nlmech::geodesy::Ellipsoid;
 using nlmech::geodesy::Geodetic;
 
-/// A file of points in one of the two kinds of coordinates.
+/// Columns of a file of points in Cartesian or geodetic coordinates.
 struct Coordinates {
-  std::vector<std::string> read;   ///< columns of a file, with their other names
-  std::vector<std::string> write;  ///< columns of the output
+  std::vector<std::string> read;   ///< input columns with their alternative names
+  std::vector<std::string> write;  ///< output columns
 };
 const Coordinates cartesian = {{"x", "y", "z"}, {"x", "y", "z"}};
 Coordinates geodetic(bool in_metres) {
@@ -37,13 +37,13 @@ Coordinates geodetic(bool in_metres) {
           {"latitude_deg", "longitude_deg", in_metres ? "height_m" : "height"}};
 }
 
-/// What was typed.
+/// Options of the commands.
 struct Request {
   std::string file = "-", ellipsoid = "wgs84", method = "fast", height;
   std::optional<int> order;
 };
 
-/// The ellipsoid, and whether its unit is known to be the metre.
+/// The ellipsoid, and whether its unit is the metre.
 struct Shape {
   Ellipsoid ellipsoid = Ellipsoid::wgs84();
   bool in_metres = true;
@@ -93,7 +93,7 @@ void declare_reverse(scene::Options& options, Request& request) {
       "centre itself has the latitude 90. On the axis the longitude is 0, or 180 for x = -0.");
 }
 
-/// In lower case and without what may stand between letters and digits: "WGS 84" is wgs84.
+/// The name in lower case without blanks, hyphens and underscores: "WGS 84" is wgs84.
 std::string plain_name(const std::string& text) {
   std::string name;
   for (const char c : text) {
@@ -105,7 +105,8 @@ std::string plain_name(const std::string& text) {
   return name;
 }
 
-/// A name, or equatorial radius and flattening: "6378137,0.00335" or "6378137,1/298.25".
+/// Parses a name, or equatorial radius and flattening: "6378137,0.00335" or "6378137,1/298.25".
+/// @throws InputError
 Shape parse_ellipsoid(const std::string& text) {
   const auto refuse = [&](const std::string& why) {
     return input_error("--ellipsoid {}: {}; say {}, or A,F as in 6378137,1/298.257223563", quoted_input(text),
@@ -139,7 +140,7 @@ Shape parse_ellipsoid(const std::string& text) {
 
 std::string name_of(const std::string& file) { return file == "-" ? "standard input" : file; }
 
-/// The points of the user's file by column, and what to call the file.
+/// The points of the input file by column, and the name of the file in messages.
 struct Input {
   std::string name;
   scene::NumberColumns points;
@@ -153,7 +154,7 @@ Input read_input(const Request& request, const Coordinates& from, const Coordina
   return {std::move(name), std::move(points)};
 }
 
-/// The answer, with what the file has beside its points.
+/// Writer of the output CSV; the other columns of the file are passed through.
 class CsvWriter {
  public:
   CsvWriter(const Input& in, const Coordinates& to) : points_(in.points) {
@@ -169,7 +170,8 @@ class CsvWriter {
   std::string text_;
 };
 
-/// Full precision for every point. A finite point fails only where its distance from the centre overflows.
+/// Reverse transformation by ReverseTransform. @throws Failure if the distance of a point from the centre
+/// overflows
 std::string reverse_fast(const Input& in, const Shape& shape) {
   const auto& [x, y, z] = std::tie(in.points.column[0], in.points.column[1], in.points.column[2]);
   std::vector<double> latitude(x.size()), longitude(x.size()), height(x.size());
@@ -186,10 +188,10 @@ std::string reverse_fast(const Input& in, const Shape& shape) {
   return out.text();
 }
 
-/// By how far the series is off, from the nearest point of the ellipsoid that is found without it.
+/// Error of the series against ClosestPoint.
 struct SeriesError {
-  double latitude = 0, height = 0;  ///< rad, and the unit of the coordinates
-  double total = 0;                 ///< of both in radii, without a unit
+  double latitude = 0, height = 0;  ///< rad; unit of the coordinates
+  double total = 0;  ///< norm of latitude error (rad) and height error over max(a, b, |height|)
 };
 
 SeriesError error_of(const Geodetic& found, const Geodetic& nearest, const Ellipsoid& e) {
@@ -199,7 +201,7 @@ SeriesError error_of(const Geodetic& found, const Geodetic& nearest, const Ellip
           std::hypot(latitude, height / std::max({e.a(), e.b(), std::abs(nearest.height)}))};
 }
 
-/// An error beyond this many radii is worth a word: 0.6 m for the Earth.
+/// Smallest SeriesError::total that is reported; 0.6 m for the Earth.
 constexpr double negligible_error = 1e-7;
 
 std::string reverse_by_series(const Input& in, const Shape& shape, const Request& request) {
@@ -251,8 +253,8 @@ std::string reverse(const Request& request) {
   return request.method == "fast" ? reverse_fast(in, shape) : reverse_by_series(in, shape, request);
 }
 
-/// Is the ground point of these coordinates not the nearest one, because the point lies beyond the equatorial
-/// plane of an oblate ellipsoid, or beyond the axis of a prolate one?
+/// Is another point of the ellipsoid nearer, because the point lies beyond the equatorial plane of an oblate
+/// ellipsoid, or beyond the axis of a prolate one?
 bool is_beyond(const SineCosine& latitude, double height, const Ellipsoid& e) {
   const double ratio = 1 - e.f();
   return height < -e.a() * std::min(1.0, ratio * ratio) / std::hypot(latitude.cosine, ratio * latitude.sine);

@@ -17,8 +17,7 @@ using std::sin;
 
 constexpr double degree = std::numbers::pi / 180;
 
-/// An ellipsoid of radius 1, flattened so far that the eye can tell the latitudes apart, and a satellite
-/// above it.
+/// An ellipsoid of radius 1, with a flattening large enough to distinguish the latitudes, and a satellite.
 struct Scenery {
   Ellipsoid ellipsoid;
   Geodetic satellite;
@@ -26,23 +25,23 @@ struct Scenery {
   [[nodiscard]] Cartesian at(double latitude, double longitude, double height = 0) const {
     return forward(Geodetic{latitude, longitude, height}, ellipsoid);
   }
-  /// On the satellite's normal.
+  /// Point at a height on the ellipsoid normal through the satellite.
   [[nodiscard]] Cartesian above(double height) const {
     return at(satellite.latitude, satellite.longitude, height);
   }
-  /// Distance of the ellipsoid's point under the satellite from the centre of curvature on the equator's
-  /// plane, N e^2.
+  /// Distance from the axis to the point where the normal through the satellite meets the equatorial plane,
+  /// N e^2 cos(phi).
   [[nodiscard]] double foot_distance() const {
     const double s = sin(satellite.latitude);
     return ellipsoid.a() / std::sqrt(1 - ellipsoid.e2() * s * s) * ellipsoid.e2() * cos(satellite.latitude);
   }
 };
 
-/// The line from ground to satellite is the normal, and its length is h.
+/// Checks that the line from ground to satellite is normal to the ellipsoid and has the length h.
 void check_normal(const Scenery& s, scene::Show& show) {
   const Cartesian ground = s.above(0), above = s.above(s.satellite.height);
   const double b2 = s.ellipsoid.b() * s.ellipsoid.b(), a2 = s.ellipsoid.a() * s.ellipsoid.a();
-  // the gradient of x^2/a^2 + y^2/a^2 + z^2/b^2 is normal to the ellipsoid
+  // Gradient of x^2/a^2 + y^2/a^2 + z^2/b^2, normal to the ellipsoid.
   const Cartesian n{ground.x / a2, ground.y / a2, ground.z / b2},
       d{above.x - ground.x, above.y - ground.y, above.z - ground.z};
   const double length = std::hypot(d.x, d.y, d.z),
@@ -52,13 +51,13 @@ void check_normal(const Scenery& s, scene::Show& show) {
                "geometry of Eq. 2.40: a few roundings of lengths about 1");
 }
 
-/// Points and curves in space by the name of an element.
+/// Points and curves in space, each with the name of its element.
 class SpaceDrawing {
  public:
   void point(const std::string& element, const Cartesian& p) {
     curve(element, 0, 0, 1, [&](double) { return p; });
   }
-  /// A curve over degrees from @p first to @p last.
+  /// Adds a curve for angles from @p first to @p last in steps of @p step, degrees.
   template <class Curve>
   void curve(const std::string& element, int first, int last, int step, Curve at) {
     ++curves_;
@@ -120,7 +119,7 @@ void draw_in_the_meridian(scene::Show& show) {
   table.add({"foot", foot, 0.});
   table.add({"circle", a * cos(parametric), a * sin(parametric)});
   table.add({"normal_tip", tip.x, tip.z});
-  // About (centre, 0), with half axes, over degrees.
+  // Elliptic arc about (centre, 0) with the given half axes; angles in degrees.
   const auto arc = [&](const char* element, double centre, double half_r, double half_z, double first_deg,
                        double last_deg) {
     const int pieces = static_cast<int>(std::ceil(last_deg - first_deg));

@@ -44,7 +44,7 @@ void fill(ErrorMap& map, const nlmech::geodesy::PerturbationSeries& method,
   }
 }
 
-/// Name and what is read otherwise.
+/// Name of a form and its deviations from the default reading.
 struct Reading {
   const char *name, *further;
 };

@@ -9,7 +9,7 @@
 
 namespace nlmech::chapters::geodesy {
 
-/// Largest magnitude on a grid, and where it stands.
+/// Largest magnitude on a grid and its position.
 struct Extreme {
   double magnitude = 0, latitude_deg = 0, height_km = 0;
 };
@@ -21,20 +21,20 @@ struct ErrorMap {
   Extreme latitude, height;
 };
 
-/// Forms of the series.
+/// Variants of the series.
 enum class Form {
   corrected,  ///< corrected coefficients, double precision
-  extended,   ///< the same with a 64-bit significand: the truncation error alone
+  extended,   ///< corrected coefficients, 64-bit significand: truncation error only
   projected,  ///< height by projection instead of by the series
-  printed,    ///< Table 2.6 as printed but for C8's equals sign and C9's dimension; it ends at order 4
-  literal     ///< the same with the last term of C9 as it is printed, b in metres
+  printed,    ///< Table 2.6 as printed, with C8's equals sign and C9's dimension corrected; orders up to 4
+  literal     ///< `printed` with the last term of C9 as printed, b in metres
 };
 
-/// Latitudes -90..90 deg in steps of 0.25 (quick: 1), heights 200..35000 km in 60 (quick: 30) equal ratios.
-/// True positions come from Eq. 2.40 in extended precision, rounded to the arithmetic under test.
+/// Latitudes -90..90 deg in steps of 0.25 (quick: 2), heights 200..35000 km in 60 (quick: 30) equal ratios.
+/// True positions by Eq. 2.40 in extended precision, rounded to the arithmetic under test.
 [[nodiscard]] ErrorMap error_map(Form form, int order, bool quick, double longitude_deg = 30);
 
-/// The same as a result of the chapter.
+/// error_map() as a result of the chapter.
 [[nodiscard]] scene::Result<ErrorMap> map_of(Form form, int order);
 
 }  // namespace nlmech::chapters::geodesy

@@ -9,14 +9,14 @@
 namespace nlmech::chapters::geodesy::error_maps {
 namespace {
 
-/// One of the two errors of a map.
+/// Latitude or height error of a map.
 struct Part {
   std::string name, unit;
   std::vector<double> ErrorMap::*errors;
   Extreme ErrorMap::*extreme;
 };
 
-/// A figure, and the truncation error of the corrected series on this range.
+/// A figure with the reference truncation error of the corrected series on its range.
 struct Known {
   int figure, order;
   const Part& part;
@@ -44,8 +44,7 @@ scene::Scene scene_of(const Known& known) {
   const auto put = [known](const ErrorMap& map, scene::Show& show) {
     const Part& part = known.part;
     draw(map, part, known.order, show);
-    // Double precision adds its rounding to the truncation error: 2.2e-8 m of height at 35000 km, 1e-14 deg
-    // of latitude.
+    // Rounding of double precision adds 2.2e-8 m of height at 35000 km and 1e-14 deg of latitude.
     show.near("max " + part.name + " error", {(map.*part.extreme).magnitude, part.unit}, known.error, 0.005,
               "truncation error by tools/oracles/geodesy_series.py; 0.5 % for the grid and for rounding");
   };

@@ -19,13 +19,14 @@ namespace {
 using nlmech::geodesy::Ellipsoid;
 using Truth = std::vector<nlmech::geodesy::BasicGeodetic<Extended>>;
 
-constexpr std::size_t timed_points = 4096;  // six columns of them stay in the second-level cache
+constexpr std::size_t timed_points = 4096;  // six columns fit into the second-level cache
 
-/// The dissertation's series, what became of it, and what others have published.
+/// Groups of methods: series of the dissertation, ReverseTransform (`fast`), other published methods,
+/// library.
 enum Group : std::size_t { series, fast_batch, fast_point, other_batch, other_point, library };
 const char *const fast = "fast", *const geographiclib = "GeographicLib";
 
-/// A method without times.
+/// Line of a method without times.
 scene::MethodLine line_of(const TimedMethod& c) {
   const bool ours = c.method.starts_with(fast);
   const Group group = c.method.starts_with("series") ? series
@@ -36,7 +37,7 @@ scene::MethodLine line_of(const TimedMethod& c) {
   return {c.name(), group, {}, group <= fast_point ? scene::Side::subject : scene::Side::peer};
 }
 
-/// Greatest errors of latitude, rad, and height, m.
+/// Largest errors of latitude (rad) and height (m).
 struct Errors {
   double latitude = 0, height = 0;
 };
@@ -53,9 +54,9 @@ Errors errors_of(const TimedMethod& method, Points points, const Truth& exact) {
   return e;
 }
 
-/// Seconds a point.
+/// Time per point, s.
 Timing time_of(const TimedMethod& method, Points& points, bool quick) {
-  const int passes = quick ? 2 : 8;  // long enough for the clock
+  const int passes = quick ? 2 : 8;  // long against the resolution of the clock
   const Timing t = time_repeats(
       [&] {
         for (int i = 0; i < passes; ++i) method.pass(points);
@@ -76,7 +77,7 @@ scene::ProblemLines measure(bool quick) {
   scene::ProblemLines all;
   for (const TimedMethod& c : timed_methods(e)) {
     scene::Attempt attempt{c.batch ? fmt::format("batch, {}", to_string(*c.batch)) : "one point",
-                           "no position",  // a floor
+                           "no position",  // method that computes no position
                            {},
                            time_of(c, timing_points, quick),
                            {scene::Cell()}};
@@ -95,8 +96,8 @@ scene::ProblemLines measure(bool quick) {
 }
 
 void put(const scene::ProblemLines& all, scene::Show& show) {
-  // Our fastest batch in units of the floor of its instruction set: what this machine showed, not what
-  // another did. The last set is the largest.
+  // Ratio of the fastest batch to two arctangents in the same instruction set, measured on this machine. The
+  // last set is the largest.
   double batch = 0, floor = 1, latitude = 0, height = 0;
   for (const scene::MethodLine& line : all.lines) {
     if (line.attempts.empty()) continue;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180, latitude_error = 1e-9, height = 400e3;
 
-/// Errors of the height in doubles; the first three at a latitude that is off.
+/// Height errors in double precision, m; the first three with a latitude error of 1e-9 rad.
 struct Errors {
   double latitude_deg, by_cosine, by_sine, by_projection, exact_latitude;
 };
@@ -32,7 +32,7 @@ Errors errors_at(double latitude_deg) {
           projection(s, c), projection(std::sin(latitude), std::cos(latitude))};
 }
 
-/// Zeros are drawn at 1e-11 m.
+/// Draws the errors; values below 1e-11 m are drawn at 1e-11 m.
 void draw(const std::vector<Errors>& all, scene::Show& show) {
   scene::Panel& panel = show.plot("Height by projection forgives an error of latitude",
                                   "geodetic latitude (deg)", "|height error| (m)");
@@ -59,7 +59,7 @@ void put(scene::Show& show) {
   for (int i = 1; i < 360; ++i) all.push_back(errors_at(i / 4.));
   draw(all, show);
   const auto worst = [&](double Errors::*of) { return std::ranges::max(all, {}, of).*of; };
-  // (N + h) tan(phi) times the error of latitude, at 89.75 degrees
+  // (N + h) tan(phi) dphi at 89.75 degrees
   const double expected = (6399593 + height) * std::tan(89.75 * degree) * latitude_error;
   show.near("max height error of r/cos(phi) - N", {worst(&Errors::by_cosine), "m"}, expected, 0.01,
             "first-order error (N + h) tan(phi) dphi at 89.75 deg; 1 % for e^2 and rounding");

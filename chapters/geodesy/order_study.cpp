@@ -9,17 +9,18 @@
 namespace nlmech::chapters::geodesy::order_study {
 namespace {
 
-using Maps = std::vector<const ErrorMap*>;  // by order, from 1
+using Maps = std::vector<const ErrorMap*>;  // index 0: order 1
 using scene::Cell;
 
-/// What comes out of an order.
+/// Error maps of one order.
 struct Order {
   int order;
   const ErrorMap &corrected, &extended, &projected;
-  const ErrorMap* printed;  ///< up to order 4
+  const ErrorMap* printed;  ///< null above order 4
 };
 
-/// The series sees the distance from the axis and the height above the equator only; a coarse grid shows it.
+/// Relative change of the latitude error with longitude, on a coarse grid. The series depends only on r and
+/// z.
 double change_with_longitude() {
   const auto latitude_error = [](double longitude_deg) {
     return error_map(Form::extended, 4, true, longitude_deg).latitude.magnitude;
@@ -31,7 +32,7 @@ double change_with_longitude() {
   return change;
 }
 
-/// A column: its name behind the figure and its heading in the table.
+/// A column: name in the data of the figure, heading in the table, value.
 struct Shown {
   std::string column, heading;
   std::function<Cell(const Order&)> error;
@@ -55,8 +56,8 @@ const std::vector<Shown>& all_shown() {
   return all;
 }
 
-/// One key for both panels, in a strip under the heading. The printed series has the larger points: where the
-/// corrected one covers them, the two agree.
+/// Draws both panels with a common key below the heading. Points of the printed series are larger, to stay
+/// visible where it agrees with the corrected one.
 void draw(const std::vector<Order>& orders, scene::Show& show) {
   scene::Plot& plot = show.plots("Each order gains two digits; as printed, none after 3");
   const auto panel = [&](const std::string& quantity, const std::string& unit) -> scene::Panel& {
@@ -83,8 +84,8 @@ void draw(const std::vector<Order>& orders, scene::Show& show) {
   plot.data(scene::table_of(orders, columns));
 }
 
-/// Nominal is the series with its coefficients as printed, inferred with the misprints corrected. The
-/// latitude of order 4 as printed is that of C9: what C8's equals sign means changes it by 2e-9 degrees.
+/// Nominal values use the coefficients as printed, inferred values the corrected ones. C9 determines the
+/// latitude of order 4 as printed; the reading of C8's equals sign changes it by 2e-9 degrees.
 void measure_claims(const Maps& corrected, Maps printed, const ErrorMap& literal, scene::Show& show) {
   printed[3] = &literal;
   const auto gain = [](const Maps& maps, std::size_t i) {

@@ -36,7 +36,7 @@ const std::vector<PrintedCoefficient>& printed_coefficients() {
 
 namespace {
 
-/// Works for a table that may be changed and for one that may not.
+/// The term of a const or mutable table to which a coefficient belongs.
 template <class Table>
 auto& find_term(const PrintedCoefficient& c, Table& table) {
   return (c.in_height ? table.height : table.latitude).at(static_cast<std::size_t>(c.order) - 1);

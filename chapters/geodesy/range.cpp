@@ -22,8 +22,7 @@ using nlmech::geodesy::Geodetic;
 
 constexpr double degree = std::numbers::pi / 180;
 
-/// Largest latitude error of each method at an abscissa; nothing where the method had no answer at one of the
-/// points.
+/// Largest latitude error of each method at an abscissa, rad; nothing if the method failed at a point.
 struct Errors {
   double abscissa;
   std::map<std::string, std::optional<double>> of;
@@ -54,8 +53,8 @@ std::vector<double> equal_ratios(double first, double last, int count) {
   return values;
 }
 
-/// A point on each of 45 rays: none on the equator or the axis, where symmetry makes every method look better
-/// than it is. @param at the point at a latitude
+/// A point on each of 45 rays. The equator and the axis are excluded: symmetry reduces the errors there.
+/// @param at returns the point at a latitude, rad
 template <class At>
 std::vector<Cartesian> on_rays(At at) {
   std::vector<Cartesian> points;
@@ -81,7 +80,7 @@ std::vector<Errors> over_flattening(bool quick) {
   return all;
 }
 
-/// A method: the column of its errors, and how they are drawn.
+/// A method with its data column and line style.
 struct Drawn {
   std::string method, column;
   scene::Look look;
@@ -108,12 +107,12 @@ scene::Table table_of(const std::vector<Errors>& distance, const std::vector<Err
   return table;
 }
 
-/// Curves of a block of the data, ours on top. An empty cell breaks a curve; zero, which has no logarithm,
-/// is drawn at 1e-17.
+/// Adds the curves of a data block, nlmech on top. An empty cell interrupts a curve; errors below 1e-17 are
+/// drawn at 1e-17.
 void add_curves(scene::Panel& panel, int block, const Errors& errors) {
   for (const std::size_t i : std::array<std::size_t, 6>{2, 3, 4, 5, 1, 0}) {
     const auto& [method, column, look] = all_drawn[i];
-    if (!errors.of.contains(method)) continue;  // a peer that this build has not
+    if (!errors.of.contains(method)) continue;  // peer not in this build
     panel.columns(method, fmt::format("abscissa:(column('{0}') < 1e-17 ? 1e-17 : column('{0}'))", column),
                   look, block);
   }
@@ -139,7 +138,7 @@ void draw(const std::vector<Errors>& distance, const std::vector<Errors>& flatte
   add_curves(right, 1, flattening.front());
 }
 
-/// Largest error of fast over the abscissas from @p first on; infinite where it once had no answer.
+/// Largest error of fast for abscissas >= @p first; infinite if it failed at one.
 double largest_from(const std::vector<Errors>& all, double first) {
   double largest = 0;
   for (const Errors& errors : all) {
@@ -150,7 +149,7 @@ double largest_from(const std::vector<Errors>& all, double first) {
 
 void put(const std::vector<Errors>& distance, const std::vector<Errors>& flattening, scene::Show& show) {
   draw(distance, flattening, show);
-  constexpr double surface_km = 6368;  // above -10 km everywhere
+  constexpr double surface_km = 6368;  // height above -10 km at all latitudes
   show.at_most("max latitude error of fast above -10 km", {largest_from(distance, surface_km), "rad"},
                4.5e-16, "error statement of ReverseTransform");
   show.at_most("max latitude error of fast down to 100 km from the centre",

@@ -1,5 +1,5 @@
 /// @file
-/// The reverse transformation in extended precision, to measure others by. Slow, and exact to some 18 digits.
+/// Reference for the reverse transformation, in extended precision: slow, accurate to some 18 digits.
 #pragma once
 
 #include <algorithm>
@@ -11,16 +11,15 @@ namespace nlmech::chapters::geodesy {
 
 using Extended = long double;  // x86: 64-bit significand, 11 bits more than double
 
-/// Foot of the perpendicular by the largest root of g(t) = (a r/(a^2 + t))^2 + (b z/(b^2 + t))^2 - 1, which
-/// is falling and convex to the right of its poles: Newton's iteration from a point with g >= 0 climbs to the
-/// root and never passes it.
-/// @param p any point with z != 0, or with r beyond the disc of radius a e^2; its coordinates are taken as
-/// exact
+/// Computes the foot of the perpendicular from the largest root of
+/// g(t) = (a r/(a^2 + t))^2 + (b z/(b^2 + t))^2 - 1. To the right of its poles g is decreasing and convex, so
+/// Newton's iteration from a point with g >= 0 increases monotonically to the root.
+/// @param p point with z != 0 or r > a e^2; its coordinates are taken as exact
 [[nodiscard]] inline nlmech::geodesy::BasicGeodetic<Extended> reference_reverse(
     const nlmech::geodesy::Cartesian& p, const nlmech::geodesy::Ellipsoid& e) {
   const Extended a = e.a(), b = a * (1 - Extended(e.f())), z = p.z,
                  r = std::hypot(Extended(p.x), Extended(p.y));
-  // u = t + b^2 instead of t: near the centre t is close to -b^2 and would cancel
+  // u = t + b^2 avoids cancellation near the centre, where t is close to -b^2.
   const Extended gap = a * a - b * b;
   Extended u = std::max(b * std::abs(z), a * r - gap);
   for (int i = 0; i < 500; ++i) {

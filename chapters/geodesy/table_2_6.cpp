@@ -11,7 +11,8 @@
 namespace nlmech::chapters::geodesy::table_2_6 {
 namespace {
 
-/// Powers and indices of a polynomial as they are set, for readers: "37b^3 - 66b^2h0".
+/// Replaces powers and indices of a polynomial such as "37b^3 - 66b^2h0" by Unicode superscripts and
+/// subscripts.
 std::string typeset(std::string text) {
   for (const auto& [plain, set] : {std::pair("^2", "²"), std::pair("^3", "³"), std::pair("^4", "⁴"),
                                    std::pair("h0", "h₀"), std::pair("phi_", "φ_")}) {
@@ -21,7 +22,8 @@ std::string typeset(std::string text) {
   return text;
 }
 
-/// Derived and corrected tables are one and the same; tests/geodesy holds them to that.
+/// Compares printed and derived coefficients. The derived table equals the corrected one (test in
+/// tests/geodesy).
 void put(const nlmech::geodesy::SeriesTable& derived, scene::Show& show) {
   using C = PrintedCoefficient;
   const auto agrees = [&](const C& c) { return row_of(c, derived) == c.by_height && c.remark.empty(); };

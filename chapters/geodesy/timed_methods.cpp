@@ -111,7 +111,7 @@ std::vector<OnePointMethod> range_methods(const Ellipsoid& e) {
 }
 
 Points sample_points(std::size_t n, const Ellipsoid& ellipsoid) {
-  // mt19937_64 is defined bit for bit; the distributions of the standard library are not
+  // The standard defines mt19937_64 bit for bit, but not the distributions.
   std::mt19937_64 engine(1);
   const auto unit = [&engine] { return static_cast<double>(engine() >> 11U) * 0x1p-53; };
   Points points(n);

@@ -1,6 +1,5 @@
 /// @file
-/// Ours and the peers, each as a pass over columns of points: what the scenes and the benchmark set side by
-/// side.
+/// nlmech and peer methods, each as a pass over columns of points, for the scenes and the benchmark.
 #pragma once
 
 #include <functional>
@@ -13,7 +12,7 @@
 
 namespace nlmech::chapters::geodesy {
 
-/// Points by column, and columns for the results.
+/// Input and result columns of points.
 struct Points {
   explicit Points(std::size_t n) : x(n), y(n), z(n), latitude(n), longitude(n), height(n) {}
   [[nodiscard]] nlmech::geodesy::Cartesian at(std::size_t i) const { return {x[i], y[i], z[i]}; }
@@ -25,27 +24,27 @@ struct Points {
   std::vector<double> x, y, z, latitude, longitude, height;
 };
 
-/// @p n points (a multiple of 8), uniform on the sphere, half of them from -5 to 100 km high, the others up
-/// to 35000 km. Each coordinate is shaken by up to a millimetre: positions made from doubles would have exact
-/// angles close to doubles, and flatter every method.
+/// @p n points (a multiple of 8), uniform on the sphere: half at heights from -5 to 100 km, half from 0 to
+/// 35000 km. Each coordinate is perturbed by up to a millimetre. Without that the exact angles would be close
+/// to doubles, and all methods would appear more accurate.
 [[nodiscard]] Points sample_points(std::size_t n, const nlmech::geodesy::Ellipsoid& ellipsoid);
 
-/// One method in one form.
+/// A method, one point at a time or in batches.
 struct TimedMethod {
-  std::string method;                   ///< "Bowring 1976, 2 iterations"
-  std::optional<InstructionSet> batch;  ///< set of a batch; nothing for one point after the other
-  bool answers = true;                  ///< false for a floor, which computes no position
-  bool in_degrees = false;              ///< latitude and longitude come in degrees
+  std::string method;                   ///< name, such as "Bowring 1976, 2 iterations"
+  std::optional<InstructionSet> batch;  ///< instruction set of a batch; nothing for one point at a time
+  bool answers = true;                  ///< false if it computes no position, only a lower bound of the time
+  bool in_degrees = false;              ///< are the results in degrees?
   std::function<void(Points&)> pass;    ///< computes all results
 
-  /// "fast, batch avx512"
+  /// Name with the form, such as "fast, batch avx512".
   [[nodiscard]] std::string name() const;
 };
 
-/// All that this build and this processor have. GeographicLib is left out where the build has none.
+/// All methods available in this build and on this processor; GeographicLib is optional.
 [[nodiscard]] std::vector<TimedMethod> timed_methods(const nlmech::geodesy::Ellipsoid& ellipsoid);
 
-/// One-point methods of the scene `range`: a position, or nothing where the method says that it has none.
+/// One-point method of the scene `range`: returns a position, or nothing if the method reports failure.
 struct OnePointMethod {
   std::string name;
   std::function<std::optional<nlmech::geodesy::Geodetic>(const nlmech::geodesy::Cartesian&)> reverse;

@@ -26,7 +26,7 @@ void declare(scene::Options& options, PeakOptions& typed) {
 
 std::string peak(const PeakOptions& typed) {
   const Case what = typed.problem == "laier-duffing" ? duffing_case() : van_der_pol_case();
-  // The peaks lie at 2.45 and 4.60; a step beyond that sees none.
+  // The peaks are at t = 2.45 and 4.60; longer steps miss them.
   const Peak found =
       first_peak(what, {.operators = ivp::hermitian_pair(typed.method), .step = typed.step}, 40);
   if (!found.status.ok()) throw Failure(found.status);

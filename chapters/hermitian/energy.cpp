@@ -14,14 +14,14 @@ namespace {
 constexpr double step = 0.2, end = 2000;
 constexpr int windows = 400;
 
-/// The energy of the free Duffing oscillator under one pair of operators.
+/// Energy errors of the free Duffing oscillator for one pair of operators.
 struct Energy {
   std::string row;
-  std::vector<double> worst;  ///< greatest |E/E0 - 1| within each of `windows` equal stretches of time
-  double determinant;         ///< of the derivative of one step, minus 1
+  std::vector<double> worst;  ///< largest |E/E0 - 1| in each of `windows` equal time intervals
+  double determinant;         ///< determinant of the Jacobian of one step, minus 1
 };
 
-// The derivative of one step by central differences, exact to some 1e-10.
+// Jacobian of one step by central differences, accurate to some 1e-10.
 double determinant_less_one(const ivp::System& system, const ivp::Hermitian& method) {
   constexpr double d = 1e-5;
   Eigen::Matrix2d map;

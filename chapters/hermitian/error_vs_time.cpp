@@ -13,7 +13,7 @@ namespace {
 using comparison::Kind;
 using comparison::MethodSweep;
 
-/// @param scale longest of the fixed steps
+/// @param scale largest fixed step size
 std::vector<MethodSweep> methods(double scale, bool quick) {
   constexpr std::array<double, 7> factors = {1, 0.5, 0.25, 0.1, 0.05, 0.02, 0.005};
   return {comparison::by_tolerances("laier", Kind::source, quick),
@@ -24,7 +24,8 @@ std::vector<MethodSweep> methods(double scale, bool quick) {
           comparison::by_tolerances("ode45", Kind::explicit_, quick)};
 }
 
-/// @param scale longest of the fixed steps @param change of the start, for the condition
+/// @param scale largest fixed step size
+/// @param change of the initial state, for the condition number
 scene::Scene scene_of(const problems::TextProblem& problem, const std::string& title, double end,
                       double scale, double change) {
   return comparison::work_precision_scene(

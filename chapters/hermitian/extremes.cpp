@@ -18,14 +18,14 @@ namespace nlmech::chapters::hermitian::extremes {
 namespace {
 
 using ivp::Hermitian;
-/// One case.
+/// A table row: one run with its outcome.
 struct Attempt {
   std::string what, operators, setting, status;
-  std::optional<double> error;  ///< of the position at the end
+  std::optional<double> error;  ///< error of the position at the end; nothing after a failure
   std::int64_t steps, evaluations;
 };
 
-/// A problem, its start and end, and the position there.
+/// A problem with initial state, end time and reference position at the end.
 struct Subject {
   std::string what;
   ivp::System system;
@@ -51,7 +51,7 @@ Hermitian controlled(const ivp::HermitianPair& pair, double tolerance) {
   return {.operators = pair, .relative_tolerance = tolerance, .absolute_tolerance = tolerance};
 }
 
-// Ends by Taylor series in 113 bits.
+// Reference positions by Taylor series in 113 bits.
 std::vector<Subject> relaxations() {
   const auto make = [](double mu, double end, double reference) {
     return Subject{fmt::format("van der Pol, mu = {}", mu),
@@ -64,7 +64,7 @@ std::vector<Subject> relaxations() {
           make(1000, 2000, 1.706167732170465008)};
 }
 
-// x'' + 10^6 x + m x^3 = cos t to t = 1: h omega is a thousand steps.
+// x'' + 10^6 x + m x^3 = cos t to t = 1, with omega = 1000.
 Subject fast_duffing(const std::string& what, double hardening, double x0) {
   const problems::TextProblem problem(
       "driven-duffing",
@@ -150,7 +150,7 @@ void put(const std::vector<Attempt>& all, scene::Show& show) {
                "fixed steps: 8.2 million for an error of 5e-4; regression value");
   show.at_most("fast Duffing, smooth start: greatest error of Laier", std::ranges::max(smooth("laier")),
                4e-12, "twice the fast part of the start, 1e-12: it stays, its phase is lost");
-  // A run that failed has no error and compares false.
+  // The error of a failed run is NaN and compares false.
   show.equals(
       "the same, runs of Argyris with h omega = 10 or 100 that end well",
       std::ranges::count_if(smooth("argyris") | std::views::take(2), [](double e) { return e < 1e-9; }), 0,

@@ -14,7 +14,7 @@ namespace nlmech::chapters::hermitian::spectral {
 namespace {
 
 using ivp::HermitianStep;
-/// Spectral radius and period error of the five rows against z = h omega.
+/// Spectral radius and period error of the five operator pairs at z = h omega.
 struct Spectrum {
   double z;
   std::array<double, 5> radius, period;
@@ -22,7 +22,7 @@ struct Spectrum {
 
 HermitianStep step_of(std::size_t row) { return ivp::solved_for_end(ivp::hermitian_table.at(row)); }
 
-// T_numerical / T - 1.
+// Relative period error, T_numerical / T - 1.
 double period_error(const HermitianStep& step, double z) { return z / ivp::amplification(step, z).phase - 1; }
 
 std::vector<Spectrum> spectrum() {
@@ -40,7 +40,7 @@ std::vector<Spectrum> spectrum() {
   return all;
 }
 
-/// Where the spectral radius of Argyris' pair leaves or reaches 1 between two arguments: halving.
+/// Stability limit of Argyris' pair between a stable and an unstable z, by bisection.
 double edge(double stable, double unstable) {
   const HermitianStep argyris = ivp::solved_for_end(ivp::argyris);
   for (int halving = 0; halving < 60; ++halving) {
@@ -50,7 +50,7 @@ double edge(double stable, double unstable) {
   return stable;
 }
 
-/// Least and greatest spectral radius of Laier's pair for z from 0.01 to 10^4.
+/// Smallest and largest spectral radius of Laier's pair for z from 0.01 to 10^4.
 std::pair<double, double> radii_of_laier() {
   const HermitianStep laier = ivp::solved_for_end(ivp::laier);
   double least = HUGE_VAL, greatest = 0;
@@ -74,7 +74,7 @@ void draw(const std::vector<Spectrum>& all, scene::Show& show) {
     return std::isfinite(error) && error > 0 ? std::optional(error) : std::nullopt;
   };
   for (const Spectrum& s : all) {
-    const bool turns = s.radius[4] < 1 + 1e-12;  // else the phase is 0 or pi: no period
+    const bool turns = s.radius[4] < 1 + 1e-12;  // otherwise the phase is 0 or pi: no period
     data.add({s.z, s.radius[0], s.radius[4], s.radius[1], period(s.period[0]),
               turns ? period(s.period[4]) : std::nullopt, period(s.period[1])});
   }

@@ -13,7 +13,7 @@
 namespace nlmech::chapters::hermitian::tables {
 namespace {
 
-/// Nine first peaks: by Laier's, Argyris' and Newmark's operators with the step 0.2, then 0.1 and 0.05.
+/// First peaks by the operators of Laier, Argyris and Newmark: step size 0.2, then 0.1, then 0.05.
 using Nine = std::array<double, 9>;
 constexpr std::array peak_steps = {0.2, 0.1, 0.05};
 constexpr std::array peak_operators = {ivp::laier, ivp::argyris, ivp::newmark_pair};
@@ -22,23 +22,23 @@ constexpr std::array peak_columns = {"Laier", "Argyris", "Newmark"};
 /// One of the paper's two tables of first peaks.
 struct PeakTable {
   const char *place, *oscillator;
-  Case what;     ///< equation and start
-  double exact;  ///< the first peak
+  Case what;     ///< equation and initial state
+  double exact;  ///< reference value of the first peak
 
-  /// The name of a printed number, as PublishedValue::name().
+  /// Name of printed number @p i, as PublishedValue::name().
   [[nodiscard]] std::string name(std::size_t i) const {
     return fmt::format("laier/{}/dt = {} {}/first peak of the {} oscillator", place, peak_steps.at(i / 3),
                        peak_columns.at(i % 3), oscillator);
   }
 };
 
-/// A number of Table 4 or 5.
+/// A value of Table 4 or 5.
 struct Row {
-  std::string column;  ///< "Laier"
+  std::string column;  ///< operators, such as "Laier"
   double step;
-  double printed, ours, on_grid;  ///< ours by the dense output, and at the ends of steps
-  double printed_error, error;    ///< against the exact peak
-  std::string name;               ///< as PublishedValue::name()
+  double printed, ours, on_grid;  ///< `ours`: dense output; `on_grid`: ends of steps
+  double printed_error, error;    ///< errors of `printed` and `ours` against the exact peak
+  std::string name;               ///< PublishedValue::name()
 };
 
 // oracle: transversal_motions Laier's Duffing peak, Laier's van der Pol peak
@@ -80,7 +80,7 @@ void draw(const std::vector<Row>& rows, const std::string& heading, scene::Show&
   show.figure().data(std::move(data));
 }
 
-/// What an oracle says of the nine numbers, and how closely: relative, for order 4 and for order 2.
+/// Reference values of the nine peaks and their relative tolerances for orders 4 and 2.
 struct Known {
   Nine values;
   double fourth, second;
@@ -124,7 +124,7 @@ void put_van_der_pol(const std::vector<Row>& rows, scene::Show& show) {
       {known, 4e-8, 3e-6, "tools/oracles/hermitian_peaks.py, eight digits"}, show);
 }
 
-/// The highest power that an operator takes exactly.
+/// Highest power that an operator reproduces exactly.
 int degree_of(const ivp::HermitianOperator& op) {
   int degree = 0;
   while (degree < 8 && std::abs(ivp::residual_on_power(op, degree + 1)) < 1e-12) ++degree;

@@ -14,14 +14,14 @@ namespace {
 constexpr double mu = 100, end = 200,
                  reference = 1.718587208019240655;  // at t = 200, by Taylor series in 70 digits
 
-/// A fixed step with and without the test of its estimate.
+/// Runs with one fixed step size, with and without the branch test.
 struct Pair {
   double step;
-  std::string unchecked, checked;  ///< how the runs end
-  std::optional<double> error;     ///< of the unchecked run at the end; none if it fails
-  double stopped;                  ///< where the checked run ends
+  std::string unchecked, checked;  ///< outcomes of the runs
+  std::optional<double> error;     ///< error of the unchecked run at the end; nothing if it fails
+  double stopped;                  ///< time at which the checked run ends
 
-  /// Does the unchecked run look well?
+  /// Does the unchecked run report success?
   [[nodiscard]] bool finishes() const { return unchecked == "success"; }
 };
 
@@ -30,12 +30,12 @@ struct Point {
 };
 
 struct Branches {
-  std::vector<Point> wrong;  ///< step 0.0625, not checked
-  std::vector<Point> right;  ///< steps chosen
+  std::vector<Point> wrong;  ///< fixed step size 0.0625, without branch test
+  std::vector<Point> right;  ///< adaptive steps
   std::vector<Pair> pairs;
 };
 
-/// Runs from (2, 0) to the end. @param points gets those that a picture needs; may be null
+/// Integrates from (2, 0) to the end. @param points receives points for the figure; may be null
 ivp::Solution run(const ivp::Hermitian& method, std::vector<Point>* points = nullptr) {
   const auto keep = [points](const ivp::Step& s) {
     if (points &&

@@ -12,24 +12,24 @@
 namespace nlmech::chapters::integrators::calibration {
 namespace {
 
-constexpr double promised = 1.5;  // digits that a success may miss
+constexpr double promised = 1.5;  // digits that may be missing after success
 
-/// What a method delivers on a problem against what it is asked for.
+/// Requested and achieved digits of a method on a problem.
 struct Row {
   std::string problem, method;
   bool peer;
   int successes = 0, silent = 0;
-  double worst = -16;    ///< digits missing, at most
-  double at = 0;         ///< the tolerance of the worst
-  double delivered = 0;  ///< digits there
-  double expected = 0;   ///< digits that the tolerance can give there
+  double worst = -16;    ///< most missing digits
+  double at = 0;         ///< tolerance of the worst run
+  double delivered = 0;  ///< achieved digits of the worst run
+  double expected = 0;   ///< expected digits of the worst run
 };
 
 std::vector<Row> rows_of(const std::vector<ProblemTrials>& all) {
   std::vector<Row> rows;
   for (const ProblemTrials& p : all) {
     for (const MethodTrials& m : p.methods) {
-      if (!m.chooses) continue;  // of equal steps nothing is asked
+      if (!m.chooses) continue;  // fixed steps have no tolerance
       Row row{p.problem, m.method, m.peer};
       for (const Trial& t : m.trials) {
         if (!t.success()) continue;

@@ -19,8 +19,8 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Time of a method over that of the fastest, by a row of tables/reference/method_times.csv; infinite if it
-/// does not deliver.
+/// Time of a method over that of the fastest, from a row of tables/reference/method_times.csv; infinite if it
+/// does not achieve the digits.
 double over_fastest(const scene::CsvRecord& headings, const scene::CsvRecord& row,
                     const std::string& method) {
   const auto column = std::ranges::find(headings.cells, method + " over fastest");
@@ -32,16 +32,16 @@ double over_fastest(const scene::CsvRecord& headings, const scene::CsvRecord& ro
   return factor;
 }
 
-/// The first choice for a problem and digits.
+/// The first choice of the command for a problem and digits, with its measured times.
 struct Judged {
   std::string problem;
   int digits;
   comparison::Features features;
   std::string rule, chosen, fastest;
   double behind;     ///< time of the chosen method over that of the fastest
-  double series;     ///< the same of `series`
-  double condition;  ///< as the command finds it
-  double delivered;  ///< digits at t1 with the tolerance that the command names
+  double series;     ///< time of `series` over that of the fastest
+  double condition;  ///< condition number found by the command
+  double delivered;  ///< achieved digits at t1 with the tolerance that the command recommends
 };
 
 double delivered(const SetProblem& p, const comparison::Ranked& first) {

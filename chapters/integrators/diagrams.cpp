@@ -12,7 +12,7 @@
 namespace nlmech::chapters::integrators::diagrams {
 namespace {
 
-/// What a method came to, as diagrams show it. A method that a problem is not for has no runs.
+/// Runs of a method for the diagram; none if the method does not apply to the problem.
 scene::MethodLine line_of(const MethodTrials& m) {
   scene::MethodLine line =
       comparison::line_of(m.method, comparison::kind_of(comparison::any_method(m.method)));
@@ -24,7 +24,7 @@ scene::MethodLine line_of(const MethodTrials& m) {
   return line;
 }
 
-/// The diagram of a problem.
+/// Draws the work-precision diagram of a problem.
 void put(const ProblemTrials& p, scene::Show& show) {
   scene::ProblemLines lines;
   double most = 0;
@@ -32,7 +32,7 @@ void put(const ProblemTrials& p, scene::Show& show) {
     lines.lines.push_back(line_of(m));
     for (const Trial& t : m.trials) most = std::max(most, t.success() ? t.digits() : 0);
   }
-  const bool known = p.condition >= 10;  // less lies beyond the 15 digits of the picture
+  const bool known = p.condition >= 10;  // smaller rounding is below the 15 digits of the figure
   scene::show_work_precision({.heading = p.problem + ": " + scene::who_leads(lines),
                               .work = comparison::work_columns(),
                               .work_label = "right-hand sides evaluated",

@@ -1,7 +1,7 @@
 /// @file
-/// `integrators_ensemble_bench`: Lorenz' equations for many initial states by Series, in registers against
-/// one by one; by Google Benchmark. Writes results/bench/integrators_ensemble.json under the current folder;
-/// exit code 1 if a claim is not held.
+/// `integrators_ensemble_bench`: Lorenz equations for many initial states by Series, in SIMD registers
+/// against one by one; by Google Benchmark. Writes results/bench/integrators_ensemble.json under the current
+/// folder; exit code 1 if a claim does not hold.
 #include <span>
 #include <string>
 #include <utility>
@@ -16,7 +16,7 @@ namespace {
 
 using namespace nlmech;
 
-/// Steps of chosen length, of equations that the compiler has not seen, as typed ones.
+/// Adaptive steps, with equations given at run time.
 void add_series(chapters::Speed& all, double tolerance) {
   static const ivp::System system(problems::TextProblem("lorenz"));
   constexpr int count = 512;
@@ -35,7 +35,7 @@ void add_series(chapters::Speed& all, double tolerance) {
       benchmark::DoNotOptimize(end);
     }
   });
-  // Two products of series, and some ten multiply-adds an order besides.
+  // Multiply-adds: two products of series, and some ten more per order.
   const double n = ivp::series_order(tolerance), operations = steps * (n * n + 10 * n);
   for (const auto& [lanes, least] : {std::pair{InstructionSet::avx2, 2}, {InstructionSet::avx512, 4}}) {
     const InstructionSet set = lanes;

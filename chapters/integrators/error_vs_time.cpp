@@ -11,7 +11,7 @@ namespace {
 
 using comparison::Kind;
 
-/// The equation of the page's commands, as it is typed there.
+/// The equation of the commands on the chapter's page.
 constexpr const char* equation = "x'' + 0.1 x' + x + 3 x^3 = 0.2 cos(1.1 t)";
 
 std::vector<comparison::MethodSweep> methods(bool quick) {

@@ -11,13 +11,13 @@
 namespace nlmech::chapters::integrators::everyday {
 namespace {
 
-/// A run as `integrate` prints it.
+/// Output of the command `integrate`.
 struct Printed {
-  std::vector<double> t, x;         ///< of all rows, those before and after a change too
-  std::vector<std::string> events;  ///< at each row; may be empty
+  std::vector<double> t, x;         ///< all rows, including those just before and after a jump
+  std::vector<std::string> events;  ///< event of each row; may be empty
 };
 
-/// @param every distance of rows in time
+/// @param every time between rows
 Printed printed(const std::string& equation, const std::string& until, const std::string& every) {
   comparison::TypedOptions options;
   options.equation = equation;
@@ -40,7 +40,7 @@ Printed printed(const std::string& equation, const std::string& until, const std
   return all;
 }
 
-/// The time of the last event of that name.
+/// The time of the last event of the given name.
 double last_time(const Printed& run, const std::string& name) {
   double t = std::nan("");
   for (std::size_t i = 0; i < run.t.size(); ++i) {

@@ -16,12 +16,13 @@ namespace {
 constexpr const char* independent =
     "two methods that share nothing but the equation, at a tolerance of 1e-13";
 
-/// A solution at some times, and how far an independent one is from its end.
+/// A solution at some times and its difference from an independent one at the end.
 struct Course {
-  std::vector<std::string> names;            ///< of the components
+  std::vector<std::string> names;            ///< component names
   std::vector<double> t;                     ///< times
-  std::vector<std::vector<double>> columns;  ///< a component each
-  /// Of the end states of two methods, relative to the greatest values; 0 of one alone.
+  std::vector<std::vector<double>> columns;  ///< values, one column per component
+  /// Largest difference of the end states of two methods, relative to the largest value of the component; 0
+  /// with one method.
   double difference = 0;
 
   /// The column of a component.
@@ -38,7 +39,7 @@ program::Equations example(const std::string& name) {
   return program::Equations(program::SourceText(file, scene::read_whole(path)));
 }
 
-/// The times number 0, 1, ..., @p count.
+/// The times at(0), at(1), ..., at(count).
 template <class At>
 std::vector<double> times_of(int count, const At& at) {
   std::vector<double> times;
@@ -49,8 +50,8 @@ std::vector<double> equidistant(double end, int count) {
   return times_of(count, [=](int i) { return end * i / count; });
 }
 
-/// From the file's initial values to each of @p times, which rise. @p method and @p other begin anew at each
-/// time that is asked for with a tolerance of 1e-13. Where nothing determines the end @p other is empty.
+/// Integrates from the initial values of the file to each of @p times (increasing), with tolerance 1e-13 and
+/// a restart at each time. @p other is empty if the end state is too ill-conditioned to compare.
 /// @throws Failure if one of them fails
 Course course(const program::Equations& equations, const std::vector<double>& times,
               const std::string& method, const std::string& other) {
@@ -81,7 +82,7 @@ Course course(const program::Equations& equations, const std::vector<double>& ti
   return made;
 }
 
-/// Greatest departure of a quantity from its first value, relative to that or, for @p scale > 0, to a scale.
+/// Largest deviation of a quantity from its first value, relative to @p scale, or to that value for 0.
 template <class Quantity>
 double drift(const Course& c, Quantity quantity, double scale = 0) {
   const double first = quantity(0U);
@@ -117,7 +118,7 @@ void double_pendulum(const Course& c, scene::Show& show) {
 }
 
 void duffing_attractor(const Course& c, scene::Show& show) {
-  // The first sections are the way to the attractor.
+  // The first sections are the transient.
   const auto after = [](const std::vector<double>& all) {
     return std::vector<double>(all.begin() + 20, all.end());
   };
@@ -222,7 +223,7 @@ void loudspeaker(const Course& c, scene::Show& show) {
   agree(c, 1e-9, show);
 }
 
-/// A shipped file, drawn.
+/// A shipped .ode file with its figure.
 struct Drawn {
   const char* name;
   const char* title;

@@ -8,7 +8,7 @@
 namespace nlmech::chapters::integrators {
 
 void show_heat_map(const HeatMap& map, scene::Show& show) {
-  // Where colours are of times, two runs differ, and the column says so.
+  // Colours from times are not reproducible; the name of the column marks them.
   const std::string colour = map.kind == "behind" ? "time_behind" : map.kind;
   scene::Table data({{"panel"}, {"row"}, {"column"}, {colour}, {"mark"}, {"problem"}, {"method"}});
   for (std::size_t panel = 0; panel < map.captions.size(); ++panel) {

@@ -1,5 +1,5 @@
 /// @file
-/// Methods by problems as coloured cells, for figures/templates/integrators-heat-map.gp.
+/// Heat map of methods by problems, for figures/templates/integrators-heat-map.gp.
 #pragma once
 
 #include <functional>
@@ -12,24 +12,24 @@
 
 namespace nlmech::chapters::integrators {
 
-/// A cell: its colour, nothing for none, and what is written in it.
+/// A cell of the heat map.
 struct HeatCell {
-  std::optional<double> colour = {};  ///< in the unit of the kind
-  std::string mark = {};              ///< a character or two
+  std::optional<double> colour = {};  ///< value in the unit of HeatMap::kind; nothing: no colour
+  std::string mark = {};              ///< text in the cell, one or two characters
 };
 
-/// A picture of one to four panels.
+/// A heat map of one to four panels.
 struct HeatMap {
-  std::string heading;                ///< what to see
-  std::string kind;                   ///< of the template: behind, miss, digits
-  std::string legend;                 ///< of the marks
-  std::vector<std::string> captions;  ///< of the panels
+  std::string heading;                ///< title: quantity and finding
+  std::string kind;                   ///< of quantity: behind, miss or digits
+  std::string legend;                 ///< of the marks in the cells
+  std::vector<std::string> captions;  ///< one per panel
   std::vector<std::string> problems;  ///< rows
   std::vector<std::string> methods;   ///< columns
   std::function<HeatCell(std::size_t panel, std::size_t problem, std::size_t method)> cell;  ///< from 0
 };
 
-/// Puts it on @p show.
+/// Adds the heat map to @p show.
 void show_heat_map(const HeatMap& map, scene::Show& show);
 
 }  // namespace nlmech::chapters::integrators

@@ -1,5 +1,5 @@
 /// @file
-/// The problem set: what its references and its list are made of.
+/// Definitions of the problems of the set, for the set itself and for the computation of its references.
 #pragma once
 
 #include <cstdint>
@@ -10,42 +10,42 @@
 
 namespace nlmech::chapters::integrators {
 
-/// What makes a problem hard.
+/// Kind of difficulty of a problem.
 enum class Kind {
-  smooth,  ///< nothing: explicit methods are at home
-  stiff,   ///< motions that are much faster than the solution
-  extreme  ///< its length, its end, its jumps
+  smooth,  ///< none; suits explicit methods
+  stiff,   ///< time scales much shorter than that of the solution
+  extreme  ///< long interval, singularity at the end, or jumps
 };
 
 /// How the reference of a problem is computed.
 enum class By {
-  taylor,   ///< Taylor series of two orders
-  radau,    ///< collocation at Radau points of two orders
-  nothing,  ///< there is no solution at the end: every success is wrong
+  taylor,   ///< Taylor series of two orders compared
+  radau,    ///< Radau collocation of two orders compared
+  nothing,  ///< no solution reaches t1: every success is wrong
 };
 
 /// A problem of the set.
 struct Case {
-  std::string_view name;            ///< in tables: "kepler-0.99"
+  std::string_view name;            ///< in tables, such as "kepler-0.99"
   problems::TextProblem problem;    ///< with its parameters
   By by = By::taylor;               ///< how its reference is computed
-  double end = problem.final_time;  ///< time
-  Kind kind = Kind::smooth;         ///< what makes it hard
-  double absolute = 1;              ///< absolute over relative tolerance: below the components that count
-  std::int64_t length = 1;          ///< how many times as many steps it takes as the others
+  double end = problem.final_time;  ///< final time
+  Kind kind = Kind::smooth;         ///< kind of difficulty
+  double absolute = 1;              ///< absolute over relative tolerance; below the relevant components
+  std::int64_t length = 1;          ///< number of steps relative to other problems
 };
 
-/// Friction between a mass on a spring and its support, as typed: x' changes its sign nine times.
+/// Mass on a spring with dry friction, as equation text. x' changes its sign nine times.
 struct Friction {
   static constexpr std::string_view name = "friction";  ///< in tables
   static constexpr const char* equation =
-      "x'' + x + 0.125 sign(x') = 0; x(0) = 2.5; x'(0) = 0";  ///< a number of binary digits: all exact
+      "x'' + x + 0.125 sign(x') = 0; x(0) = 2.5; x'(0) = 0";  ///< the constants are exact in binary
   static constexpr double position = 2.5;                     ///< x(0); x'(0) = 0
-  static constexpr double force = 0.125;                      ///< of friction
-  static constexpr double end = 25;                           ///< before the mass sticks
+  static constexpr double force = 0.125;                      ///< friction force
+  static constexpr double end = 25;                           ///< final time, before the mass sticks
 };
 
-/// All of them in the order of tables, but friction.
+/// All problems except friction, in the order of tables.
 [[nodiscard]] inline std::vector<Case> all_cases() {
   using problems::TextProblem;
   using enum Kind;
@@ -96,9 +96,9 @@ struct Friction {
           {.name = "lost-domain", .problem = TextProblem("lost-domain"), .by = nothing, .kind = extreme}};
 }
 
-/// The times at which errors are judged: 16 equidistant ones in the last tenth, the last of them the end.
+/// Number of judged times, equidistant in the last tenth of the interval; the last one is t1.
 inline constexpr int judged_times = 16;
-/// The time number @p k from 0 of them, for a way from @p t0 to @p t1.
+/// Judged time number @p k (from 0) of the interval from @p t0 to @p t1.
 [[nodiscard]] constexpr double judged_time(double t0, double t1, int k) {
   return k + 1 == judged_times ? t1 : t1 - (t1 - t0) / 10 * (judged_times - 1 - k) / (judged_times - 1);
 }

@@ -27,7 +27,7 @@ using Rows = std::vector<scene::CsvRecord>;
 
 double number(const std::string& text) { return std::strtod(text.c_str(), nullptr); }
 
-/// The rows of a file of tables/reference, each of so many cells.
+/// Rows of a file of tables/reference without the headings; each must have @p cells cells.
 Rows rows_of(const std::string& file, std::size_t cells) {
   Rows rows = scene::parse_csv(scene::read_whole(scene::data_folder() / "tables" / "reference" / file), file);
   if (std::ranges::any_of(rows, [cells](const auto& row) { return row.cells.size() != cells; })) misfit(file);
@@ -35,7 +35,8 @@ Rows rows_of(const std::string& file, std::size_t cells) {
   return rows;
 }
 
-/// Completes a problem that has a solution. @param states a row a component, time after time
+/// Adds reference and condition numbers to a problem with a solution.
+/// @param states one row per component, ordered by time
 void complete(SetProblem& p, const Rows& states, const Rows& conditions) {
   const auto size = static_cast<std::size_t>(p.x0.size());
   std::vector<long double> values;

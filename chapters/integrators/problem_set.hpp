@@ -1,5 +1,5 @@
 /// @file
-/// The problem set: initial value problems with references of known accuracy and their condition.
+/// The problem set: initial value problems with references of known accuracy and condition numbers.
 #pragma once
 
 #include <algorithm>
@@ -15,24 +15,24 @@ namespace nlmech::chapters::integrators {
 
 /// A problem with its reference.
 struct SetProblem {
-  std::string name;                            ///< in tables: "kepler-0.99"
-  Kind kind;                                   ///< what makes it hard
+  std::string name;                            ///< in tables, such as "kepler-0.99"
+  Kind kind;                                   ///< kind of difficulty
   double absolute;                             ///< absolute over relative tolerance
-  std::int64_t length;                         ///< how many times as many steps it takes as the others
+  std::int64_t length;                         ///< number of steps relative to other problems
   ivp::System system;                          ///< the equations
   ivp::State x0;                               ///< state at t0
-  double t0;                                   ///< begin
-  double t1;                                   ///< end
-  std::vector<double> times;                   ///< at which errors are judged; the last is t1
-  std::vector<ivp::LongState> reference = {};  ///< there; empty: no solution reaches the end
-  ivp::State flagged = {};  ///< what errors of components near zero are divided by; 0: by the component
-  double condition = 1;     ///< greatest factor from relative errors at earlier times to that at the end
-  double tolerance_condition = 1;  ///< the same from errors of one tolerance, absolute + |x|
+  double t0;                                   ///< initial time
+  double t1;                                   ///< final time
+  std::vector<double> times;                   ///< judged times; the last is t1
+  std::vector<ivp::LongState> reference = {};  ///< states at `times`; empty: no solution reaches t1
+  ivp::State flagged = {};         ///< scale of the error of components near zero; 0: relative error
+  double condition = 1;            ///< largest amplification of a relative error at an earlier time until t1
+  double tolerance_condition = 1;  ///< the same for an error of one tolerance, absolute + |x|
 
-  /// Does the solution reach the end?
+  /// Does the solution reach t1?
   [[nodiscard]] bool has_solution() const { return !reference.empty(); }
-  /// The greatest error of a component of @p x at the time number @p k: relative to the component, or, where
-  /// it is near zero, absolute in the unit of its size. NaN if @p x has one.
+  /// The largest error of a component of @p x at times[k], divided by flagged[i] if positive, else by the
+  /// reference component. NaN if a component is NaN.
   [[nodiscard]] double error(const ivp::State& x, std::size_t k) const {
     double worst = 0;
     for (Eigen::Index i = 0; i < x.size(); ++i) {
@@ -46,12 +46,12 @@ struct SetProblem {
   }
 };
 
-/// All of them with what tables/reference/problem_set.csv and problem_set_conditions.csv say.
-/// @throws Failure naming the file, if one is not there or does not fit the problems
+/// All problems, with data from tables/reference/problem_set.csv and problem_set_conditions.csv.
+/// @throws Failure naming a file that is missing or does not fit the problems
 [[nodiscard]] std::vector<SetProblem> problem_set();
 
-/// Their names, in that order. Reads no file.
-/// @param solved those alone whose solution reaches the end
+/// Names of the problems in the order of problem_set(). Reads no file.
+/// @param solved only problems whose solution reaches t1
 [[nodiscard]] std::vector<std::string> problem_names(bool solved = false);
 
 }  // namespace nlmech::chapters::integrators

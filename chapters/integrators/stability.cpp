@@ -11,11 +11,11 @@
 namespace nlmech::chapters::integrators::stability {
 namespace {
 
-/// What became of a method on a problem.
+/// Outcome of a method on a problem.
 struct Ending {
-  const Trial* best = nullptr;    ///< the success with the most digits; none
-  const Trial* last = nullptr;    ///< how the sweep ended
-  const Trial* silent = nullptr;  ///< the silent failure of the tightest setting; none
+  const Trial* best = nullptr;    ///< the success with the most digits; null if none
+  const Trial* last = nullptr;    ///< the last run of the sweep
+  const Trial* silent = nullptr;  ///< the silent failure with the tightest setting; null if none
 };
 
 Ending ending_of(const ProblemTrials& p, const MethodTrials& m) {

@@ -17,7 +17,7 @@ namespace {
 constexpr std::array asked = {3, 6, 9, 12};
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// The fastest of some methods.
+/// The fastest method of a group.
 struct Winner {
   std::string method = "none";
   double seconds = infinity;
@@ -34,7 +34,7 @@ Winner fastest(const ProblemTrials& p, double digits, Of of) {
   return best;
 }
 
-/// A row of the table: the fastest methods on a problem.
+/// A row of the table: the fastest methods for a problem and a number of digits.
 struct Row {
   std::string problem;
   int digits;
@@ -73,13 +73,13 @@ std::vector<Row> rows_of(const std::vector<const ProblemTrials*>& problems) {
   return rows;
 }
 
-/// Seconds of a method over those of the fastest; infinite if it does not deliver.
+/// Time of a method over that of the fastest; infinite if it does not achieve the digits.
 double behind(const ProblemTrials& p, const MethodTrials& method, double digits) {
   const double best = fastest(p, digits, [](const MethodTrials&) { return true; }).seconds;
   return method.seconds_for(digits).value_or(infinity) / best;
 }
 
-/// A column of the table.
+/// Column of the table: time of the method over that of the fastest.
 scene::ColumnOf<Row> column_behind(const std::string& method) {
   return {method + " over fastest", [method](const Row& r) -> std::optional<double> {
             const auto trials = std::ranges::find(r.trials->methods, method, &MethodTrials::method);
@@ -88,7 +88,7 @@ scene::ColumnOf<Row> column_behind(const std::string& method) {
           }};
 }
 
-/// Those that somewhere are at most three times as slow as the fastest.
+/// Methods that take at most three times as long as the fastest for some problem and digits.
 std::vector<std::size_t> methods_of(const std::vector<const ProblemTrials*>& problems) {
   std::vector<std::size_t> all;
   for (std::size_t m = 0; m < problems.front()->methods.size(); ++m) {
@@ -135,7 +135,7 @@ void put(const std::vector<ProblemTrials>& all, scene::Show& show) {
   show.equals("problems with a solution", problems.size(), 22, "those of the list that have a reference");
   double least = infinity;
   for (const ProblemTrials* p : problems) {
-    if (p->kind == Kind::extreme) continue;  // as far as time allows
+    if (p->kind == Kind::extreme) continue;  // their digits are limited by the bounded work
     double most = 0;
     for (const MethodTrials& m : p->methods) {
       for (const Trial& t : m.trials) most = std::max(most, t.success() ? t.digits() : 0);

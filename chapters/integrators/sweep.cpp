@@ -16,13 +16,12 @@
 namespace nlmech::chapters::integrators {
 namespace {
 
-constexpr double least_digits = 2;  // to expect, before half of them say anything
+constexpr double least_digits = 2;  // least expected digits for which silent_failure() is meaningful
 
-// In counts, so that two sweeps are the same; nor does a tighter tolerance follow a step limit.
+// Limits are counts, not times, so that sweeps are reproducible. A sweep ends at a step limit.
 constexpr WorkLimit full = {3, 13, 2, 60'000, 60'000}, look = {4, 8, 4, 4'000, 2'000};
 
-/// Steps of a run: fewer where they have many nodes. A long problem has ten times as many, which formulas of
-/// low order are through with at once.
+/// Step limit of a run: lower for fixed steps of many nodes, ten times higher for a long problem.
 std::int64_t most_steps(const ivp::MethodInfo& info, int size, std::int64_t length, const WorkLimit& effort) {
   const bool many_nodes = info.has(ivp::nodes_setting) || info.has(ivp::points_setting);
   const bool fewer = info.fixed_step() && many_nodes;
@@ -31,15 +30,15 @@ std::int64_t most_steps(const ivp::MethodInfo& info, int size, std::int64_t leng
          (length > 1 ? 10 : 1);
 }
 
-/// The median of up to five runs in 4 ms; a longer run counts by itself.
-/// @param first of the processor, of the run that was
+/// Median time of up to five runs within 4 ms; a run longer than 2 ms is not repeated.
+/// @param first processor time of the first run, s
 Timing timing_of(const std::function<void()>& run, double first) {
   constexpr double all = 0.004;
   if (first > all / 2) return {first, first, first, 1};
   return time_repeats(run, std::clamp(static_cast<int>(all / std::max(first, 1e-6)) - 1, 1, 5));
 }
 
-/// The errors at the judged times: along a chain of runs from one to the next, and of @p end.
+/// Median error at the judged times: of @p end at t1, and of runs from one judged time to the next before it.
 std::optional<double> error_of(const SetProblem& p, const ivp::NamedIntegrator& run,
                                const ivp::Limits& limits, const ivp::State& end) {
   std::vector<double> errors = {p.error(end, p.times.size() - 1)};
@@ -47,7 +46,7 @@ std::optional<double> error_of(const SetProblem& p, const ivp::NamedIntegrator& 
   double t = p.t0;
   for (std::size_t k = 0; k + 1 < p.times.size(); ++k) {
     const ivp::Solution s = run(p.system, x, t, p.times[k], {}, limits);
-    if (!s.status.ok()) break;  // the run to the end went well: it counts by what there is
+    if (!s.status.ok()) break;  // the run to t1 succeeded: use the errors so far
     errors.push_back(p.error(s.x, k));
     x = s.x;
     t = p.times[k];
@@ -56,8 +55,8 @@ std::optional<double> error_of(const SetProblem& p, const ivp::NamedIntegrator& 
   return median(errors);
 }
 
-/// Of a long way, the first tenth with a tenth of the steps: it is as hard as the others, and a run that does
-/// not come through is not begun. Nothing of other ways, and of equal steps, whose number is known.
+/// First tenth of a long problem, with a tenth of the step limit: if it fails, the whole run is not started.
+/// No integration for other problems, nor for fixed steps, whose number is known.
 ivp::Solution first_tenth(const SetProblem& p, const ivp::Settings& settings, const ivp::NamedIntegrator& run,
                           ivp::Limits limits) {
   if (p.length == 1 || settings.step) return {p.t0, p.x0, {}, {}};
@@ -87,20 +86,21 @@ Trial trial(const SetProblem& p, const ivp::MethodInfo& method, const ivp::Setti
     t.error = p.has_solution() ? error_of(p, run, limits, s.x) : HUGE_VAL;
     t.time = timing_of([&] { static_cast<void>(once()); }, t.processor);
   } catch (const std::invalid_argument&) {
-    // A method for accelerations on a problem that has none, and the like.
+    // The method does not apply to the problem: one for second-order equations, for example.
   }
   return t;
 }
 
-/// What a run did, in right-hand sides: a factorisation counts as one a component, which is little.
+/// Work of a run in right-hand sides. A Jacobian or factorisation counts as one per component, a low
+/// estimate.
 std::int64_t work_of(const Trial& t, int size) {
   return t.work.right_hand_sides + size * std::max(t.work.jacobians, t.work.factorisations);
 }
 
-/// Of so long a way a tolerance looser than this leaves no digit.
+/// Exponent of the loosest tolerance for long problems: looser ones leave no correct digit.
 constexpr int loosest_of_long = 7;
 
-/// What is asked of a method: tolerances, or equal steps, coarse first.
+/// Settings of a sweep: tolerances or fixed step sizes, coarsest first.
 std::vector<ivp::Settings> settings_of(const SetProblem& p, const ivp::MethodInfo& info,
                                        const WorkLimit& effort) {
   std::vector<ivp::Settings> all;
@@ -172,7 +172,7 @@ std::optional<double> MethodTrials::seconds_for(double digits) const {
 }
 
 double ProblemTrials::digits_to_expect(double tolerance) const {
-  constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();  // of some hundred steps
+  constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();  // for some hundred steps
   return std::max(0., -std::log10(length * (tolerance * tolerance_condition + rounding * condition)));
 }
 

@@ -1,6 +1,5 @@
 /// @file
-/// Every method on every problem of the set over a sweep of tolerances: the results behind the scenes that
-/// tell which method suits which problem.
+/// Tolerance sweep of every method on every problem of the set, shared by the scenes that compare methods.
 #pragma once
 
 #include <cstdint>
@@ -16,70 +15,69 @@
 
 namespace nlmech::chapters::integrators {
 
-/// A run at one tolerance, or with one step.
+/// A run with one tolerance or one fixed step size.
 struct Trial {
-  double tolerance;                  ///< relative; 0: with equal steps, of which nothing is promised
-  std::string status;                ///< "success"; "refused" by the method before it began
-  std::optional<double> error = {};  ///< median over the judged times; nothing if a run failed
-  Statistics work = {};              ///< of the run from begin to end
-  Timing time = {};                  ///< of the same
-  double processor = 0;              ///< s of the processor, of the first run
-  double step = 0;                   ///< length of equal ones; 0: the method chose them
+  double tolerance;                  ///< relative; 0 for fixed steps
+  std::string status;                ///< outcome, such as "success"; "refused": the method does not apply
+  std::optional<double> error = {};  ///< median over the judged times; nothing if the run failed
+  Statistics work = {};              ///< of the run from t0 to t1
+  Timing time = {};                  ///< of the run from t0 to t1
+  double processor = 0;              ///< processor time of the first run, s
+  double step = 0;                   ///< fixed step size; 0: adaptive
 
-  /// Did it say so?
+  /// Did the run report success?
   [[nodiscard]] bool success() const { return status == "success"; }
-  /// -log10 of the error, from 0 to 16; 0 without one.
+  /// Correct digits: -log10 of the error, clamped to [0, 16]; 0 without an error.
   [[nodiscard]] double digits() const;
-  /// "1e-05" of a tolerance, "h = 0.01" of a step.
+  /// The setting as text: "1e-05" for a tolerance, "h = 0.01" for a step size.
   [[nodiscard]] std::string setting() const;
 };
 
 /// A method on one problem.
 struct MethodTrials {
-  std::string method;         ///< "series"
-  bool peer;                  ///< another author's
-  bool chooses;               ///< its steps itself; else they are equal
-  std::vector<Trial> trials;  ///< loose first; ends where a run took too long
+  std::string method;         ///< name, such as "series"
+  bool peer;                  ///< is it a method of a peer library?
+  bool chooses;               ///< adaptive step size? Otherwise fixed
+  std::vector<Trial> trials;  ///< loosest first; up to the first run that took too long
 
-  /// Seconds that @p digits take: of the runs that deliver them the fastest, interpolated between tolerances
-  /// where the runs on both sides delivered less and more; nothing if none does, and with equal steps, which
-  /// no number of digits determines.
+  /// Time for @p digits, s: of the fastest run that achieves them, or interpolated between two successive
+  /// runs below and above. Nothing if no run achieves them, and for fixed steps.
   [[nodiscard]] std::optional<double> seconds_for(double digits) const;
 };
 
 /// All methods on one problem.
 struct ProblemTrials {
-  std::string problem;                ///< "kepler-0.99"
-  Kind kind;                          ///< what makes it hard
-  bool has_solution;                  ///< else success is wrong
-  double condition;                   ///< for relative errors
-  double tolerance_condition;         ///< for tolerances
+  std::string problem;                ///< name, such as "kepler-0.99"
+  Kind kind;                          ///< kind of difficulty
+  bool has_solution;                  ///< does a solution reach t1? Otherwise success is wrong
+  double condition;                   ///< condition number for relative errors
+  double tolerance_condition;         ///< condition number for errors of one tolerance, absolute + |x|
   std::vector<MethodTrials> methods;  ///< in the order of names
-  double length = 1;                  ///< how many times as many errors add up as on other problems
+  double length = 1;                  ///< number of accumulated errors relative to other problems
 
-  /// Digits that @p tolerance can give: an error of one tolerance, and 16 roundings, made once and multiplied
-  /// by the condition and the length.
+  /// Achievable digits at @p tolerance: one error of that size and 16 roundings, multiplied by their
+  /// condition numbers and by the length.
   [[nodiscard]] double digits_to_expect(double tolerance) const;
-  /// Did a run say success and give fewer than half of the digits to expect, where these are two or more?
-  /// Where there is no solution any success is one; else equal steps promise nothing.
+  /// Did the run report success with fewer than half of the expected digits, when at least two are expected?
+  /// Without a solution at t1 every success is a silent failure; otherwise a run with fixed steps is none.
   [[nodiscard]] bool silent_failure(const Trial& trial) const;
 };
 
-/// How much of it: of each run, and after which run a method's sweep ends.
+/// Extent of a sweep: tolerances, step limit of a run, and the work after which the sweep of a method ends.
 struct WorkLimit {
-  int loosest;          ///< power of ten of the first tolerance
-  int tightest;         ///< of the last
-  int by;               ///< from one to the next
-  std::int64_t steps;   ///< of a run, fewer with many nodes
-  std::int64_t enough;  ///< right-hand sides of the last run, and Jacobians times components
+  int loosest;          ///< -log10 of the first tolerance
+  int tightest;         ///< -log10 of the last tolerance
+  int by;               ///< increment of -log10
+  std::int64_t steps;   ///< step limit of a run; lower for fixed steps of many nodes
+  std::int64_t enough;  ///< work_of() of a run above which the sweep ends
 };
 
-/// Every method on one problem, shared by name.
+/// Sweep of every method on one problem.
 [[nodiscard]] scene::Result<ProblemTrials> sweep_of(const std::string& problem);
-/// Those of all problems.
+/// Sweeps of all problems.
 [[nodiscard]] scene::Result<std::vector<ProblemTrials>> sweep();
 
-/// Of all problems that have a solution.
+/// The problems whose solution reaches t1.
 [[nodiscard]] std::vector<const ProblemTrials*> with_solution(const std::vector<ProblemTrials>& all);
 
 }  // namespace nlmech::chapters::integrators

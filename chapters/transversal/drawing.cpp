@@ -13,13 +13,14 @@ namespace {
 constexpr int p = 4;
 constexpr double h = 0.4;
 
-/// One block of x'' + x + x^3 = cos t from (1, 0), p = 4, h = 0.4, at many times.
+/// Samples of one block of x'' + x + x^3 = cos t from (1, 0), p = 4, h = 0.4.
 struct Block {
-  std::vector<double> t, path, defect;  ///< linearised path, and what it fails the equation by
+  std::vector<double> t, path, defect;  ///< time; linearised path and its residual in the equation
   std::vector<Point> points;            ///< the p + 1 points
 };
 
-/// The cubic of the points' positions at t, by Lagrange: what stands for x^3 between the points.
+/// Lagrange interpolant at t of the cubes of the points' positions, which replaces x^3 in the linearised
+/// equation.
 double interpolated_cube(const std::vector<Point>& points, double t) {
   double sum = 0;
   for (std::size_t k = 0; k < points.size(); ++k) {
@@ -42,12 +43,12 @@ Block block() {
       b.points.push_back({step.times[i], step.states.col(static_cast<Eigen::Index>(i))});
     for (int i = 0; i <= 200; ++i) {
       ivp::State x(2);
-      // Every fiftieth sample is a point.
+      // Every fiftieth sample is at a point.
       const double t = i % 50 == 0 ? b.points[static_cast<std::size_t>(i / 50)].t : p * h * i / 200;
       step.dense.at(t, x);
       b.t.push_back(t);
       b.path.push_back(x[0]);
-      // y'' + y + y^3 - cos t, where y'' + y = cos t - (interpolated cube).
+      // y'' + y + y^3 - cos t with y'' + y = cos t - (interpolated cube).
       b.defect.push_back(std::pow(x[0], 3) - interpolated_cube(b.points, t));
     }
     return true;
@@ -58,8 +59,8 @@ Block block() {
   return b;
 }
 
-/// The drawing: the true path is a smooth curve, and the linearised one differs from it by a multiple of
-/// product (t - t_k), as the interpolation does; both meet at the points.
+/// Curves of the sketch: a smooth true path. The linearised path differs from it by a multiple of
+/// product (t - t_k), like the interpolation error, and meets it at the points.
 double drawn_path(double s) { return 1.1 + 0.35 * s - 0.55 * std::sin(0.9 * s + 0.2); }
 double drawn_gap(double s) {
   double product = 0.07;
@@ -67,7 +68,7 @@ double drawn_gap(double s) {
   return product;
 }
 
-/// Signs that change along the drawn gap, which vanishes at the points.
+/// Number of sign changes of the drawn gap, which vanishes at the points.
 int drawn_crossings(const std::vector<double>& s) {
   int crossings = 0;
   double before = drawn_gap(-0.2);

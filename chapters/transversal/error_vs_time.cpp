@@ -38,7 +38,7 @@ comparison::Example example() { return comparison::example_of(problems::TextProb
 void check(const comparison::Costs& costs, scene::Show& show) {
   const scene::MethodLine& three = costs.lines.of("mtl, p = 3");
   const auto error = [&](std::size_t i) { return three.attempts.at(i).error.value_or(NAN); };
-  // Steps of 0.1 and 0.025, among all of them or among quick's.
+  // Positions of the step sizes 0.1 and 0.025 in the full and the quick sweep.
   const double fourth = show.quick() ? error(1) / error(2) : error(2) / error(4);
   // oracle: transversal_motions driven Duffing *
   show.near("reference position at t = 50", static_cast<double>(example().reference(50)[0]),

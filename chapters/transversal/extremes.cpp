@@ -17,21 +17,21 @@ namespace {
 
 using ivp::Mtl;
 using ivp::MtlLinear;
-/// One case.
+/// A table row: one run with its outcome.
 struct RunEnd {
   std::string what, how, status;
-  std::optional<double> error;  ///< of the position at the end
+  std::optional<double> error;  ///< error of the position at the end; nothing after a failure
   std::int64_t evaluations = 0;
 };
 
-/// "p = 3, h = 0.05, A zero, estimate 0.001"
+/// The settings as text, such as "p = 3, h = 0.05, A zero, estimate to 1e-03".
 std::string words(const Mtl& m) {
   std::string text = fmt::format("p = {}, h = {:.4g}, A {}", m.points, m.step, to_string(m.linear));
   if (m.error_tolerance > 0) text += fmt::format(", estimate to {:.0e}", m.error_tolerance);
   return text;
 }
 
-/// The method as the source has it.
+/// The method of the source: no error estimate.
 Mtl blind(Mtl m) {
   m.error_tolerance = 0;
   return m;
@@ -58,7 +58,7 @@ void add_van_der_pol(std::vector<RunEnd>& all, bool quick) {
   add(10, 40, ten, blind({.step = 0.05}));
   add(10, 40, ten, blind({.step = 0.01}));
   add(10, 40, ten, blind({.step = 0.01, .linear = MtlLinear::jacobian}));
-  // Up to t = 20 the solution creeps.
+  // Slow phase of the solution, up to t = 20.
   const problems::TextProblem slow("van-der-pol", {{"mu", 100}});
   const problems::ReferenceTrajectory<long double, problems::TextProblem> creeping(slow, {2, 0}, 0, 20);
   const auto before_the_leap = static_cast<double>(creeping(20)[0]);
@@ -91,7 +91,7 @@ void add_fast(std::vector<RunEnd>& all) {
                                              smooth ? "smooth" : "oscillatory");
         all.push_back(
             run_to_end(what, problem, {x0, 0}, 1, static_cast<double>(reference(1)[0]), blind({.step = h})));
-        if (smooth && all.back().error) *all.back().error /= x0;  // relative
+        if (smooth && all.back().error) *all.back().error /= x0;  // relative error
       }
     }
   }
@@ -104,13 +104,13 @@ void add_linear(std::vector<RunEnd>& all) {
     all.push_back(run_to_end(fmt::format("linear oscillator, w h = {:g}, one block", z), problem, {1, 0}, end,
                              std::cos(1e3 * end), blind({.step = h})));
   }
-  // K = C = 0: the force alone, x = 1 + (1 - cos 2 t)/4.
+  // K = C = 0: force only, solution x = 1 + (1 - cos 2 t)/4.
   const problems::TextProblem bare("driven-duffing", {{"stiffness", 0}, {"hardening", 0}, {"frequency", 2}});
   all.push_back(run_to_end("K = C = 0 under a force", bare, {1, 0}, 12, 1 + (1 - std::cos(24.)) / 4,
                            blind({.step = 1})));
 }
 
-// Points at equal distances and a high degree: a root far away from the solution.
+// Equidistant points of high degree: the block equations have a root far from the solution.
 void add_far_root(std::vector<RunEnd>& all) {
   for (const double allowed : {0., 1e-2}) {
     const Mtl method{.step = 0.4, .points = 8, .error_tolerance = allowed};
@@ -140,7 +140,7 @@ void put(const std::vector<RunEnd>& all, scene::Show& show) {
         std::ranges::find_if(all, [&](const RunEnd& f) { return f.what == what && f.how == words(method); });
     return found == all.end() ? NAN : found->error.value_or(NAN);
   };
-  // A success far from the solution although an estimate was asked for.
+  // Silent failures: success with an error estimate, and a large error.
   const auto silent = std::ranges::count_if(all, [](const RunEnd& f) {
     return f.how.find("estimate") != std::string::npos && f.status == "success" && *f.error > 0.1;
   });

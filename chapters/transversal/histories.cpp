@@ -13,7 +13,7 @@ namespace {
 
 constexpr double end = 8;
 
-/// RK6 and MTL with one step.
+/// RK6 and MTL with the same step size.
 struct Pair {
   double step;
   Course rk6, mtl;
@@ -38,7 +38,7 @@ Histories all_histories() {
   return all;
 }
 
-/// Up to where the motion is far outside the picture.
+/// Draws a curve up to the first point with |x| >= 1e3, far outside the panel.
 void curve(scene::Panel& panel, const std::string& name, const std::vector<Point>& points,
            const scene::Look& look) {
   const auto inside =

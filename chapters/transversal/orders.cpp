@@ -14,18 +14,18 @@ namespace {
 
 constexpr double end = 12;
 
-/// The error at the end with steps of a length.
+/// Error at the end for one step size.
 struct Sample {
   double step, error;
 };
 
-/// A basis with p points, and how its error falls.
+/// Convergence of a basis with p points.
 struct Fall {
   std::string name;
   int expected;
-  std::vector<Sample> samples;  ///< each step half as long as the one before
+  std::vector<Sample> samples;  ///< step sizes halved from one to the next
 
-  /// Slope of the last two.
+  /// Observed order from the last two step sizes.
   [[nodiscard]] double observed() const {
     return std::log2(samples[samples.size() - 2].error / samples.back().error);
   }
@@ -37,7 +37,7 @@ Fall fall_of(const Reference& reference, const problems::TextProblem& problem, c
   Fall fall{basis == ivp::MtlBasis::lagrange ? fmt::format("p = {}", p) : fmt::format("hats p = {}", p),
             ivp::mtl_order(basis, p),
             {}};
-  // Steps that errors of the higher orders do not take below 1e-12, where roundings are.
+  // `halvings` keeps the errors of the higher orders above rounding, about 1e-12.
   for (int k = 0; k < halvings; ++k) {
     const ivp::Mtl method{.step = 0.2 / (1 << k), .points = p, .basis = basis, .error_tolerance = 0};
     const auto s = ivp::integrate(ivp::System(problem), x0, 0, end, method);

@@ -32,7 +32,7 @@ Course course(const problems::TextProblem& problem, const ivp::State& x0, double
   c.work = solution.statistics;
   for (const Point& p : c.points) {
     c.largest = std::max(c.largest, std::abs(p.x[0]));
-    // The last point may lie an ulp beyond the end.
+    // Rounding can put the last point an ulp beyond the end.
     if (reference != nullptr)
       c.error =
           std::max(c.error, std::abs(p.x[0] - static_cast<double>((*reference)(std::min(p.t, end))[0])));
@@ -42,7 +42,7 @@ Course course(const problems::TextProblem& problem, const ivp::State& x0, double
 }
 
 ivp::NamedIntegrator mtl(double step, int points) {
-  // The summary's procedure has no estimate: its long steps go on.
+  // The procedure of the source has no error estimate and never stops at a large error.
   const ivp::Mtl method{.step = step, .points = points, .error_tolerance = 0};
   return [method](const ivp::System& system, const ivp::State& x0, double t0, double t1,
                   const ivp::Observer& observer, const ivp::Limits& limits) {

@@ -16,25 +16,25 @@ namespace {
 
 constexpr double end = 40;
 
-/// One method with one step.
+/// A run of one method with one step size.
 struct Fate {
-  std::string method;  ///< "rk6", "mtl 3"
-  double step;         ///< h
-  std::string status;  ///< how it ended
-  double error;        ///< greatest error of x; infinite if it failed
+  std::string method;  ///< method name, such as "rk6" or "mtl 3"
+  double step;         ///< step size h
+  std::string status;  ///< outcome
+  double error;        ///< largest error of x; infinite if the run failed
 
-  /// None if it failed.
+  /// The error; nothing if the run failed.
   [[nodiscard]] std::optional<double> finite_error() const {
     return std::isfinite(error) ? std::optional(error) : std::nullopt;
   }
 };
 
-/// All of them on one oscillator.
+/// All runs on one oscillator.
 struct Fates {
-  std::vector<Fate> fates;  ///< by method, then by step
-  double amplitude = 0;     ///< greatest |x| of the solution
+  std::vector<Fate> fates;  ///< ordered by method, then by step size
+  double amplitude = 0;     ///< largest |x| of the solution
 
-  /// The shortest step with which a method overflows; NaN if none does.
+  /// The smallest step size with which a method overflows; NaN if there is none.
   [[nodiscard]] double overflow_from(const std::string& name) const {
     const auto found = std::ranges::find_if(
         fates, [&](const Fate& f) { return f.method == name && f.status == "non_finite"; });
@@ -50,7 +50,7 @@ struct Fates {
   }
 };
 
-/// h = 0.01, 0.02, ..., 0.5, or less of it.
+/// Step sizes 0.01, 0.02, ..., 0.5; fewer if @p quick.
 std::vector<double> steps(bool quick) {
   std::vector<double> all;
   for (int k = 1; k <= 50; ++k) {
@@ -97,12 +97,12 @@ void check(const std::string& label, const Fates& all, double rk6, double rk4, s
                "order 6 against 4; a seventh and a quarter are regression values");
 }
 
-/// "RK6"; "MTL p = 3" with an italic p.
+/// Method name for the legend: "RK6", or "MTL p = 3" with an italic p.
 std::string in_legend(const std::string& name) {
   return name.starts_with("mtl") ? "MTL {/:Italic p} = " + name.substr(4) : "RK" + name.substr(2);
 }
 
-/// A curve a method; steps with which it fails are crosses, a row a method.
+/// Draws one error curve per method. Crosses mark step sizes that fail, one row per method.
 void draw(const Fates& all, scene::Show& show) {
   scene::Panel& panel = show.plot("Bounded is not accurate: at {/:Italic h} = 0.21 nothing is right",
                                   "step {/:Italic h} (periods of the force)",

@@ -20,15 +20,15 @@ problems::TextProblem free_oscillator() { return problems::TextProblem("driven-d
 
 double energy(const ivp::State& x) { return (x[1] * x[1] + x[0] * x[0]) / 2 + std::pow(x[0], 4) / 4; }
 
-/// A method over a long time.
+/// Long run of a method.
 struct Long {
   std::string name;
-  std::vector<double> errors;  ///< greatest relative error of the energy in each window of time
-  double back = 0;             ///< distance from the start after going there and back, to t = 60
-  double area = 0;             ///< determinant of one block's map, less 1
+  std::vector<double> errors;  ///< largest relative energy error in each time window
+  double back = 0;             ///< distance from the start after integration to t = 60 and back
+  double area = 0;             ///< determinant of the Jacobian of one block's map, minus 1
 
   [[nodiscard]] double greatest() const { return *std::max_element(errors.begin(), errors.end()); }
-  /// Greatest in the last third over greatest in the first: 1 if nothing drifts, 3 if it drifts steadily.
+  /// Largest energy error of the last third over that of the first: 1 without drift, 3 for linear drift.
   [[nodiscard]] double growth() const {
     const auto third = static_cast<std::ptrdiff_t>(errors.size() / 3);
     return *std::max_element(errors.end() - third, errors.end()) /
@@ -45,7 +45,7 @@ Long long_run(const std::string& name, const ivp::NamedIntegrator& method, int b
   const Course c = course(free_oscillator(), begin, end, method, nullptr);
   const double first = energy(begin);
   l.errors.assign(static_cast<std::size_t>(end / window), 0);
-  // Ends of blocks: the points within one are of the order p + 1 alone.
+  // Only the ends of blocks; points within a block have only order p + 1.
   for (std::size_t i = 0; i < c.points.size(); i += static_cast<std::size_t>(block)) {
     const Point& p = c.points[i];
     const auto bin = std::min(static_cast<std::size_t>(p.t / window), l.errors.size() - 1);
@@ -53,7 +53,7 @@ Long long_run(const std::string& name, const ivp::NamedIntegrator& method, int b
   }
   l.back = (after(method, after(method, begin, 0, 60), 60, 0) - begin).cwiseAbs().maxCoeff();
   Eigen::Matrix2d map;
-  constexpr double change = 1e-5;  // central differences: 1e-10 of truncation and of rounding
+  constexpr double change = 1e-5;  // central differences: truncation and rounding errors of 1e-10
   for (int i = 0; i < 2; ++i) {
     const ivp::State d = change * ivp::State::Unit(2, i);
     map.col(i) = (after(method, inside + d, 0, block * step) - after(method, inside - d, 0, block * step)) /

@@ -25,7 +25,7 @@
 namespace nlmech::chapters::two_body_series {
 namespace {
 
-/// A state and what attracts.
+/// Options of a state.
 struct TypedState {
   orbit::State at;
   std::optional<double> mu;
@@ -53,7 +53,7 @@ void refuse_centre(const orbit::State& s) {
         fmt::format("--position {}: is the centre, where the attraction has no bound", text_of(s.position)));
 }
 
-/// Units that cannot be meant are refused after everything else that is wrong.
+/// Throws InputError if the state suggests wrong units. Called after all other checks.
 void refuse_other_units(const std::string& typed, const orbit::State& s, const std::optional<double>& mu) {
   const std::string why = mu ? "" : inside_the_earth(s);
   if (!why.empty()) throw InputError(fmt::format("{}: {}", typed, why));
@@ -63,7 +63,7 @@ void check_rows(double until, double every) {
   if (std::abs(until) / every > 1e7) throw input_error("--every {}: more than 10 million rows", every);
 }
 
-/// `propagate`
+/// Options of `propagate`.
 struct Propagation {
   std::vector<double> position, velocity;
   std::optional<double> mu, until;
@@ -119,7 +119,7 @@ void check_method(const Propagation& p) {
     throw input_error("--tolerance {}: --method kepler has none, it is exact to rounding", *p.tolerance);
 }
 
-/// Orbits of a file.
+/// Runs `propagate --states`.
 int propagate_all(const Propagation& p) {
   for (const auto& [option, typed] : {std::pair("--position", &p.position), {"--velocity", &p.velocity}}) {
     if (!typed->empty())
@@ -143,7 +143,7 @@ int propagate_all(const Propagation& p) {
   return print_orbits(r);
 }
 
-/// One of the options for one orbit.
+/// Value of --position or --velocity. @throws InputError if it has not three numbers
 orbit::Vector3<double> vector_of(const char* option, const std::vector<double>& typed) {
   if (typed.empty()) throw input_error("{} x,y,z is needed, or --states FILE.csv for many orbits", option);
   if (typed.size() != 3)
@@ -170,7 +170,7 @@ scene::Answer propagate(const Propagation& p) {
   return p.method == "rkn1210" ? rows_of_rkn1210(r) : rows_of_kepler(r);
 }
 
-/// Complaints about numbers that make no orbit together.
+/// Runs @p work and converts std::invalid_argument to an InputError that names the options.
 template <class Work>
 auto about(const std::string& options, const Work& work) {
   try {
@@ -206,7 +206,7 @@ std::string elements(const TypedState& s) {
   return fmt::format("{}\n{:.17g}\n", element_columns, fmt::join(numbers, ","));
 }
 
-/// `state`; angles in degrees.
+/// Options of `state`; angles in degrees.
 struct TypedElements {
   std::optional<double> a, p, q, e;
   double i = 0, raan = 0, argp = 0;
@@ -231,7 +231,7 @@ void declare_elements(scene::Options& options, TypedElements& t) {
   declare_mu(options, t.mu);
 }
 
-/// The options among these that were given, with their values.
+/// The given ones of these options with their values, as text.
 std::string given(std::initializer_list<std::pair<const char*, std::optional<double>>> options) {
   std::string text;
   for (const auto& [name, value] : options) {
@@ -251,7 +251,7 @@ std::string place_of(const TypedElements& t) {
                 {"--time-since-periapsis", t.time_since_periapsis}});
 }
 
-/// Two numbers make a conic.
+/// The conic from two of a, p, q and e. @throws InputError for other combinations
 orbit::Conic conic_of(const TypedElements& t) {
   const std::string shape = shape_of(t);
   if (!t.a && !t.p && !t.q) throw InputError("--a A, --p P or --q Q is needed");
@@ -289,19 +289,19 @@ orbit::State state_on(const orbit::Conic& conic, const TypedElements& t) {
   return orbit::state_at_true_anomaly(conic, o, sine_cosine_of_degrees(t.nu.value_or(0) / 2), mu);
 }
 
-/// How far the next double after an eccentricity or an anomaly is from @p s, as a share of the distance.
+/// Change of the position, relative to the distance, if e and nu are replaced by the next doubles.
 double lost_by_rounding(const TypedElements& t, const orbit::State& s) {
   double lost = 0;
   for (std::optional<double> TypedElements::*member : {&TypedElements::e, &TypedElements::nu}) {
     TypedElements next = t;
     std::optional<double>& number = next.*member;
-    if (!number || (member == &TypedElements::e && *number == 1)) continue;  // a parabola is meant
+    if (!number || (member == &TypedElements::e && *number == 1)) continue;  // exactly a parabola
     number = std::nextafter(*number, HUGE_VAL);
     try {
       const orbit::State beside = state_on(conic_of(next), next);
       lost += (beside.position - s.position).stableNorm() / s.position.stableNorm();
     } catch (const std::exception&) {
-      return 1;  // a parabola or an asymptote lies between
+      return 1;  // the next double is a parabola or beyond an asymptote
     }
   }
   return lost;

@@ -1,5 +1,5 @@
 /// @file
-/// The chapter's commands: toggles and frames of the user's own.
+/// The commands of the chapter: toggles and user-defined frames.
 #pragma once
 
 #include <optional>
@@ -9,19 +9,19 @@
 
 namespace nlmech::chapters::homotopy {
 
-/// A toggle as both commands take it.
+/// Options of a toggle, common to `limit-points` and `solve`.
 struct TypedToggle {
   double height = 0;
   std::string model = "element";
   std::optional<int> elements;
 };
 
-/// Options --height, --model and --elements.
+/// Declares --height, --model and --elements.
 void declare_toggle(scene::Options& options, TypedToggle& toggle, const std::string& about_elements);
 
-/// Beam-columns a member: 4 if nothing was said, because one does not bow, and limit points of four are
-/// within 1e-3 of those of many. Williams' equation has 1.
-/// @throws InputError if it is given others
+/// Beam-columns per member. Default 4: one element does not bow, and limit points of four are within 1e-3 of
+/// the converged ones. Williams' equation has 1.
+/// @throws InputError for another number with Williams' equation
 [[nodiscard]] int elements_of(const TypedToggle& toggle);
 
 void add_limit_points_command(scene::Commands& all);  ///< `homotopy limit-points`

@@ -22,7 +22,7 @@
 namespace nlmech::chapters::homotopy {
 namespace {
 
-/// What was typed.
+/// Options of the command.
 struct Words {
   std::string file, plot;
   int elements = 4;
@@ -32,7 +32,7 @@ struct Words {
   double limit = scene::Options::usual_limit;
   Stopwatch time = {};
   DynamicWords dynamic;
-  /// Wall time that is left, s.
+  /// Remaining wall time, s; at least 1e-3.
   [[nodiscard]] double left() const { return std::max(limit - time.seconds(), 1e-3); }
 };
 
@@ -66,7 +66,7 @@ void declare(scene::Options& options, Words& words) {
   declare_dynamic(options, words.dynamic);
 }
 
-/// How a path is followed, branches apart.
+/// Path options without `until` and `branches`.
 frames::PathOptions walk_of(const Words& words) {
   frames::PathOptions walk;
   walk.steps = words.steps.value_or(walk.steps);
@@ -75,7 +75,8 @@ frames::PathOptions walk_of(const Words& words) {
   return walk;
 }
 
-/// No option is typed that the mode does not heed. The shape of an imperfection is that of a path.
+/// Throws InputError for an option that the mode does not use. With --dynamic, an imperfection still uses
+/// --turn and --steps: its shape comes from a path.
 void require_heeded(const Words& words, const FrameFile& file) {
   if (words.until && *words.until == 0) throw InputError("--until 0: the frame is at rest there");
   if (!words.dynamic.is_wanted) return require_none(words.dynamic);
@@ -88,7 +89,7 @@ void require_heeded(const Words& words, const FrameFile& file) {
   }
 }
 
-/// Forces on the given motions, a row for each point.
+/// Forces at each path point if displacements are prescribed; otherwise empty vectors.
 std::vector<Eigen::VectorXd> reactions(const frames::NamedFrame& frame, const frames::FramePaths& paths) {
   std::vector<Eigen::VectorXd> all(paths.points.size());
   for (std::size_t i = 0; i < all.size() && !frame.given.empty(); ++i)
@@ -100,7 +101,7 @@ bool is_given(const frames::NamedFrame& frame, const frames::NamedMotion& motion
   return std::binary_search(frame.given.begin(), frame.given.end(), motion.unknown);
 }
 
-/// Estimated errors by the length of the elements, of each point.
+/// Estimated discretisation error of each path point; nothing if not known.
 using MeshErrors = std::vector<std::optional<double>>;
 
 std::string csv_of(const frames::NamedFrame& frame, const frames::FramePaths& paths, const MeshErrors& errors,
@@ -126,14 +127,14 @@ std::string csv_of(const frames::NamedFrame& frame, const frames::FramePaths& pa
   return text;
 }
 
-/// The frame of the file with so many elements, its imperfection built in.
+/// The frame of the file with the given number of elements, including its imperfection.
 frames::Imperfect frame_of(const FrameFile& file, const Words& words, int elements) {
   const frames::NamedFrame perfect = build_frame(file, elements);
   if (!file.model.imperfection) return {perfect, {}, {}};
   return imperfect(perfect, *file.model.imperfection, walk_of(words));
 }
 
-/// A frame's paths, and what their mesh makes of them.
+/// Equilibrium paths of a frame with estimated mesh errors.
 struct Estimated {
   frames::FramePaths paths;
   MeshErrors errors;
@@ -141,7 +142,7 @@ struct Estimated {
   Status status;   ///< of the second mesh
 };
 
-/// Follows the paths, and then those of a second mesh as far as time allows.
+/// Traces the paths, then those of a second mesh within the remaining time.
 Estimated estimated(const FrameFile& file, const Words& words, const frames::NamedFrame& frame,
                     frames::PathOptions walk) {
   Estimated e;
@@ -160,7 +161,7 @@ Estimated estimated(const FrameFile& file, const Words& words, const frames::Nam
   return e;
 }
 
-/// Says how good the mesh is.
+/// Prints the estimated mesh error.
 void tell_of_mesh(const Estimated& e, const Words& words) {
   double worst = 0;
   int alone = 0;
@@ -184,7 +185,7 @@ void tell_of_mesh(const Estimated& e, const Words& words) {
                     e.second, e.status.sentence()));
 }
 
-/// Says what leaves the paths and is not followed.
+/// Prints which bifurcating branches are not traced.
 void tell_of_unfollowed(const frames::FramePaths& paths) {
   const frames::FramePoint* first = nullptr;
   int multiple = 0;

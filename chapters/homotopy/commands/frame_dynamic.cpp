@@ -21,11 +21,11 @@ namespace {
 using frames::LoadHistory;
 
 constexpr double most_imbalance = 0.01;
-constexpr double most_difference = 0.01;  // of the largest displacement, from those with half the step
-constexpr int most_halvings = 6;  // of a step that nobody asked for: 64 times its work, and twice that
+constexpr double most_difference = 0.01;  // from half the step size, relative to the largest displacement
+constexpr int most_halvings = 6;  // of the default step size: 64 times the work; comparison: twice that
 constexpr std::size_t most_rows = 1'000'000;
 
-/// Those that ask for no derivative of the frame's forces beyond the tangent.
+/// Methods that need no derivative of the forces beyond the tangent.
 constexpr std::array methods = {
     "newmark", "hht",    "generalized-alpha", "backward-euler", "explicit", "rk4", "rk6", "ode45",
     "dop853",  "rkn1210"};
@@ -43,8 +43,8 @@ LoadHistory history_of(const DynamicWords& words) {
 
 std::string method_of(const DynamicWords& words) { return words.method.empty() ? "newmark" : words.method; }
 
-/// A step or a tolerance for the method; of fixed step and without one a step of a two-thousandth of the
-/// time, to begin with, for `explicit` one within which it is stable.
+/// Step size or tolerance of the method. Default step size of fixed-step methods: time/2000, for `explicit`
+/// within its stability limit.
 ivp::Settings settings_of(const DynamicWords& words, const frames::FrameMotion& motion, double time) {
   if (words.step && words.tolerance) throw InputError("--step and --tolerance: one of both");
   const ivp::MethodInfo& method = ivp::method_info(method_of(words));
@@ -59,7 +59,7 @@ ivp::Settings settings_of(const DynamicWords& words, const frames::FrameMotion& 
         *words.tolerance, method.name);
   if (words.step) return {.step = words.step};
   double step = time / 2000;
-  // It is unstable at 2; members that are stretched are stiffer than at rest.
+  // The stability limit is step * frequency = 2; the factor 1/2 allows for members that stiffen in tension.
   if (words.method == "explicit") step = std::min(step, 1 / motion.highest_frequency());
   return {.step = step};
 }
@@ -75,7 +75,7 @@ Moment moment_of(const frames::FrameMotion& motion, double t, const Eigen::Vecto
           energies.dissipated};
 }
 
-/// The unknowns by which two motions are compared: translations of nodes; where there are none, all.
+/// Unknowns for the comparison of two motions: nodal translations; all unknowns if there are none.
 std::vector<Eigen::Index> compared_of(const frames::Frame& frame) {
   std::vector<Eigen::Index> some;
   for (int node = 0; node < static_cast<int>(frame.nodes().size()); ++node) {
@@ -87,7 +87,7 @@ std::vector<Eigen::Index> compared_of(const frames::Frame& frame) {
   return some;
 }
 
-/// Runs of one motion with several steps.
+/// Runs of one motion with several step sizes.
 class Runs {
  public:
   Runs(const frames::FrameMotion& motion, const DynamicWords& words, double seconds)
@@ -97,8 +97,9 @@ class Runs {
         seconds_(seconds),
         compared_(compared_of(motion.frame().frame)) {}
 
-  /// A run. @param coarse another one, from which its displacements differ by a share of difference_
-  /// @param has_rows are its moments wanted?
+  /// Runs the motion once. @param coarse run to compare with; sets difference_, the relative difference of
+  /// displacements
+  /// @param has_rows whether to record rows
   FrameRun run(const ivp::Settings& settings, const FrameRun* coarse = nullptr, bool has_rows = true) {
     const auto integrate = ivp::named_integrator(method_of(words_), settings);
     frames::FrameEnergies energies(motion_);
@@ -141,7 +142,7 @@ class Runs {
     return run;
   }
 
-  /// A part of a step, from its start.
+  /// The initial part of a step.
   struct PartOfStep {
     const ivp::Step& step;
     double t0, t1;
@@ -149,10 +150,10 @@ class Runs {
     [[nodiscard]] Eigen::VectorXd at(double t) const { return step.at(t); }
   };
 
-  /// Rows at the times within a step that were asked for, by its dense output.
-  /// @param before energies at its start
+  /// Adds rows at the requested times within a step, by dense output.
+  /// @param before energies at the start of the step
   void add_rows(const ivp::Step& step, const frames::FrameEnergies& before, std::vector<Moment>& rows) const {
-    // The end of the motion is a row; a time that is the end but for rounding is none of its own.
+    // The end time always has a row; a requested time that equals it up to rounding has no second one.
     const double every = *words_.every, end = *words_.time, last = std::ceil(end / every - 1e-9);
     for (;;) {
       const auto number = static_cast<double>(rows.size());
@@ -165,8 +166,8 @@ class Runs {
     }
   }
 
-  /// The run with a step that is held to one with half of it. A step that nobody asked for is halved until
-  /// both agree.
+  /// Runs the motion and compares it with half the step size. The default step size is halved until both
+  /// agree.
   FrameRun held(ivp::Settings settings) {
     FrameRun coarse = run(settings);
     for (int halving = 0; settings.step; ++halving) {

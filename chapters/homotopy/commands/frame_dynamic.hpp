@@ -1,5 +1,5 @@
 /// @file
-/// `homotopy frame --dynamic`: the motion of a frame under loads that come in time.
+/// `homotopy frame --dynamic`: motion of a frame under time-dependent loads.
 #pragma once
 
 #include <optional>
@@ -14,11 +14,11 @@
 
 namespace nlmech::chapters::homotopy {
 
-/// What was typed of a motion in time.
+/// Options of a motion.
 struct DynamicWords {
   bool is_wanted = false;           ///< --dynamic
   std::string history;              ///< --history; empty: `step`
-  std::optional<double> factor;     ///< --factor; without it 1
+  std::optional<double> factor;     ///< --factor; default 1
   std::optional<double> duration;   ///< --duration
   std::optional<double> time;       ///< --time
   std::string method;               ///< --method; empty: `newmark`
@@ -27,42 +27,43 @@ struct DynamicWords {
   std::optional<double> every;      ///< --every
 };
 
-/// Its options.
+/// Declares the options of a motion.
 void declare_dynamic(scene::Options& options, DynamicWords& words);
 
 /// @throws InputError naming an option of a motion that was typed without --dynamic
 void require_none(const DynamicWords& words);
 
-/// A moment of a motion.
+/// State of a motion at one time.
 struct Moment {
-  double time;        ///< of it
-  double load;        ///< factor
+  double time;        ///< time
+  double load;        ///< load factor
   Eigen::VectorXd x;  ///< displacements
-  double kinetic;     ///< energy
-  double strain;      ///< energy
-  double work;        ///< of the loads, up to now
-  double dissipated;  ///< energy, up to now
+  double kinetic;     ///< kinetic energy
+  double strain;      ///< strain energy
+  double work;        ///< work of the loads since the start
+  double dissipated;  ///< dissipated energy since the start
 };
 
-/// A motion.
+/// Result of a motion.
 struct FrameRun {
   std::vector<Moment>
-      moments;           ///< rows of the result, rest first: at the ends of steps, or at the times asked for
-  double imbalance = 0;  ///< the most energy that was too much or missing, over the greatest energy
-  /// Of the integrator; a failure, too, for an imbalance of more than a hundredth, or if displacements with a
-  /// fixed step and with half of it differ by more than a hundredth of the largest.
+      moments;  ///< output rows from the state at rest on: at the ends of steps, or at the requested times
+  double imbalance = 0;  ///< largest error of the energy balance, relative to the largest energy
+  /// Status of the integrator. Also a failure if the imbalance exceeds 0.01, or if displacements with a fixed
+  /// step size and with half of it differ by more than 0.01 of the largest displacement.
   Status status;
 };
 
-/// Moves the frame from rest. @param seconds of wall time, after which the rows so far are its moments
-/// @throws InputError naming an option that is missing or does not fit, or the entry of the file without mass
+/// Integrates the motion of the frame from rest. @param seconds limit of wall time; the rows until then are
+/// kept
+/// @throws InputError naming a missing or unsuitable option, or the entry of the file without mass
 [[nodiscard]] FrameRun run_frame(const FrameFile& file, const frames::NamedFrame& frame,
                                  const DynamicWords& words, double seconds);
 
-/// The rows as CSV.
+/// Output rows as CSV.
 [[nodiscard]] std::string csv_of(const frames::NamedFrame& frame, const FrameRun& run);
 
-/// The largest displacement and the energies against time.
+/// Figure of the largest displacement and of the energies against time.
 [[nodiscard]] scene::Figure motion_picture(const frames::NamedFrame& frame, const FrameRun& run);
 
 }  // namespace nlmech::chapters::homotopy

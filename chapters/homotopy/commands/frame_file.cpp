@@ -26,7 +26,7 @@ constexpr std::array member_numbers = {
     MemberNumber{"EA", &frames::NamedMember::ea}, MemberNumber{"EI", &frames::NamedMember::ei},
     MemberNumber{"mass", &frames::NamedMember::mass}, MemberNumber{"radius", &frames::NamedMember::radius}};
 
-/// Reads one file.
+/// Reader of one frame file.
 class Reader {
  public:
   Reader(const toml::table& all, const std::string& name, const std::optional<std::string>& load_case)
@@ -64,7 +64,7 @@ class Reader {
  private:
   using Entry = std::pair<std::string, const toml::node*>;
 
-  /// Entries of a table as they stand in the file; a table of TOML is sorted by its keys.
+  /// Entries of a table in the order of the file; toml++ sorts them by key.
   static std::vector<Entry> in_order(const toml::table& table) {
     std::vector<Entry> entries;
     for (const auto& [key, node] : table) entries.emplace_back(std::string(key.str()), &node);
@@ -90,13 +90,13 @@ class Reader {
     for (const auto& [name, entry] : in_order(*table)) use(name, *entry);
   }
 
-  /// Is it the table of a case? Its first entry is a table again.
+  /// Is the node the table of a load case, with a table as its first entry?
   static bool is_case(const toml::node& node) {
     const toml::table* const table = node.as_table();
     return table != nullptr && !table->empty() && in_order(*table).front().second->is_table();
   }
 
-  /// Which cases there are, and which of them is meant.
+  /// Finds the load cases and sets the chosen one.
   void find_cases(const toml::table& all) {
     const toml::node* single = nullptr;
     for (const char* const key : {"loads", "displacements"}) {
@@ -126,7 +126,7 @@ class Reader {
     if (!case_ && cases_.size() == 1) case_ = *cases_.begin();
   }
 
-  /// Hands what was read last over to another case.
+  /// Moves the entries after the first @p kept ones to another load case.
   template <class Entries>
   void hand_over(Entries frames::FrameModel::*list, ModelPart part, std::size_t kept, FrameFile& to) {
     Entries& entries = file_.model.*list;
@@ -140,8 +140,8 @@ class Reader {
     lines.resize(kept);
   }
 
-  /// Entries of loads or displacements, of the case that is meant. All cases are read, so that a mistake in
-  /// another one is not kept until it is asked for.
+  /// Reads the loads or displacements of the chosen case. The other cases are read too, so that their errors
+  /// are reported at once.
   template <class Use>
   void for_actions(const std::string& key, const toml::node& node, const Use& use) {
     if (cases_.empty()) return for_entries(key, node, use);
@@ -287,7 +287,7 @@ class Reader {
   }
 
   using NamedNumber = std::pair<std::string_view, double*>;
-  /// Two numbers by their names, each or none of them.
+  /// Reads up to two named numbers.
   void read_numbers(const toml::node& node, const std::string& key, const char* what,
                     const NamedNumber& first, const NamedNumber& second) const {
     for (const auto& [word, value] : table_of(node, key, what)) {
@@ -317,7 +317,7 @@ class Reader {
     note_line(ModelPart::imperfection, node);
   }
 
-  /// Entries of a table, or a complaint.
+  /// Entries of a table in the order of the file. @throws InputError if @p node is no table
   std::vector<Entry> table_of(const toml::node& node, const std::string& key, const char* what) const {
     const toml::table* const table = node.as_table();
     if (table == nullptr) complain(node, key, what);
@@ -370,7 +370,7 @@ frames::NamedFrame build_frame(const FrameFile& file, int elements) {
     }
   };
   frames::NamedFrame frame = built(file, elements);
-  // Whether a case fits the frame does not depend on what members are divided into.
+  // The validity of a load case does not depend on the number of elements.
   for (const FrameFile& other : file.others) {
     FrameFile whole = file;
     whole.model.loads = other.model.loads;

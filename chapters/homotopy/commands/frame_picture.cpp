@@ -17,9 +17,9 @@ using frames::Motion;
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 constexpr int width = 960, height = 480;
-constexpr double panel_share = 0.76;  // of the height, beside heading and labels
+constexpr double panel_share = 0.76;  // of the height; the rest is heading and labels
 
-/// Places along one beam-column: its deformed chord and the cubic with the rotations of its ends against it.
+/// Adds points along one beam-column: the deformed chord plus the cubic of its end rotations relative to it.
 void add_beam(const frames::Frame& frame, const Eigen::VectorXd& x, std::size_t index, int parts,
               Shape& shape) {
   const frames::Member& m = frame.members()[index];
@@ -37,13 +37,13 @@ void add_beam(const frames::Frame& frame, const Eigen::VectorXd& x, std::size_t 
   }
 }
 
-/// What a shape is drawn of.
+/// Path point of a drawn shape, and its label.
 struct ShownShape {
   const FramePoint* point;
   std::string name;
 };
 
-/// Limit and branch points, the first of them, and the ends of the first branches.
+/// Points whose shapes are drawn: the first limit and bifurcation points, and the ends of the first branches.
 std::vector<ShownShape> shown_shapes(const frames::FramePaths& paths) {
   std::vector<ShownShape> all;
   const auto& points = paths.points;
@@ -60,7 +60,7 @@ std::vector<ShownShape> shown_shapes(const frames::FramePaths& paths) {
   return all;
 }
 
-/// The least and the greatest of numbers, NaN left out.
+/// Range of numbers; NaN is ignored.
 struct Range {
   double low = HUGE_VAL, high = -HUGE_VAL;
   void take(double value) {
@@ -70,12 +70,12 @@ struct Range {
   [[nodiscard]] double size() const { return high - low; }
 };
 
-/// The share of a panel's height that a key of so many lines takes.
+/// Fraction of the panel height that a key with @p lines lines takes.
 double key_share(std::size_t lines) {
   return std::min(0.6, (26. * static_cast<double>(lines) + 18) / (panel_share * height));
 }
 
-/// Sets ranges with room for the key above, and one scale on both axes unless the frame is flat.
+/// Sets the ranges with room for the key at the top, and equal scales on both axes unless the frame is flat.
 void give_ranges(const std::vector<Shape>& shapes, scene::Panel& panel) {
   Range x, y;
   for (const Shape& s : shapes) {

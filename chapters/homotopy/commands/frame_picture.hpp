@@ -1,5 +1,5 @@
 /// @file
-/// The paths of a frame as a picture: load factor against a displacement beside the frame's shapes.
+/// Figure of the equilibrium paths of a frame: load factor against a displacement, and deformed shapes.
 #pragma once
 
 #include <string>
@@ -12,21 +12,22 @@
 
 namespace nlmech::chapters::homotopy {
 
-/// Lines along the deformed members, to be drawn.
+/// Polylines of the deformed members.
 struct Shape {
   std::vector<double> x;  ///< NaN between two members
   std::vector<double> y;  ///< NaN between two members
 };
 
-/// The frame with displacements @p x, each beam-column as the cubic with its end rotations.
+/// Deformed frame for the displacements @p x; each beam-column is a cubic with its end rotations.
 [[nodiscard]] Shape shape_of(const frames::Frame& frame, const Eigen::VectorXd& x);
 
-/// The named motion that gets farthest on all paths, a translation if there is one.
-/// @param frame with a motion at least
+/// The named displacement with the largest value on all paths; a translation if there is one.
+/// @param frame with at least one named displacement
 [[nodiscard]] const frames::NamedMotion& largest_motion(const frames::NamedFrame& frame,
                                                         const frames::FramePaths& paths);
 
-/// A panel of the paths, and one of the shapes at rest, at limit and branch points, and at the ends.
+/// Figure with a panel of the paths and a panel of the shapes at rest, at limit and bifurcation points, and
+/// at the ends of paths.
 [[nodiscard]] scene::Figure frame_picture(const frames::NamedFrame& frame, const frames::FramePaths& paths);
 
 }  // namespace nlmech::chapters::homotopy

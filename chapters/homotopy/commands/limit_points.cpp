@@ -22,11 +22,11 @@ void declare(scene::Options& options, TypedToggle& toggle) {
 frames::TogglePath path_of(const TypedToggle& typed) {
   const frames::Toggle toggle{.height = typed.height, .elements = elements_of(typed)};
   if (typed.model == "element") return critical_points(toggle);
-  static_cast<void>(frames::make_frame(toggle));  // refuses what is no toggle
+  static_cast<void>(frames::make_frame(toggle));  // throws if the toggle is not valid
   return critical_points(frames::Williams{.height = typed.height});
 }
 
-/// Says how good the mesh is, by the points of a second one.
+/// Prints the mesh error estimated from the critical points of a second mesh.
 void tell_of_mesh(const TypedToggle& typed, const frames::TogglePath& path) {
   const int elements = elements_of(typed),
             second = frames::second_mesh(elements, 2 * static_cast<std::size_t>(elements));

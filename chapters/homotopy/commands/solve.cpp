@@ -19,12 +19,12 @@
 namespace nlmech::chapters::homotopy {
 namespace {
 
-/// What was typed.
+/// Options of the command.
 struct Words {
   TypedToggle toggle;
   double load = 0;
   std::string solver = "energy-trust-region";
-  std::optional<double> tolerance;  ///< without it 1e-10, or rounding where that is more
+  std::optional<double> tolerance;  ///< default 1e-10, or the rounding bound if larger
 };
 
 void declare(scene::Options& options, Words& words) {
@@ -39,12 +39,12 @@ void declare(scene::Options& options, Words& words) {
       .positive();
 }
 
-/// The equations of the toggle that was asked for, half of it.
+/// Equations of half the toggle.
 struct Loaded {
   std::unique_ptr<frames::ToggleFrame> toggle;
   std::unique_ptr<algebraic::Equations> equations;
   Eigen::Index apex = 0;
-  double sign = 1;  ///< of the drop
+  double sign = 1;  ///< sign of the deflection in the unknowns
 };
 
 Loaded loaded_toggle(const TypedToggle& typed, int elements, double load) {
@@ -52,7 +52,7 @@ Loaded loaded_toggle(const TypedToggle& typed, int elements, double load) {
   Loaded all;
   try {
     if (typed.model == "williams") {
-      static_cast<void>(frames::make_frame({.height = height}));  // refuses what is no toggle
+      static_cast<void>(frames::make_frame({.height = height}));  // throws if the toggle is not valid
       all.equations = std::make_unique<frames::WilliamsEquilibrium>(frames::Williams{.height = height}, load);
     } else {
       all.toggle = std::make_unique<frames::ToggleFrame>(
@@ -70,13 +70,13 @@ Loaded loaded_toggle(const TypedToggle& typed, int elements, double load) {
 algebraic::Report run(const algebraic::NamedSolver& method, algebraic::Equations& equations,
                       Eigen::VectorXd& x) {
   if (method.name == "kinsol" && peers::kinsol_available()) {
-    constexpr Eigen::Index most = 3000;  // its matrices are dense
+    constexpr Eigen::Index most = 3000;  // KINSOL uses dense matrices here
     if (equations.size() > most)
       throw InputError(
           fmt::format("--solver kinsol: its matrix is dense, and {} unknowns are too many (at most {}); "
                       "take fewer elements or another solver",
                       equations.size(), most));
-    // Its measure is the greatest component, ours the length.
+    // KINSOL measures the largest component, nlmech the Euclidean norm.
     const double components = std::sqrt(static_cast<double>(equations.size()));
     const peers::Kinsol kinsol{.tolerance = method.tolerance * method.scale / components,
                                .iterations = method.iterations};
@@ -89,15 +89,15 @@ algebraic::Report run(const algebraic::NamedSolver& method, algebraic::Equations
   return find_root(method, equations, x);
 }
 
-/// What there is to know of the equilibrium besides that it is one.
+/// Stability of an equilibrium and its relation to the path from rest.
 struct Standing {
-  std::optional<Eigen::Index> unstable;  ///< motions of the whole toggle; nothing if not known
-  frames::TogglePath from_rest;          ///< up to the load or the first critical point
+  std::optional<Eigen::Index> unstable;  ///< unstable modes of the whole toggle; nothing if unknown
+  frames::TogglePath from_rest;          ///< path up to the load or the first critical point
 };
 
 Standing standing_of(const Loaded& toggle, double height, double load, int elements,
                      const Eigen::VectorXd& x) {
-  constexpr int enough = 64;  // elements a member: loads are right to 1e-6
+  constexpr int enough = 64;  // elements per member; loads are accurate to 1e-6
   if (!toggle.toggle) {
     const frames::Williams williams{.height = height};
     return {unstable_motions(williams, x[0]), first_critical_point(williams, load)};
@@ -113,7 +113,7 @@ std::string stability_of(const Standing& s) {
   return *s.unstable == 0 ? "stable" : "unstable";
 }
 
-/// Says on standard error how the shape found stands to the path from rest.
+/// Prints to standard error how the equilibrium found relates to the path from rest.
 void tell(const Standing& s, double height, double drop) {
   if (!s.from_rest.status.ok()) {
     std::cerr << fmt::format("solve: whether the path from rest leads here is not known: {}\n",
@@ -147,7 +147,7 @@ std::string solve(const Words& words) {
       run({.name = words.solver, .tolerance = tolerance, .scale = scale, .to_rounding = !words.tolerance},
           *toggle.equations, x);
   if (!report.status.ok()) throw Failure(report.status);
-  // A drop of 0 has no sign.
+  // Avoids a drop of -0.
   const double drop = x[toggle.apex] == 0 ? 0 : toggle.sign * x[toggle.apex];
   const Standing standing = standing_of(toggle, height, load, elements, x);
   const auto& events = standing.from_rest.events;

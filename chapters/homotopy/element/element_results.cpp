@@ -8,7 +8,7 @@ namespace nlmech::chapters::homotopy::element_results {
 namespace {
 
 /// @param cycle relative residual after Newton's iterations with A_nd as printed
-/// @param tolerance of all rows, relative
+/// @param tolerance of all homotopy rows, relative
 void check(const Results& all, double least, double most, double cycle, double tolerance, scene::Show& show) {
   show.between("iterations of Newton", all.count(0), least, most, "regression value");
   show.equals("iterations of Newton, A_nd as printed", all.other_count(0), 1000,

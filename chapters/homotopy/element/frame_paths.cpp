@@ -20,7 +20,7 @@ namespace {
 using frames::FramePoint;
 using Kind = FramePoint::Kind;
 
-/// A frame that ships, and its paths.
+/// A shipped frame and its equilibrium paths.
 struct Walked {
   frames::NamedFrame frame;
   frames::FramePaths paths;
@@ -31,7 +31,8 @@ struct Walked {
   [[nodiscard]] std::vector<FramePoint> points(Kind kind) const {
     return select([kind](const FramePoint& p) { return p.branch == 0 && p.kind == kind; });
   }
-  /// The motion of this name, times a factor, of any point. @throws Failure if there is none
+  /// Function that returns the displacement @p name of a point, times @p factor. @throws Failure if the frame
+  /// has no such displacement
   [[nodiscard]] std::function<double(const FramePoint&)> motion(const std::string& name,
                                                                 double factor = 1) const {
     for (const frames::NamedMotion& m : frame.motions) {
@@ -49,7 +50,7 @@ struct Walked {
   }
 };
 
-/// Follows the paths of a file of chapters/homotopy/frames.
+/// Traces the equilibrium paths of a file of chapters/homotopy/frames. @throws Failure if tracing fails
 Walked walk(const std::string& name, int elements, const frames::PathOptions& how) {
   const auto file = scene::data_folder() / "chapters" / "homotopy" / "frames" / (name + ".toml");
   frames::NamedFrame frame = build(parse_frame(scene::read_whole(file), name + ".toml").model, elements);
@@ -64,7 +65,7 @@ void put_shape(const Walked& w, const Eigen::VectorXd& x, const std::string& nam
   panel.curve(name, shape.x, shape.y, look);
 }
 
-/// Limit and branch points of the path from rest.
+/// Draws the limit and bifurcation points of the path from rest.
 void put_forks(const Walked& w, const std::function<double(const FramePoint&)>& x, scene::Panel& panel) {
   for (const auto& [kind, style] :
        {std::pair{Kind::maximum, 5}, {Kind::minimum, 4}, {Kind::bifurcation, 3}}) {

@@ -13,7 +13,7 @@
 namespace nlmech::chapters::homotopy::load_deflection {
 namespace {
 
-/// What load stepping finds on both models at one height.
+/// Load stepping of both models at one height.
 struct BothStepped {
   Stepped williams, element;
 };
@@ -23,7 +23,7 @@ BothStepped step_both(double height) {
           step_loads({.model = Model::element, .height = height})};
 }
 
-/// Least slopes of a toggle without limit points.
+/// Checks the least slopes of a toggle without limit points.
 void check_least_slopes(const LoadCurve& williams, const LoadCurve& element, scene::Show& show) {
   // oracle: homotopy_williams Williams 0.32 least slope
   // oracle: homotopy_frames toggle 0.32 of 1 least slope, toggle 0.32 of 1 load at the least slope
@@ -36,7 +36,7 @@ void check_least_slopes(const LoadCurve& williams, const LoadCurve& element, sce
             "tools/oracles/homotopy_frames.py; a minimum is found to half the digits");
 }
 
-/// Both models as lines.
+/// Draws the load-deflection curves of both models.
 void draw(scene::Panel& panel, const LoadCurve& williams, const LoadCurve& element, double end,
           const std::function<scene::Look(int)>& look) {
   const std::vector<double> at = deflections_to(end);
@@ -46,7 +46,8 @@ void draw(scene::Panel& panel, const LoadCurve& williams, const LoadCurve& eleme
       "one element a member", at, std::identity(), [&](double d) { return element.load(d); }, look(5));
 }
 
-/// The paths as lines, Williams' equation beside one element a member, and what load stepping finds on them.
+/// Draws and checks the equilibrium paths of both models (Williams' equation, one element per member) and
+/// the points that load stepping finds on them.
 void both_models(double height, const BothStepped& steps, scene::Show& show) {
   const auto williams = williams_curve(height), element = element_curve(height);
   scene::Panel& panel = show.plot(height < 0.35 ? "No limit point: load stepping finds the whole path"
@@ -75,15 +76,15 @@ void both_models(double height, const BothStepped& steps, scene::Show& show) {
   check_steps(steps.element, "element", show);
 }
 
-/// The greatest load between deflections of 0.1 and 0.35 in.
+/// The largest load at deflections from 0.1 to 0.35 in.
 double greatest_load(const std::function<double(double)>& load) {
   return -boost::math::tools::brent_find_minima([&](double d) { return -load(d); }, 0.1, 0.35, 53).second;
 }
 
-/// Limit loads of Williams' toggle of 0.44 in, read in other ways.
+/// Checks the limit loads of Williams' toggle of 0.44 in under other readings of the equations.
 void check_other_readings(scene::Show& show) {
   const frames::Williams w{.height = 0.44};
-  /// (2.17)-(2.19) with 6 d_5 of n and `bowing` for 0.6.
+  /// Load by (2.17)-(2.19) with `bowing` for 0.6; 6 d_5 exact or linearised in n.
   const auto load = [&w](double d, double bowing, bool linear, double cosine) {
     const double sine = w.height / w.length, l = w.length;
     const double p = w.ea / l * (d * sine - bowing * d * d / l), n = -p * l * l / w.ei;
@@ -107,7 +108,7 @@ void check_other_readings(scene::Show& show) {
             42.698, 2e-5, reason);
 }
 
-/// Limit loads of the same toggle by more elements, and what they converge to.
+/// Checks the limit loads of the same toggle with 32 elements per member and of the elastica.
 void check_finer_theory(scene::Show& show) {
   // oracle: homotopy_frames toggle 0.44 of 32 maximum
   // oracle: homotopy_elastica elastica 0.44 maximum
@@ -125,7 +126,7 @@ struct Published {
   const char* model;
   double limit;                    ///< the limit load
   std::vector<double> equilibria;  ///< deflections under the load
-  double known_limit, known_drop;  ///< from elsewhere
+  double known_limit, known_drop;  ///< reference values
 
   [[nodiscard]] double above() const { return 100 * (load / limit - 1); }
   [[nodiscard]] std::size_t count() const { return equilibria.size(); }
@@ -146,7 +147,7 @@ void check_published(const Published& p, scene::Show& show) {
             "tools/oracles/homotopy_williams.py and homotopy_frames.py");
 }
 
-/// Loads that the text calls near the limit point, against the limits.
+/// Compares the loads that the source calls near the limit point with the limit loads.
 void published_loads(scene::Show& show) {
   const auto williams = williams_curve(0.44), element = element_curve(0.44);
   // oracle: homotopy_williams Williams 0.44 drop under *, Williams 0.44 maximum

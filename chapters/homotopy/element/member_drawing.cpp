@@ -12,12 +12,12 @@
 namespace nlmech::chapters::homotopy::member_drawing {
 namespace {
 
-/// Hermite's cubic with these end slopes: the deflection of a beam without axial force, over its length.
+/// Hermite cubic with the given end slopes: deflection over length of a beam without axial force.
 double hermite(double xi, double theta_1, double theta_2) {
   return theta_1 * xi * (1 - xi) * (1 - xi) - theta_2 * xi * xi * (1 - xi);
 }
 
-/// m_1 and m_2 by Eqs 2.27 and 2.28 against -+ the curvature of the cubic at its ends.
+/// Largest difference of m_1, m_2 (Eqs 2.27, 2.28) from -+ the end curvatures of the cubic.
 double moment_error(double theta_1, double theta_2) {
   const auto g = frames::stability_functions<double>(0.0);
   const double m_a = g.antisymmetric.value * (theta_1 + theta_2) / 2,

@@ -12,7 +12,7 @@
 namespace nlmech::chapters::homotopy::misprint_study {
 namespace {
 
-/// Half span and member length read into Table 2.1, and loads.
+/// A reading of l in Table 2.1 (member length or half span) with a load and its printed accuracy.
 struct Case {
   const char* reading;
   double length, load, printed;
@@ -26,11 +26,11 @@ std::vector<Case> cases() {
           {"l is the member's length", 12.94, near_load, near}};
 }
 
-/// The cycle of Newton's iteration with A_nd as printed.
+/// Last two iterates of Newton's iteration with A_nd as printed, which cycles.
 struct Cycle {
   Case setting;
   std::array<double, 2> residual, deflection;  ///< relative; inch
-  double root, consistent, misprinted;         ///< delta, dF/ddelta, and what is taken for it, there
+  double root, consistent, misprinted;         ///< delta; dF/ddelta there; tangent with A_nd as printed
 
   [[nodiscard]] double load() const { return setting.load; }
   [[nodiscard]] const char* reading() const { return setting.reading; }
@@ -68,7 +68,7 @@ Cycle cycle(const Case& c) {
           slope(Model::element_printed, c, root)};
 }
 
-/// Newton's map delta - F/K with the tangent of a model.
+/// Newton's map delta - F/K with the tangent K of a model.
 double newton_map(Model model, double deflection) {
   LoadedToggle toggle(model, 0.44, last_load);
   Eigen::VectorXd x = toggle.unknowns(deflection), f(1);

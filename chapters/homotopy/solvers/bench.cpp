@@ -1,7 +1,7 @@
 /// @file
-/// `homotopy_bench`: the energy trust region against KINSOL's line search and against paths on toggles of
-/// many elements, and a path of 1000 elements through its limit points, by Google Benchmark. Writes
-/// results/bench/homotopy.json under the current folder; exit code 1 if a claim is not held.
+/// `homotopy_bench`: energy trust region against KINSOL's line search and against path following on toggles
+/// of many elements, and a path of 1000 elements through its limit points, by Google Benchmark. Writes
+/// results/bench/homotopy.json under the current folder; exit code 1 if a claim does not hold.
 #include <string>
 #include <utility>
 #include <vector>
@@ -23,8 +23,8 @@ std::string name_of(const std::string& method, int elements, double height, doub
   return fmt::format("{}, {} elements, {} in, {} lb", method, elements, height, load);
 }
 
-/// A toggle from rest: at a height of 0.32 in under 27.11 lb, which a line search manages too, or past its
-/// limit load.
+/// Adds the solution of a toggle from rest under the given load. A line search solves the toggle of 0.32 in
+/// under 27.11 lb, but none past its limit load.
 template <class Method>
 void add_solver(chapters::Speed& all, const std::string& name, int elements, double height, double load,
                 const Method& method) {
@@ -40,7 +40,7 @@ std::string path_of(int elements) {
   return fmt::format("path through both limit points, {} elements", elements);
 }
 
-/// The path from rest through both limit points, each to rounding.
+/// Adds the path from rest through both limit points, which are located to rounding.
 void add_path(chapters::Speed& all, int elements) {
   all.add(path_of(elements), [=] {
     const frames::ToggleFrame t = make_frame(frames::Toggle{.height = 0.44, .elements = elements});

@@ -1,5 +1,5 @@
 /// @file
-/// A number that counts the operations it is made of, for templates on the type of number.
+/// Number type that counts arithmetic operations, for templates on the number type.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,20 +9,19 @@
 
 namespace nlmech::chapters::homotopy {
 
-/// A double with a counter. Additions, subtractions, multiplications, divisions and elementary functions
-/// count one each; signs, comparisons, absolute values and rounding to integers count nothing. A result
-/// counts where its first operand with a counter does: what is made of constants alone could be made once,
-/// and is not counted.
+/// A double with an operation counter. Additions, subtractions, multiplications, divisions and elementary
+/// functions count one each; signs, comparisons, absolute values and rounding to integers count nothing. The
+/// result uses the counter of its first operand that has one. Operations on constants alone are not counted.
 struct Counted {
   double value = 0;
   std::int64_t* counter = nullptr;  ///< null for a constant
 
   constexpr Counted() = default;
-  constexpr Counted(double constant) : value(constant) {}                         // NOLINT: as double is
-  constexpr Counted(int constant) : value(static_cast<double>(constant)) {}       // NOLINT: as double is
+  constexpr Counted(double constant) : value(constant) {}                    // NOLINT: implicit, like double
+  constexpr Counted(int constant) : value(static_cast<double>(constant)) {}  // NOLINT: implicit, like double
   constexpr Counted(double v, std::int64_t* count) : value(v), counter(count) {}  ///< a variable
 
-  /// @p v, an operation on @p a and @p b.
+  /// Counts one operation on @p a and @p b with the result @p v.
   [[nodiscard]] static constexpr Counted made(double v, const Counted& a, const Counted& b) {
     std::int64_t* const counter = a.counter != nullptr ? a.counter : b.counter;
     if (counter != nullptr) ++*counter;
@@ -57,11 +56,11 @@ struct Counted {
 
 }  // namespace nlmech::chapters::homotopy
 
-/// As of the double inside.
+/// The limits of double.
 template <>
 struct std::numeric_limits<nlmech::chapters::homotopy::Counted> : std::numeric_limits<double> {};
 
-/// As of the double inside.
+/// The traits of double; the types are Counted.
 template <>
 struct Eigen::NumTraits<nlmech::chapters::homotopy::Counted> : Eigen::NumTraits<double> {
   using Real = nlmech::chapters::homotopy::Counted;

@@ -23,7 +23,7 @@ using Extended = long double;
 const char *const kinsol = "kinsol", *const trust_region = "energy-trust-region";
 constexpr std::array homotopies = {"fixed-point", "newton-homotopy", "scalar-homotopy"};
 
-/// A toggle and its load.
+/// A toggle with its load (inch, pound).
 struct Setting {
   double height, load;
   int elements;
@@ -31,7 +31,7 @@ struct Setting {
 constexpr std::array settings = {Setting{0.32, low_load, 1}, Setting{0.32, low_load, 16},
                                  Setting{0.44, near_load, 1}, Setting{0.44, near_load, 16}};
 
-/// The half toggle under a load, and where it comes to rest.
+/// The half toggle under a load and its reference equilibrium.
 class Subject {
  public:
   explicit Subject(const Setting& s)
@@ -46,13 +46,13 @@ class Subject {
   [[nodiscard]] frames::Equilibrium& equations() { return equations_; }
   [[nodiscard]] double scale() const { return scale_; }
   [[nodiscard]] Extended reference() const { return reference_; }
-  /// Of the apex's deflection, relative.
+  /// Relative error of the apex deflection.
   [[nodiscard]] double error(const Eigen::VectorXd& x) const {
     return static_cast<double>(std::abs(-Extended(x[toggle_.apex]) / reference_ - 1));
   }
 
  private:
-  /// Newton's iteration from there with more digits; the deflection of the apex.
+  /// Apex deflection after four Newton iterations from @p x in extended precision.
   Extended refined(frames::Frame::Displacements<Extended> x, double load) const {
     using Matrix = Eigen::Matrix<Extended, Eigen::Dynamic, Eigen::Dynamic>;
     frames::Frame::Displacements<Extended> f;
@@ -71,7 +71,7 @@ class Subject {
   Extended reference_ = 0;
 };
 
-/// Its deflection, and what solvers came to.
+/// Reference deflection of a toggle and the results of the solvers.
 struct Toggle {
   double reference;
   scene::ProblemLines problem;
@@ -86,7 +86,7 @@ algebraic::Report solve(const std::string& solver, Subject& subject, double tole
   if (solver != trust_region)
     return find_root(algebraic::NamedSolver{solver, tolerance, subject.scale(), limit}, subject.equations(),
                      x);
-  // It minimises energy and has no tolerance on F: stopped where the others stop.
+  // The energy minimisation has no tolerance on F; the observer stops it at the same residual as the others.
   const auto reached = [bound](const algebraic::Iterate& at) { return at.norm > bound; };
   algebraic::EnergyTrustRegion method;
   method.iterations = static_cast<int>(limit);
@@ -119,7 +119,7 @@ std::vector<std::string> solvers() {
   return names;
 }
 
-/// Kinds of solvers with their members; the last is that of all others.
+/// Groups of solvers; the last group takes all solvers not listed.
 const std::vector<std::pair<scene::MethodGroup, std::vector<std::string>>> groups = {
     {{"Newton's kind", 2}, {"newton", "least-squares", "continuous-newton", "broyden"}},
     {{"made safe by |F|", 5}, {"damped-newton", "kinsol", "levenberg-marquardt", "dogleg"}},
@@ -144,13 +144,13 @@ Toggle measure(const Setting& setting, bool quick) {
     scene::MethodLine& line = toggle.problem.lines.emplace_back();
     line.method = solver;
     line.group = group_of(solver);
-    const bool treated = solver == trust_region || line.group + 1 == groups.size();  // and the homotopies
+    const bool treated = solver == trust_region || line.group + 1 == groups.size();  // homotopies
     line.side = solver == kinsol ? scene::Side::peer : treated ? scene::Side::subject : scene::Side::ours;
     if (solver == kinsol && !peers::kinsol_available()) continue;
     for (const double tolerance : {1e-2, 1e-4, 1e-6, 1e-8, 1e-10}) {
       if (quick && tolerance != 1e-4 && tolerance != 1e-8) continue;
       line.attempts.push_back(attempt(solver, subject, tolerance, quick));
-      if (!line.attempts.back().error) break;  // a tighter tolerance fails as well
+      if (!line.attempts.back().error) break;  // assume that tighter tolerances fail too
     }
   }
   return toggle;
@@ -189,8 +189,8 @@ void put(const std::vector<Toggle>& toggles, scene::Show& show) {
             program);
   show.near("deflection, height 0.44, 1 element", {toggles[2].reference, "in"}, 0.621922545486, 1e-11,
             program);
-  // Rounding of a chord's length, eps l, is an axial force of eps EA, of which sin(beta) loads the apex; the
-  // stiffness there is 15 lb/in and more.
+  // Rounding eps l of a chord length gives an axial force eps EA with the apex component eps EA sin(beta).
+  // The stiffness is 15 lb/in or more.
   const double rounding = 2.2e-16 * 1.885e6 * 0.034 / 7 / 0.26;
   for (std::size_t i = 0; i < settings.size(); ++i) {
     const Setting& s = settings[i];

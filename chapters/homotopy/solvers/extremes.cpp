@@ -30,9 +30,9 @@ constexpr std::array<const char*, 8> solvers = {"newton",
                                                 "crisfield",
                                                 "gdc"};
 constexpr std::size_t energy = 4, first_path = 5;
-constexpr std::int64_t most = 300;  // of steps
+constexpr std::int64_t most = 300;  // steps
 
-/// A problem that is hard for a reason.
+/// A difficult case: toggle, load and start.
 struct Extreme {
   std::string label;
   frames::Toggle toggle;
@@ -43,9 +43,9 @@ struct Extreme {
 struct Trial {
   Outcome outcome = Outcome::success;
   double drop = 0;      ///< inch
-  double residual = 0;  ///< |F| at the end over its rounding there: what changes of x in its last digits make
+  double residual = 0;  ///< |F| at the end, divided by its change from rounding x
   std::int64_t iterations = 0;
-  Eigen::Index negative = 0;  ///< eigenvalues of the tangent
+  Eigen::Index negative = 0;  ///< number of negative eigenvalues of the tangent
 };
 
 struct Extremes {
@@ -54,7 +54,8 @@ struct Extremes {
   double limit_load = 0, limit_drop = 0;
 };
 
-/// Energy and paths by their own criteria, which are increments to rounding; all others by a residual.
+/// Runs a solver. Energy minimisation and path following stop by their own criteria (increments at rounding
+/// level); the other solvers stop by the residual.
 algebraic::Report solved_by(const std::string& name, frames::Equilibrium& equations, VectorXd& x) {
   using Kind = algebraic::PathMethod::Kind;
   if (name == "energy-trust-region")
@@ -90,7 +91,7 @@ Trial attempt(const Extreme& e, const std::string& name) {
   return t;
 }
 
-/// The shape under a load, by energy; from rest.
+/// Displacements under a load, found from rest by energy minimisation.
 VectorXd shape(const frames::Toggle& toggle, double load) {
   const frames::ToggleFrame t = make_frame(toggle);
   frames::Equilibrium equations(t.frame, t.load, load);
@@ -99,7 +100,8 @@ VectorXd shape(const frames::Toggle& toggle, double load) {
   return x;
 }
 
-/// One element a member, so high that its compression comes to 4 pi^2 EI/l^2 less a millionth on the way.
+/// Toggle of one element per member whose height makes the largest compression along its path
+/// (1 - 1e-6) 4 pi^2 EI/l^2.
 frames::Toggle next_to_pole() {
   frames::Toggle toggle{.height = 0.5};
   const double wanted = -4 * std::acos(-1.) * std::acos(-1.) * (1 - 1e-6);
@@ -171,7 +173,7 @@ void put_table(const Extremes& x, scene::Show& show) {
   show.table(std::move(table));
 }
 
-// Rows, in the order of compute().
+// Cases in the order of compute().
 enum Row : std::uint8_t { stiff, buckled, at_pole, past_pole, many, at_limit, snapped, singular, back };
 
 void check_counts(const Extremes& x, scene::Show& show) {

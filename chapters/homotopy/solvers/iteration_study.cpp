@@ -16,16 +16,17 @@ namespace nlmech::chapters::homotopy::iteration_study {
 namespace {
 
 constexpr int limit = 2500;
-/// Steps that reproduce Table 2.2, and the least and last residuals of Table 2.4 with A_nd as printed.
+/// Step sizes that reproduce Table 2.2, and the smallest and last residuals of Table 2.4 with A_nd as
+/// printed.
 constexpr double window_low = 0.873, window_high = 0.916;
 
-/// The counts of one row for many steps or starts. A count of `limit` means that it did not converge.
+/// Iteration counts of one row for many step sizes or starts. A count of `limit` means no convergence.
 struct Census {
   PrintedRow row;
   std::string jacobian, varied;
-  std::vector<double> at;  ///< steps or starts
+  std::vector<double> at;  ///< step sizes or starts
   std::vector<int> counts;
-  std::vector<double> residuals;  ///< |F| over that at rest, of the last iterates
+  std::vector<double> residuals;  ///< |F|/|F(0)| of the last iterates
 
   [[nodiscard]] int quantile(double q) const {
     std::vector<int> sorted = counts;
@@ -50,7 +51,7 @@ std::string jacobian_of(Model model) {
   }
 }
 
-/// Counts of a row over @p count + 1 equally spaced steps, or starts for Newton.
+/// Iteration counts of a row for @p count + 1 equidistant step sizes; for Newton, starts.
 Census census(PrintedRow row, Model model, double low, double high, int count, int most = limit) {
   const bool starts = row.iteration.scheme == Scheme::newton;
   Census c{row, jacobian_of(model), fmt::format("{} {} to {}", starts ? "start" : "step", low, high), {}, {},
@@ -68,7 +69,7 @@ Census census(PrintedRow row, Model model, double low, double high, int count, i
   return c;
 }
 
-/// Eq. 2.16 for one unknown beside Newton's step times dt/2: the greatest difference of an iterate, relative.
+/// Largest relative difference of the iterates of Eq. 2.16 from Newton steps times dt/2, for one unknown.
 double difference_from_damped_newton() {
   double greatest = 0;
   for (const double step : {0.3, example_step, 1.0, 2.0}) {
@@ -88,11 +89,11 @@ double difference_from_damped_newton() {
 }
 
 struct Study {
-  std::vector<Census> steps;   ///< over all steps; the drawn ones
-  std::vector<Census> window;  ///< the same over the window
-  std::vector<Census> starts;  ///< Newton's
+  std::vector<Census> steps;   ///< over the whole range of step sizes; drawn
+  std::vector<Census> window;  ///< over the window of step sizes
+  std::vector<Census> starts;  ///< over starts of Newton's iteration
   double window_of_30_low = 0, window_of_30_high = 0;
-  double difference = 0;  ///< from damped Newton
+  double difference = 0;  ///< difference_from_damped_newton()
 };
 
 Study study(bool quick) {
@@ -141,7 +142,7 @@ void put_table(const Study& s, scene::Show& show) {
               {"not in 2500 (%)", [](const Census& c) { return 100 * c.unfinished(); }, 3}});
 }
 
-/// Panels: Tables 2.2, 2.3, and the two homotopies of 2.4.
+/// Draws panels for Table 2.2, Table 2.3 and the two homotopies of Table 2.4.
 void draw(const Study& s, scene::Show& show) {
   scene::Table data({{"panel"}, {"set", 3, true}, {"step"}, {"count"}, {"printed"}});
   int set = 0;

@@ -12,11 +12,11 @@
 namespace nlmech::chapters::homotopy {
 namespace {
 
-/// Finds when an iteration whose next iterate depends on the latest alone goes round for ever: when one of a
-/// single unknown returns to the bit (R. P. Brent 1980, *An improved Monte Carlo factorization algorithm*).
+/// Detects a cycle of an iteration in one unknown whose next iterate depends on the latest alone: an iterate
+/// repeats bit by bit (R. P. Brent 1980, *An improved Monte Carlo factorization algorithm*).
 class Round {
  public:
-  /// To be shown each iterate. @returns how many iterates a round has, 0 while none is seen
+  /// Takes the next iterate. @returns length of the cycle; 0 while none is detected
   int see(double x) {
     if (steps_ > 0 && x == mark_) return steps_;
     if (steps_ == next_mark_) {
@@ -33,11 +33,11 @@ class Round {
   int steps_ = 1, next_mark_ = 1;
 };
 
-/// Ends an iteration that goes round at the iterate that it would have come to in the end.
+/// Stops a cycling iteration early, at an iterate equal to that at the limit of iterations.
 class Ending {
  public:
   explicit Ending(int limit) : limit_(limit) {}
-  /// Is the iterate number @p index the last, or as the last?
+  /// Is iterate number @p index the last, or equal to the last?
   bool is_last(std::int64_t index, double x) {
     if (const int round = last_ < 0 ? round_.see(x) : 0; round > 0) last_ = index + (limit_ - index) % round;
     return index >= limit_ || index == last_;
@@ -50,7 +50,8 @@ class Ending {
 };
 
 Count by_newton(LoadedToggle& toggle, const Iteration& i, std::vector<IterationRecord>* trace) {
-  // The iteration ends by the residual, as in the text: never by its own rule.
+  // The observer stops the iteration by the residual, as in the source; tolerance 0 disables Newton's own
+  // test.
   const algebraic::Newton method{.tolerance = 0, .iterations = i.limit + 1};
   Eigen::VectorXd x = toggle.unknowns(i.start);
   Count count{false, 0, 0};
@@ -73,7 +74,7 @@ Count by_homotopy(LoadedToggle& toggle, const Iteration& i, std::vector<Iteratio
       .tolerance = i.tolerance,
       .steps = i.limit};
   Eigen::VectorXd x = toggle.unknowns(i.start);
-  // From then on exp(-t) is lost in the rounding of whatever it is added to: time has no influence.
+  // From this time on exp(-t) is below rounding, and the iteration does not depend on time.
   constexpr double timeless = 100;
   Ending ending(i.limit);
   bool is_last = false;

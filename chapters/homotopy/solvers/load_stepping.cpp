@@ -9,7 +9,7 @@
 namespace nlmech::chapters::homotopy {
 namespace {
 
-/// A load-deflection curve cut at its limit points.
+/// The branches of a load-deflection curve between its limit points.
 class Branches {
  public:
   explicit Branches(const Stepping& how)
@@ -52,7 +52,7 @@ LoadPoint solve(const Stepping& how, const Branches& branches, double load, doub
   return {load, count.converged, end, branches.distance(end, load), branches.of(end)};
 }
 
-/// Each found point with the one found before it, which is rest for the first.
+/// Each found point of loading or unloading with the previous one; for the first, the state at rest.
 std::vector<Jump> pairs(const Stepped& steps, bool up) {
   std::vector<Jump> all;
   LoadPoint before{0, true, 0, 0, Branch::first};
@@ -134,7 +134,7 @@ void draw_steps(scene::Panel& panel, const Stepped& steps) {
     std::vector<LoadPoint> found;
     std::ranges::copy_if(up ? steps.up : steps.down, std::back_inserter(found), &LoadPoint::found);
     panel.curve("", found, &LoadPoint::deflection, &LoadPoint::load, triangles(up, williams ? 1 : 5));
-    // The legend names the symbols once, in grey: their colours are those of the lines.
+    // One grey legend entry per symbol; its colour is that of the line.
     if (williams)
       panel.also(fmt::format("keyentry with {} linecolor rgb soft_ink title 'found, {}'",
                              triangles(up, 0).with, to_string(up)));

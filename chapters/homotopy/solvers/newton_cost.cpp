@@ -23,19 +23,19 @@ using CountedVector = Eigen::Matrix<Counted, Eigen::Dynamic, 1>;
 using Factors = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>;
 using CountedFactors = Eigen::SimplicialLDLT<Eigen::SparseMatrix<Counted>>;
 
-/// Up to so many unknowns the formula for L D L^T is compared with a count.
+/// Largest number of unknowns for which the L D L^T formula is compared with a count.
 constexpr Index most_counted = 100;
 
-/// Operations of one iteration.
+/// Operations of one Newton iteration.
 struct Cost {
   const char* frame = "";
   Index unknowns = 0;
   double elements = 0;
-  double assembly = 0;    ///< of F and B, counted
-  double sparse = 0;      ///< of L D L^T and substitutions, by the columns of L
-  double difference = 0;  ///< of that formula from the count; 0 if none was counted
+  double assembly = 0;    ///< counted operations of F and B
+  double sparse = 0;      ///< sparse_operations()
+  double difference = 0;  ///< |count - sparse|; 0 if not counted
 
-  /// Of a dense matrix inverted, and factorised by LU; leading terms (Golub and Van Loan).
+  /// Operations of a dense inverse, and of LU; leading terms (Golub and Van Loan).
   [[nodiscard]] double inverse() const { return 2 * std::pow(static_cast<double>(unknowns), 3); }
   [[nodiscard]] double lu() const { return inverse() / 3; }
   [[nodiscard]] double share(double solving) const { return solving / (assembly + solving); }
@@ -44,13 +44,13 @@ struct Cost {
   [[nodiscard]] double share_of_sparse() const { return share(sparse); }
 };
 
-/// Of Eigen's up-looking L D L^T with a shift, and its substitutions, by the numbers of entries below the
-/// diagonal in the columns of L.
+/// Operations of Eigen's up-looking L D L^T with a shift and of its substitutions, computed from the numbers
+/// of subdiagonal entries in the columns of L.
 double sparse_operations(const Eigen::SparseMatrix<double>& b) {
   const Factors factors(b);
   const Eigen::SparseMatrix<double>& l = factors.matrixL().nestedExpression();
   const auto n = static_cast<double>(b.rows()), nonzeros = static_cast<double>(b.nonZeros());
-  double sum = (nonzeros + n) / 2 + 2 * n + 2 * n;  // scattered, shifted; divided by D
+  double sum = (nonzeros + n) / 2 + 2 * n + 2 * n;  // scatter, shift; division by D
   for (Index j = 0; j < l.cols(); ++j) {
     const auto c = static_cast<double>(l.outerIndexPtr()[j + 1] - l.outerIndexPtr()[j]);
     sum += c * (c + 2) + 4 * c;
@@ -64,7 +64,7 @@ CountedVector counted(const VectorXd& x, std::int64_t* counter) {
   return y;
 }
 
-/// One iteration at the displacements @p x. Throws Failure where the frame has no tangent.
+/// Cost of one iteration at the displacements @p x. @throws Failure if the frame has no tangent there
 Cost cost_of(const char* name, const frames::Frame& frame, const VectorXd& x) {
   std::int64_t operations = 0;
   const CountedVector at = counted(x, &operations);
@@ -81,16 +81,16 @@ Cost cost_of(const char* name, const frames::Frame& frame, const VectorXd& x) {
       sparse_operations(tangent.unaryExpr([](const Counted& entry) { return entry.value; }).cast<double>());
   if (x.size() > most_counted) return cost;
   CountedFactors factors;
-  factors.analyzePattern(tangent);  // once a frame, not once an iteration
+  factors.analyzePattern(tangent);  // once per frame, not per iteration
   operations = 0;
   factors.factorize(tangent);
-  // The operations do not depend on the right side, as long as nothing in it is 0.
+  // The count does not depend on the right-hand side if no entry is 0.
   static_cast<void>(factors.solve(counted(VectorXd::Ones(x.size()), &operations)).eval());
   cost.difference = std::abs(static_cast<double>(operations) - cost.sparse);
   return cost;
 }
 
-/// Half the toggle of 0.44 in under 36 lb.
+/// Cost for half the toggle of 0.44 in under 36 lb.
 Cost cost_of_toggle(int elements) {
   const frames::ToggleFrame toggle = make_frame(frames::Toggle{.height = 0.44, .elements = elements});
   frames::Equilibrium equations(toggle.frame, toggle.load, 36);
@@ -100,8 +100,8 @@ Cost cost_of_toggle(int elements) {
   return cost_of("half toggle", toggle.frame, x);
 }
 
-/// A square lattice of n by n joints 1 in apart, the lowest row clamped, members as the toggle's, bent by
-/// displacements up to 1e-3 of that.
+/// Cost for a square lattice of n by n joints 1 in apart with clamped lowest row and the members' rigidities
+/// of the toggle; displacements up to 1e-3.
 Cost cost_of_lattice(int n) {
   std::vector<frames::Node> nodes;
   std::vector<frames::Member> members;
@@ -131,9 +131,9 @@ std::vector<Cost> compute() {
   return all;
 }
 
-/// Operations of F and B an element by the formulas: each evaluates both power series, 28 and 22 steps of
-/// Horner's rule of six operations and six at the ends, one to five times, with at most 34 around each, and
-/// takes at most 500 for the rest.
+/// Bounds of the operations per element of F and B. Each evaluates both power series one to five times: 28
+/// and 22 steps of Horner's rule of six operations, six at the ends, and at most 34 around each evaluation.
+/// The rest takes at most 500.
 constexpr double least_assembly = 2 * 306, most_assembly = 2 * (5 * (306 + 34) + 500);
 
 void put(const std::vector<Cost>& all, scene::Show& show) {
@@ -168,7 +168,8 @@ void put(const std::vector<Cost>& all, scene::Show& show) {
     check_share("share of sparse LDL^T, " + n, k, k.sparse);
   }
   check_share("share of sparse LDL^T, largest lattice", all.back(), all.back().sparse);
-  // Columns of L with 5, 4 and 3 entries: c (c + 2) and 4 c; 15 entries scattered, 6 shifts, 6 divided by D.
+  // Columns of L with 5, 4 and 3 entries: c (c + 2) and 4 c; 15 entries scattered, 6 shifts, 6 divisions by
+  // D.
   const Cost& chain = all.at(7);
   show.near("operations of sparse LDL^T an element, 1001 elements", chain.sparse / chain.elements,
             35 + 24 + 15 + 48 + 15 + 6 + 6, 2e-3,

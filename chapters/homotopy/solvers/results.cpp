@@ -14,11 +14,11 @@
 namespace nlmech::chapters::homotopy {
 namespace {
 
-/// A printed row and our two readings of it.
+/// A printed row and its results with two Jacobians.
 struct Row {
   PrintedRow printed;
-  scene::Result<Ran> exact;       ///< with the derivative of F
-  scene::Result<Ran> misprinted;  ///< d_5 held constant (Williams), or A_nd as printed (element)
+  scene::Result<Ran> exact;       ///< Jacobian is the derivative of F
+  scene::Result<Ran> misprinted;  ///< Jacobian with d_5 held constant (Williams) or A_nd as printed (element)
 };
 
 std::string short_name(Scheme scheme) {
@@ -62,7 +62,7 @@ std::vector<Row> rows_of(const std::string& table) {
   return all;
 }
 
-/// What the tables of the source call a row's two numbers.
+/// Name of the printed iteration count or accuracy of a row.
 std::string name_of(const PrintedRow& row, bool count) {
   const char* quantity = !count                ? "achieved accuracy"
                          : row.printed == 1000 ? "iterations (no convergence)"
@@ -70,12 +70,12 @@ std::string name_of(const PrintedRow& row, bool count) {
   return fmt::format("elgohary/{}/{}/{}", row.table, row.method, quantity);
 }
 
-/// The residual as the text has it: Williams' equation |F| itself, elements |F| over that at rest.
+/// The accuracy as defined in the source: |F| for Williams' equation, |F|/|F(0)| for elements.
 double accuracy_of(const PrintedRow& row, const Ran& ran) {
   return row.relative ? ran.count.residual / ran.scale : ran.count.residual;
 }
 
-/// A line of the table.
+/// A row of the output table.
 struct Line {
   const PrintedRow& row;
   const Ran &exact, &other;
@@ -97,7 +97,7 @@ void put_table(const Results& all, scene::Show& show) {
   for (std::size_t i = 0; i < all.printed.size(); ++i) {
     const PrintedRow& row = all.printed[i];
     const Ran &exact = *all.exact[i], &other = *all.misprinted[i];
-    // The text as it stands has the derivative of Williams' equation, and A_nd without the factor l.
+    // The printed equations give the derivative of F for Williams' equation, but A_nd without the factor l.
     const bool swapped = row.model != Model::williams;
     const auto in_order = [swapped](double with_derivative, double with_other) {
       return swapped ? scene::Measured{with_other, with_derivative}
@@ -123,7 +123,7 @@ void put_table(const Results& all, scene::Show& show) {
                      {"cause or reading", &Line::reading}});
 }
 
-/// The first iterates of a run: residuals of elements, deflections of Williams' equation.
+/// Draws the first iterates: residuals for elements, deflections for Williams' equation.
 void draw(scene::Panel& panel, const History& h, const Row& row, const Ran& ran, const std::string& name,
           int style, const char* look) {
   std::vector<double> k, value;
@@ -149,7 +149,7 @@ void check_history(const History& h, const Row& row, const Ran& exact, const Ran
                 "it does not converge (misprint-study); printed: 1000");
 }
 
-/// What is drawn of a run: the level that its iterates should come to, and they.
+/// Axis label of the iterates.
 const char* label_of(const Row& row) {
   return row.printed.model == Model::element ? "|{/:Italic F}|/|{/:Italic F}(0)|"
                                              : "deflection {/:Italic δ} (in)";
@@ -161,7 +161,7 @@ double level_of(const History& h, const Row& row, const Ran& ran) {
 
 const char* level_name(const Row& row) { return row.printed.model == Model::element ? "tolerance" : "root"; }
 
-/// Names of the iteration with the derivative of F, and of that with the other Jacobian.
+/// Captions for the derivative of F and for the other Jacobian.
 std::pair<const char*, const char*> names_of(const Row& row) {
   if (row.printed.model == Model::element) return {"consistent tangent", "{/:Italic A}_{nd} as printed"};
   return {"derivative of {/:Italic F}", "{/:Italic d}_{5} held constant in the Jacobian"};
@@ -176,7 +176,7 @@ void put_alone(const History& h, const Row& row, const Ran& exact, scene::Show& 
   check_history(h, row, exact, nullptr, show);
 }
 
-/// Two iterations, one above the other.
+/// Draws both iterations in stacked panels and checks them.
 void put_both(const History& h, const Row& row, const Ran& exact, const Ran& other, scene::Show& show) {
   scene::Plot& plot = show.plots(h.heading);
   plot.stacked();
@@ -195,7 +195,7 @@ void put_both(const History& h, const Row& row, const Ran& exact, const Ran& oth
   check_history(h, row, exact, &other, show);
 }
 
-/// The row of a table that a figure shows.
+/// The table row shown by a figure.
 Row row_of(const History& h) {
   const std::vector<Row> rows = rows_of(h.table);
   return *std::ranges::find(rows, h.scheme, [](const Row& r) { return r.printed.iteration.scheme; });

@@ -1,5 +1,5 @@
 /// @file
-/// What the rows of Tables 2.2 to 2.5 show: a table, and a figure of the iterates of one row.
+/// Scenes of Tables 2.2 to 2.5: the table, and a figure of the iterates of one row.
 #pragma once
 
 #include <functional>
@@ -11,31 +11,31 @@
 
 namespace nlmech::chapters::homotopy {
 
-/// An iteration with all its iterates.
+/// Result of an iteration with all its iterates.
 struct Ran {
-  Count count;                         ///< how it ended
-  double scale = 0;                    ///< W/2, to which residuals are relative
-  std::vector<IterationRecord> trace;  ///< from the start
-  std::vector<int> scattered = {};     ///< iterations under 16 loads that differ from the row's by roundings
+  Count count;                         ///< result at the last iterate
+  double scale = 0;                    ///< W/2, unit of relative residuals
+  std::vector<IterationRecord> trace;  ///< all iterates, the start included
+  std::vector<int> scattered = {};     ///< iteration counts for 16 loads (1 + k eps) W, k = 1, ..., 16
 
-  /// Median of those; rounding decides which count a single run has.
+  /// Median of `scattered`. A single count depends on rounding.
   [[nodiscard]] double median_count() const;
-  /// "30", or the median with the range, "74 (29 to 194)", where roundings change it.
+  /// The count as text: "30", or median and range, "74 (29 to 194)", if rounding changes it.
   [[nodiscard]] std::string count_text() const;
 };
 
-/// What came out, in the order of the table's rows.
+/// Results in the order of the rows of the table.
 struct Results {
   std::vector<PrintedRow> printed;
   std::vector<const Ran*> exact, misprinted;
 
-  /// Iterations with the derivative of F.
+  /// Iterations with the derivative of F as Jacobian.
   [[nodiscard]] int count(std::size_t row) const { return exact[row]->count.iterations; }
-  /// Iterations with the other Jacobian.
+  /// Iterations with the other Jacobian: d_5 held constant, or A_nd as printed.
   [[nodiscard]] int other_count(std::size_t row) const { return misprinted[row]->count.iterations; }
 };
 
-/// A table of the source, with its measured numbers.
+/// Scene of a table of the source with the measured numbers.
 [[nodiscard]] scene::Scene result_table(const std::string& table, const std::string& title,
                                         const std::function<void(const Results&, scene::Show&)>& check);
 
@@ -44,10 +44,10 @@ struct History {
   std::string name, title, heading;
   std::string table;
   Scheme scheme;
-  bool other;        ///< shows the iteration with the other Jacobian too
-  int shown;         ///< iterations at most
-  double root;       ///< known from elsewhere
-  double stiffness;  ///< dF/ddelta there, at least
+  bool other;        ///< also draws the iteration with the other Jacobian
+  int shown;         ///< number of iterations drawn at most
+  double root;       ///< reference deflection, inch
+  double stiffness;  ///< lower bound of dF/ddelta at the root
 };
 [[nodiscard]] scene::Scene history(const History& h);
 

@@ -17,9 +17,9 @@
 namespace nlmech::chapters::homotopy::solvers {
 namespace {
 
-constexpr std::int64_t limit = 2500;  // of steps, rejected ones included
+constexpr std::int64_t limit = 2500;  // steps, including rejected ones
 
-/// A column: elements a member, height, and the load, as it is or in parts of the limit load.
+/// A column of the table: elements per member, height, and the load, absolute or relative to the limit load.
 struct Load {
   const char* label;
   int elements;
@@ -36,11 +36,11 @@ constexpr std::array<Load, 8> loads = {{{"1 element, 43.79 lb", 1, 0.44, 43.79, 
                                         {"4 elements, 60 lb", 4, 0.44, 60, 0, 1e-6}}};
 constexpr std::size_t below_fold = 5, above_fold = 6;
 
-/// Where a solver ended.
+/// Outcome of a solver.
 enum class End : std::uint8_t {
-  equilibrium,  ///< and said so
-  held_up,      ///< no equilibrium, within 0.02 in of the limit point, where |F| has its minimum
-  elsewhere     ///< no equilibrium, anywhere else
+  equilibrium,  ///< success reported
+  held_up,      ///< failure within 0.02 in of the limit point, where |F| has a minimum
+  elsewhere     ///< failure elsewhere
 };
 
 struct Trial {
@@ -52,9 +52,9 @@ struct Trial {
 
 struct Solvers {
   std::vector<std::string> names;
-  std::vector<std::array<Trial, loads.size()>> trials;  ///< by name
-  double limit_load = 0, limit_deflection = 0;          ///< of four elements a member, height 0.44
-  double limit_of_one = 0;                              ///< deflection, of one
+  std::vector<std::array<Trial, loads.size()>> trials;  ///< one row per solver
+  double limit_load = 0, limit_deflection = 0;          ///< four elements per member, height 0.44 in
+  double limit_of_one = 0;  ///< deflection at the limit point, one element per member
 
   [[nodiscard]] const Trial& of(std::string_view name, std::size_t load) const {
     const auto found = std::find(names.begin(), names.end(), name);
@@ -179,7 +179,7 @@ void check_numbers(const Solvers& s, scene::Show& show) {
             program);
   show.near("deflection under W_L(1 + 1e-9)", {drop("energy-trust-region", above_fold), "in"}, 0.614300816,
             1e-9, program);
-  // |W - W_L|/W of one element: F there is half of that.
+  // |W - W_L|/W of one element; F is half the imbalance.
   show.near("least residual that Levenberg-Marquardt finds, one element, 43.79 lb",
             s.of("levenberg-marquardt", 0).residual, (43.79 - 42.435492120383) / 43.79, 1e-10,
             "the distance of the load from the limit load, relative: the minimum of |F| is the fold");

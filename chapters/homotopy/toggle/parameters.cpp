@@ -31,7 +31,7 @@ void put(scene::Show& show) {
                    {"used", &Parameter::used, 6},
                    {"unit", &Parameter::unit},
                    {"remark", &Parameter::remark}});
-  // The section: EI/EA = t^2/12 for a rectangle.
+  // EI/EA = t^2/12 for a rectangular section.
   show.near("thickness of a rectangular section with these rigidities", {std::sqrt(12 * w.ei / w.ea), "in"},
             0.2429, 1e-3, "sqrt(12 x 9.27e3/1.885e6) by hand, four digits");
 }

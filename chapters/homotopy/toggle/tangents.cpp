@@ -19,7 +19,7 @@ namespace {
 double cubic(double x) { return x * x * x - 3 * x + 3; }
 double cubic_slope(double x) { return 3 * x * x - 3; }
 
-/// Newton's iterates from x, by the library.
+/// Newton iterates from x, by the library.
 std::vector<double> newton_iterates(double x, int count) {
   algebraic::DenseEquations equations(
       1, [](const Eigen::VectorXd& at, Eigen::VectorXd& f) { f[0] = cubic(at[0]); },
@@ -62,10 +62,10 @@ void flat_slope(scene::Show& show) {
 
 // ------------------------------------------------------- figure 2.2: turning points of a homotopy path
 
-/// t on the path t F + (1 - t)(x - 2) = 0 of the same cubic (2.8).
+/// t on the homotopy path t F + (1 - t)(x - 2) = 0 of the same cubic (2.8).
 double path_parameter(double x) { return (x - 2) / (x - 2 - cubic(x)); }
 
-/// Where the parameter has an extremum between two places, by golden section.
+/// x at the extremum of the path parameter between @p low and @p high, by golden section.
 double turning_point(double low, double high, bool maximum) {
   const double golden = (std::sqrt(5.0) - 1) / 2, sign = maximum ? -1 : 1;
   for (int k = 0; k < 60; ++k) {

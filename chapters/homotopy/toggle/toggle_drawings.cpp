@@ -10,7 +10,7 @@
 namespace nlmech::chapters::homotopy::toggle_drawings {
 namespace {
 
-/// A base that holds a member's end, hatched below.
+/// Draws a hatched support at the end of a member.
 void draw_base(Drawing& d, Spot at) {
   d.path("ground", {at + Spot{-0.9, 0}, at + Spot{0.9, 0}});
   for (int i = 0; i < 6; ++i)
@@ -19,7 +19,7 @@ void draw_base(Drawing& d, Spot at) {
 
 // ------------------------------------------------------------------------------------ figure 2.4, the toggle
 
-/// Drawn with a height of 0.27 l; the real one is 0.025 to 0.034 l.
+/// Corners of the drawing, with an exaggerated height of 0.27 l (actual: 0.025 to 0.034 l).
 constexpr Spot left{-8, 0}, apex{0, 2.3}, right{8, 0};
 
 /// Stiffness at rest by linear theory: 2 (12 EI cos^2(beta)/l^3 + EA sin^2(beta)/l).
@@ -59,8 +59,8 @@ void draw_toggle(scene::Show& show) {
 
 // -------------------------------------------------------------------- figure 2.5, the symmetric deformation
 
-/// Deflection of a clamped beam-column whose far end moves sideways by one and does not turn, in compression
-/// P l^2/EI = k^2: y = a + b xi - a cos k xi + d sin k xi. The transverse force is d k^3 EI/l^3.
+/// Deflection of a clamped beam-column whose far end moves sideways by one without rotation, under the
+/// compression P l^2/EI = k^2: y = a + b xi - a cos k xi + d sin k xi. The transverse force is d k^3 EI/l^3.
 struct Sway {
   explicit Sway(double wave) : k(wave) {
     const double s = std::sin(k), c = 1 - std::cos(k);
@@ -75,7 +75,7 @@ struct Sway {
 
 void draw_deflected(scene::Show& show) {
   constexpr double fall = 1.5;
-  // The compression at the maximum of l sin(beta) = 0.44 in, by which the shape is drawn.
+  // The shape is drawn for the compression at the maximum of l sin(beta) = 0.44 in.
   const frames::Williams w{.height = 0.44};
   const double p = w.compression(0.2282), k = std::sqrt(p * w.length * w.length / w.ei);
   const Sway sway(k);
@@ -85,7 +85,7 @@ void draw_deflected(scene::Show& show) {
   drawing.path("rest", {r, s});
   drawing.path("rest", {s, {8, 0}});
   draw_base(drawing, {8, 0});
-  // The apex falls by `fall`: that is fall cos(beta) across the member, and fall sin(beta) along it.
+  // Components of the apex deflection `fall`: fall cos(beta) across the member, fall sin(beta) along it.
   std::vector<Spot> line, mirrored;
   for (int i = 0; i <= 60; ++i) {
     const double xi = i / 60.0;

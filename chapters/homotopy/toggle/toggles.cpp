@@ -39,7 +39,7 @@ class ElementCurve : public LoadCurve {
   frames::ToggleFrame toggle_;
 };
 
-/// The root of a function between two places of opposite sign, to the last bit.
+/// Root of a function by bisection to the last bit; the signs at @p low and @p high must differ.
 template <class F>
 double bisect(const F& f, double low, double high) {
   const bool sign = f(low) > 0;
@@ -50,7 +50,7 @@ double bisect(const F& f, double low, double high) {
   }
 }
 
-/// All roots in [0, end], found where the sign changes between 900 places.
+/// Roots in [0, end] by bisection at the sign changes between 901 equidistant points.
 template <class F>
 std::vector<double> roots(const F& f, double end) {
   constexpr int places = 900;
@@ -94,7 +94,7 @@ std::optional<LimitPoints> limit_points(const LoadCurve& curve, double end) {
 }
 
 CurvePoint least_stiff_point(const LoadCurve& curve, double end) {
-  // One minimum lies inside.
+  // The stiffness has one minimum in the interval.
   const double d =
       boost::math::tools::brent_find_minima([&](double x) { return curve.stiffness(x); }, 0., end, 53).first;
   return {d, curve.load(d)};
@@ -149,7 +149,7 @@ std::vector<double> deflections_to(double end) {
 
 void check_limit_points(const std::string& model, const LoadCurve& curve, const LimitPoints& reference,
                         scene::Show& show) {
-  // Bisection finds the deflection to rounding of the stiffness; the load is stationary there.
+  // The deflection is exact to rounding of the stiffness; the load is stationary there.
   constexpr double eleven_digits = 1e-11, nine_digits = 1e-9;
   const LimitPoints at = limit_points(curve).value_or(LimitPoints{{NAN, NAN}, {NAN, NAN}});
   const auto check = [&](const char* which, const CurvePoint& ours, const CurvePoint& theirs) {

@@ -1,6 +1,6 @@
 /// @file
-/// The toggles of section 2.3: Williams' equation and one beam-column a member, their curves and limit
-/// points.
+/// The toggles of section 2.3: load-deflection curves and limit points of Williams' equation and of one
+/// beam-column per member.
 #pragma once
 
 #include <array>
@@ -19,7 +19,8 @@ namespace nlmech::chapters::homotopy {
 
 /// Heights l sin(beta) of the three cases, inch.
 inline constexpr std::array heights = {0.32, 0.38, 0.44};
-/// Loads of Tables 2.2 to 2.5, pound: below a height of 0.32; near and past the limit load of 0.44.
+/// Loads of Tables 2.2 to 2.5, pound: `low_load` for the height 0.32; the others, above the limit load, for
+/// 0.44.
 inline constexpr double low_load = 27.11, near_load = 43.79, last_load = 44;
 
 /// A point of a load-deflection curve.
@@ -28,19 +29,19 @@ struct CurvePoint {
   double load;        ///< W, pound
 };
 
-/// Where the load is stationary along the curve from rest.
+/// The limit points of a load-deflection curve from rest.
 struct LimitPoints {
-  CurvePoint maximum;  ///< first
-  CurvePoint minimum;  ///< behind it
+  CurvePoint maximum;  ///< the first limit point
+  CurvePoint minimum;  ///< the second limit point
 };
 
-/// Limit points of both models at one height.
+/// Reference limit points of both models at one height.
 struct KnownLimits {
   double height;                  ///< inch
-  LimitPoints williams, element;  ///< Williams' equation; one beam-column a member
+  LimitPoints williams, element;  ///< Williams' equation; one beam-column per member
 };
 
-/// All that there are: the height 0.32 has none.
+/// All reference limit points; the height 0.32 has none.
 // oracle: homotopy_williams Williams 0.?? maximum*, Williams 0.?? minimum*
 // oracle: homotopy_frames toggle 0.?? of 1 maximum*, toggle 0.?? of 1 minimum*
 inline constexpr std::array known_limits = {
@@ -51,20 +52,21 @@ inline constexpr std::array known_limits = {
                 {{0.22818821400337, 42.771896097273}, {0.4947308255747, 30.363548710287}},
                 {{0.22710546333003, 42.435492120383}, {0.4800337802312, 32.124218754757}}}};
 
-/// Those of a height and a model, if it has any.
+/// Reference limit points of a height and a model; nothing if there are none.
 [[nodiscard]] inline std::optional<LimitPoints> known_limits_of(double height, bool williams) {
   for (const KnownLimits& k : known_limits)
     if (k.height == height) return williams ? k.williams : k.element;
   return std::nullopt;
 }
 
-/// A curve W(delta): with one element a member the symmetric toggle has one unknown, as Williams' equation.
+/// A load-deflection curve W(delta). With one element per member the symmetric toggle has one unknown, like
+/// Williams' equation.
 class LoadCurve {
  public:
   virtual ~LoadCurve() = default;
-  /// W(delta).
+  /// W(delta), pound.
   [[nodiscard]] virtual double load(double deflection) const = 0;
-  /// dW/ddelta.
+  /// dW/ddelta, pound/inch.
   [[nodiscard]] virtual double stiffness(double deflection) const = 0;
 
  protected:
@@ -78,42 +80,42 @@ class LoadCurve {
 /// Eqs 2.22-2.39 (corrected) with the numbers of Table 2.1.
 [[nodiscard]] std::unique_ptr<LoadCurve> element_curve(double height);
 
-/// The limit points up to a deflection of @p end, by bisection of the stiffness to the last bit; nothing if
-/// the stiffness does not vanish.
+/// The first two limit points up to the deflection @p end, by bisection of the stiffness to the last bit;
+/// nothing if there are fewer.
 [[nodiscard]] std::optional<LimitPoints> limit_points(const LoadCurve& curve, double end = 0.9);
-/// Where the stiffness is least, to half the digits of a double.
+/// Point of least stiffness, to half the digits of a double.
 [[nodiscard]] CurvePoint least_stiff_point(const LoadCurve& curve, double end = 0.6);
-/// The deflections in [0, @p end] at which the curve carries @p load, by bisection.
+/// Equilibrium deflections in [0, @p end] under @p load, by bisection.
 [[nodiscard]] std::vector<double> deflections_under(const LoadCurve& curve, double load, double end = 0.9);
-/// The deflection between two at which the curve carries @p load, by bisection to the last bit; NaN if the
-/// loads at both ends are on the same side of it.
+/// Equilibrium deflection in [@p low, @p high] under @p load, by bisection to the last bit; NaN if the loads
+/// at both ends are on the same side of @p load.
 [[nodiscard]] double deflection_between(const LoadCurve& curve, double load, double low, double high);
 
-/// The limit point that the path of half a toggle from rest meets first. @throws Failure if there is none
+/// First limit point on the path of half a toggle from rest. @throws Failure if there is none
 [[nodiscard]] algebraic::PathPoint first_limit_point(const frames::Toggle& toggle);
 
-/// Which equations, and which Jacobian.
+/// Equations and Jacobian of the toggle.
 enum class Model : std::uint8_t {
   williams,         ///< Eq. 2.21 and its derivative
   williams_frozen,  ///< Eq. 2.21, its Jacobian with d_5 held constant
-  element,          ///< one beam-column a member
-  element_printed   ///< the same, the tangent by A_nd of Eq. 2.35 as printed
+  element,          ///< one beam-column per member
+  element_printed   ///< one beam-column per member, tangent by A_nd of Eq. 2.35 as printed
 };
 
-/// A toggle under a load as equations for a solver; F is half the imbalance, as in Eq. 2.21.
+/// Equations F(x) = 0 of a toggle under a load; F is half the imbalance, as in Eq. 2.21.
 class LoadedToggle {
  public:
-  /// @param length l of a member
+  /// @param length l of a member, inch
   LoadedToggle(Model model, double height, double load, double length = 12.94);
   /// F(x) = 0.
   [[nodiscard]] algebraic::Equations& equations() { return *equations_; }
-  /// delta of the unknowns.
+  /// delta for the unknowns @p x.
   [[nodiscard]] double deflection(const Eigen::VectorXd& x) const { return sign_ * x[0]; }
   /// The unknowns for a delta.
   [[nodiscard]] Eigen::VectorXd unknowns(double deflection) const {
     return Eigen::VectorXd::Constant(1, sign_ * deflection);
   }
-  /// |F| at rest, W/2: residuals are relative to it.
+  /// |F| at rest, W/2: unit of relative residuals.
   [[nodiscard]] double scale() const { return scale_; }
 
  private:
@@ -125,10 +127,10 @@ class LoadedToggle {
 inline constexpr const char* drop_label = "deflection of the apex {/:Italic δ} (in)";
 inline constexpr const char* load_label = "load {/:Italic W} (lb)";
 
-/// Deflections from 0 to @p end at which curves are drawn.
+/// Deflections from 0 to @p end for drawing curves.
 [[nodiscard]] std::vector<double> deflections_to(double end);
 
-/// Checks loads and deflections of both limit points.
+/// Checks loads and deflections of both limit points against the reference.
 void check_limit_points(const std::string& model, const LoadCurve& curve, const LimitPoints& reference,
                         scene::Show& show);
 

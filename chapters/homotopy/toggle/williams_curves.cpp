@@ -10,7 +10,7 @@
 namespace nlmech::chapters::homotopy::williams_curves {
 namespace {
 
-/// A curve of each height.
+/// Draws one curve per height.
 void draw(scene::Panel& panel, double (LoadCurve::*value)(double) const) {
   for (const double height : heights) {
     const auto curve = williams_curve(height);

@@ -1,8 +1,8 @@
 /// @file
-/// `rbf_ivp_bench`: collocation as the dissertation writes it, and adaptive-collocation, against the best of
-/// the other libraries, each as its manual runs it, at equal achieved error, and what our loop costs them; by
-/// Google Benchmark. Writes results/bench/rbf_ivp.json under the current folder; exit code 1 if a claim is
-/// not held.
+/// `rbf_ivp_bench`: collocation of the dissertation and adaptive-collocation against the fastest peer library
+/// in its own loop, at equal achieved error, and the overhead of the nlmech step loop for peers; by Google
+/// Benchmark. Writes results/bench/rbf_ivp.json under the current folder; exit code 1 if a claim does not
+/// hold.
 #include <algorithm>
 #include <functional>
 #include <optional>
@@ -78,20 +78,20 @@ struct Hires {
   }
 };
 
-/// An example, and the libraries that are compiled with its equations.
+/// An example with the libraries compiled with its equations.
 struct Subject {
   Case c;
   std::vector<NativePeer> native;
 };
 
-/// Its equations are compiled for our methods too: those of the example are a text.
+/// Replaces the equation text of the example by the compiled @p problem, for nlmech methods and peers.
 template <class Problem>
 Subject compiled(Case c, const Problem& problem) {
   c.system = ivp::System(problem);
   return {std::move(c), chapters::native_peers(problem, problem)};
 }
 
-/// In pieces between kinks of the right-hand side, as an informed user of a library would do.
+/// Runs a library piecewise between the kinks of the right-hand side, as an expert user would do.
 NativeRun between(const NativeRun& run, const std::vector<double>& kinks) {
   return [run, kinks](double relative, double absolute, double t0, double t1, double* x) {
     double from = t0;
@@ -116,7 +116,7 @@ std::optional<double> error_of(const Case& c, const MethodSweep& sweep, const Se
   return comparison::accuracy_of(c, comparison::integrator(sweep, setting), enough).error;
 }
 
-/// The fastest setting of a method or peer in our loop. @param c outlives the measurement
+/// The fastest setting of a method or peer in the nlmech loop. @param c must outlive the measurement
 std::optional<Work> fastest(const Case& c, const MethodSweep& sweep, double wanted, const std::string& name) {
   return chapters::fastest(
       name, sweep.settings, wanted, [&](const Setting& setting) { return error_of(c, sweep, setting); },
@@ -125,7 +125,7 @@ std::optional<Work> fastest(const Case& c, const MethodSweep& sweep, double want
       });
 }
 
-/// Median of the example's error over runs to 16 times in the last tenth of the way; nothing if one fails.
+/// Median error over runs to 16 times in the last tenth of the interval; nothing if a run fails.
 std::optional<double> native_error(const Case& c, const NativeRun& run, double tolerance) {
   constexpr std::size_t times = 16;
   return chapters::median_error(times, [&](std::size_t i) -> std::optional<double> {
@@ -137,8 +137,8 @@ std::optional<double> native_error(const Case& c, const NativeRun& run, double t
   });
 }
 
-/// The fastest tolerance of a library alone. It is tried at those tolerances that come to an end in our loop,
-/// with at most a hundred times the wanted error, since nothing stops it elsewhere.
+/// The fastest tolerance of a library in its own loop, which has no step limit. Only tolerances are tried
+/// with which the nlmech loop reaches the end with at most a hundred times the wanted error.
 std::optional<Work> fastest_alone(const Case& c, const NativeRun& run, const MethodSweep& walked,
                                   double wanted, const std::string& name) {
   const auto error = [&](const Setting& setting) -> std::optional<double> {
@@ -154,8 +154,8 @@ std::optional<Work> fastest_alone(const Case& c, const NativeRun& run, const Met
   });
 }
 
-/// Adds the library that is fastest by its own loop (ARKODE, and Rosenbrock's method of Odeint: in our loop),
-/// and the same formula in our loop. @param explicit_ones no others
+/// Adds the fastest library in its own loop (ARKODE and Odeint's Rosenbrock method: in the nlmech loop), and
+/// the same formula in the nlmech loop. @param explicit_ones only explicit formulas
 void add_best_library(Speed& all, const Subject& s, double wanted, const std::string& at,
                       bool explicit_ones) {
   std::optional<Work> best, in_our_walk;
@@ -177,7 +177,7 @@ void add_best_library(Speed& all, const Subject& s, double wanted, const std::st
   if (!explicit_ones) all.add(in_our_walk);
 }
 
-/// Ours against the fastest of all peers, which are compiled with the problem where their library allows it.
+/// Compares adaptive-collocation with the fastest peer, compiled with the problem if the library allows it.
 void against_peers(Speed& all, const Subject& s, double wanted, double least) {
   const std::string at = fmt::format("{} to {:.0e}", s.c.name, wanted), best = at + ", best library",
                     ours = at + ", adaptive-collocation";
@@ -185,11 +185,11 @@ void against_peers(Speed& all, const Subject& s, double wanted, double least) {
   add_best_library(all, s, wanted, at, false);
   all.claim(ours, best, least);
   all.claim(best + " in our loop", best,
-            1 / 3.0);  // a library pays for our loop: at most twice as much again
+            1 / 3.0);  // at most three times the time in the nlmech loop
 }
 
-/// The dissertation's algorithm at the error that it reaches, or with polynomials in place of its radial
-/// functions, which reach nine digits; its steps are chosen by hand.
+/// Compares adaptive-collocation with the dissertation's algorithm at the error that it reaches, or with
+/// polynomials in place of radial functions, which reach nine digits. Its step sizes are chosen by hand.
 void against_collocation(Speed& all, const Case& c, const StepScales& scales, const std::string& method,
                          double wanted, double least) {
   const std::string at = fmt::format("{} to {:.0e}, ", c.name, wanted);
@@ -201,7 +201,7 @@ void against_collocation(Speed& all, const Case& c, const StepScales& scales, co
   all.claim(at + "adaptive-collocation", at + method, least);
 }
 
-/// @param problem the equations, compiled for us as for CVODE
+/// Compares adaptive-collocation with CVODE. @param problem the equations, compiled for both
 template <class Problem, class Plain>
 void against_cvode(Speed& all, const Stiff& p, const Problem& problem, const Plain& plain) {
   using Run = std::function<bool(double relative, ivp::State& x)>;
@@ -239,8 +239,8 @@ void against_cvode(Speed& all, const Stiff& p, const Problem& problem, const Pla
   }
 }
 
-/// What the chapter says of speed at six digits, which most methods reach: that collocation as the
-/// dissertation writes it does not win, and what nodes alone would change.
+/// Adds work for the claims at six digits, which most methods reach: collocation of the dissertation is not
+/// the fastest, and the effect of other nodes.
 void add_six_digits(Speed& all, const Subject& s, const StepScales& scales) {
   constexpr double wanted = 1e-6;
   for (const MethodSweep& sweep : sweeps(scales, false)) {
@@ -253,7 +253,7 @@ void add_six_digits(Speed& all, const Subject& s, const StepScales& scales) {
   add_best_library(all, s, wanted, s.c.name, true);
 }
 
-/// The same method on the same problem, behind the virtual interface and inlined.
+/// Compares one method on one problem through the virtual interface and inlined.
 void add_erasure(Speed& all) {
   const auto run = [](const auto& system) {
     return ivp::integrate(system, ivp::State{1, 0}, 0, 500, ivp::Rk4{.step = 0.02});
@@ -296,7 +296,7 @@ void rows(Speed& all) {
   static const Subject duffing = compiled(free_duffing_case(), chapters::PlainDuffing{}), kinked = impact(),
                        chain = compiled(three_mass_case(), chapters::PlainChain{}),
                        hard = compiled(held_back_case(), chapters::PlainDuffing{.hardening = 10});
-  // On two of the problems the best library is ahead at nine digits, by less than half as much again.
+  // On two of the problems the best library is faster at nine digits, by a factor below 1.5.
   for (const auto& [wanted, ahead, level] : {std::tuple{1e-9, 1.0, 1 / 1.5}, {1e-12, 1.5, 1.5}}) {
     against_peers(all, duffing, wanted, ahead);
     against_peers(all, kinked, wanted, level);

@@ -1,5 +1,5 @@
 /// @file
-/// `rbf_ivp_ratios_bench`: the printed ratios of run times of Tables 4.2, 4.4 and 4.6 beside ours, by Google
+/// `rbf_ivp_ratios_bench`: ratios of run times of Tables 4.2, 4.4 and 4.6, printed and measured, by Google
 /// Benchmark. Writes results/ratios/rbf_ivp.json under the current folder.
 #include <map>
 #include <stdexcept>
@@ -16,9 +16,9 @@ namespace {
 using namespace nlmech;
 using scene::PublishedValue;
 
-constexpr const char* reference_method = "RBF-Coll-2";  // 35 nodes, a step of its own choice
+constexpr const char* reference_method = "RBF-Coll-2";  // 35 nodes, long steps
 
-/// "RK4-1 (P/10)" of "RK4-1": the method is followed by its setting.
+/// Printed row of a method, such as "RK4-1 (P/10)" for "RK4-1".
 std::string row_of(const std::vector<PublishedValue>& printed, const std::string& method) {
   for (const PublishedValue& value : printed) {
     if (value.row == method || value.row.starts_with(method + " (")) return value.row;
@@ -31,8 +31,7 @@ scene::TimeRatios compare(chapters::Speed& speed) {
   const chapters::rbf_ivp::Example examples[] = {chapters::rbf_ivp::free_duffing_rows(),
                                                  chapters::rbf_ivp::impact_rows(),
                                                  chapters::rbf_ivp::three_mass_rows()};
-  // The runs of each table, those of which it shows errors. A method that fails here would have no time worth
-  // printing.
+  // The runs of each table. A failed run has no meaningful time.
   for (const chapters::rbf_ivp::Example& example : examples) {
     const chapters::rbf_ivp::Case& c = example.made();
     for (const chapters::rbf_ivp::Row& row : example.rows) {

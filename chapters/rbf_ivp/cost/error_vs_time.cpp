@@ -11,15 +11,15 @@ namespace {
 
 using comparison::Costs;
 
-/// What a scene is about.
+/// Settings of a scene.
 struct Subject {
   std::string name, title;
-  double radial_low, radial_high;  ///< least error of RBF-Coll with N = 35, recorded
+  double radial_low, radial_high;  ///< recorded range of the least error of RBF-Coll with N = 35
   const char* reason;
 };
 
-/// The least error of a method: no more than so much in each step of that run, of one sign, times the
-/// condition.
+/// Checks the least error of a method: at most @p each_step in each step of that run, all of one sign, times
+/// the condition number.
 void check_least(const Costs& costs, const std::string& method, double each_step, const char* reason,
                  scene::Show& show) {
   const scene::MethodLine& line = costs.lines.of(method);

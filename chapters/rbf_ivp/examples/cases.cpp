@@ -15,13 +15,13 @@
 namespace nlmech::chapters::rbf_ivp {
 namespace {
 
-constexpr double beyond = 5;  // s: readings of the end time look a little past the printed one
+constexpr double beyond = 5;  // s; reference beyond the printed end, for other readings of the end time
 
-/// Eq. 4.23: x = X cn(omega t | m), v = -X omega sn dn. dn comes from sn: Boost's own is a quotient of two
-/// vanishing numbers where x does.
+/// Eq. 4.23: x = X cn(omega t | m), v = -X omega sn dn. dn is computed from sn, since Boost's dn is 0/0 where
+/// x = 0.
 Vector<Extended, 2> elliptic(const problems::Duffing& problem, Extended X, Extended period, double t) {
   const Extended omega = problem.argument_frequency(X), m = problem.elliptic_parameter(X);
-  // Within half a period of a maximum, where the functions lose nothing.
+  // Reduced to half a period from a maximum, where the functions lose no accuracy.
   const Extended u = omega * std::remainder(Extended(t), period);
   Extended cn = 0;
   const Extended sn = boost::math::jacobi_elliptic(std::sqrt(m), u, &cn, static_cast<Extended*>(nullptr));
@@ -52,7 +52,7 @@ Case make_impact() {
   return c;
 }
 
-/// The impact problem without its list of kinks.
+/// The impact problem without declared discontinuities.
 struct QuietImpact {
   static constexpr int dimension = Eigen::Dynamic;
   problems::TextProblem full{"impact"};
@@ -111,7 +111,7 @@ double duffing_period() { return static_cast<double>(problems::Duffing{}.period(
 double impact_end() { return problems::TextProblem("impact").parameter("duration"); }
 
 Eigen::Vector3d chain_frequencies() {
-  // Of the equations' linear part (0 1; -M^-1 K, -M^-1 C).
+  // From the linear part (0 1; -M^-1 K, -M^-1 C) of the equations.
   const problems::TextProblem chain("three-dof");
   const Eigen::MatrixXd& linear = chain.linear_terms().a;
   const Eigen::Matrix3d M =

@@ -19,7 +19,7 @@ namespace nlmech::chapters::rbf_ivp::chaos {
 namespace {
 
 constexpr double half = 50, end = 100;
-constexpr double tolerated = 0.01;  // error over amplitude, of a run that follows a motion
+constexpr double tolerated = 0.01;  // largest error over amplitude of a run that follows a motion
 
 /// A motion of u'' + 0.05 u' + u^3 = B cos t from u = 3, u' = 4, to t = 100.
 comparison::Example motion(const std::string& name, bool forced) {
@@ -27,20 +27,20 @@ comparison::Example motion(const std::string& name, bool forced) {
   return comparison::example_of(problem, name, problem.initial_state(), 0, end);
 }
 
-/// What a method makes of a motion.
+/// Result of a method on a motion.
 struct Attempt {
   std::string method;
   std::string setting;
-  std::int64_t steps = 0;                 ///< made
-  double mean_step = 0;                   ///< 0 if it did not come to the end
-  std::optional<double> at_half, at_end;  ///< |error of u| there
-  double followed = end;                  ///< till the end of a step whose error exceeds 1 % of the amplitude
+  std::int64_t steps = 0;                 ///< number of steps
+  double mean_step = 0;                   ///< mean step size; 0 if the end was not reached
+  std::optional<double> at_half, at_end;  ///< |error of u| at t = 50 and 100
+  double followed = end;                  ///< end of the first step with an error above 1 % of the amplitude
   std::int64_t right_hand_sides = 0;
 
   [[nodiscard]] bool follows() const { return at_end && followed == end; }
 };
 
-/// From 0 to 50, and from the state found there to 100.
+/// Integrates from 0 to 50, and from the computed state to 100.
 template <class Method>
 Attempt follow(const comparison::Example& m, const std::string& name, const std::string& setting,
                const Method& method) {
@@ -74,7 +74,7 @@ Attempt follow(const comparison::Example& m, const std::string& name, const std:
 
 constexpr std::array tolerances = {1e-4, 1e-6, 1e-9, 1e-12};
 
-/// All runs on a motion: collocations with 8 to 512 steps to t = 50, and ode45.
+/// All runs on a motion: collocation with 8 to 512 steps to t = 50, and ode45.
 struct Runs {
   comparison::Example motion;
   std::vector<Attempt> all;
@@ -85,7 +85,7 @@ struct Runs {
     if (found == all.end()) throw std::out_of_range("no run of " + method + ", " + setting);
     return *found;
   }
-  /// The run with the longest step that follows the motion to t = 100.
+  /// The run with the largest step size that follows the motion to t = 100.
   [[nodiscard]] const Attempt& longest(const std::string& method) const {
     const Attempt* best = nullptr;
     for (const Attempt& r : all) {
@@ -121,7 +121,8 @@ Runs run_all(comparison::Example motion) {
 constexpr std::array methods = {"RBF-Coll, N = 35", "polynomials, N = 35", "RBF-Coll, N = 7",
                                 "polynomials, N = 7", "ode45"};
 
-/// For each collocation one step a period of the load, or ten, and the longest step that follows.
+/// Table: for each collocation about one or ten steps per period of the load, and the largest step size that
+/// follows.
 scene::Table table_of(const std::vector<Runs>& motions) {
   scene::Table table({{"motion"},
                       {"method"},
@@ -146,13 +147,13 @@ scene::Table table_of(const std::vector<Runs>& motions) {
   return table;
 }
 
-/// The motions as the oracles have them.
+/// Checks the reference motions against the oracles.
 void check_references(const comparison::Example& chaotic, const comparison::Example& transient,
                       scene::Show& show) {
   const auto u = [](const comparison::Example& m, double t) {
     return static_cast<double>(m.reference(t)[0]);
   };
-  // With the double next to 0.05: with 0.05 itself u(100) is another by 9e-15.
+  // For the double nearest to 0.05; the exact 0.05 changes u(100) by 9e-15.
   // oracle: algebraic_series_motions Duffing as doubles u(*
   const char* known = "tools/oracles/algebraic_series_motions.py";
   show.near("chaotic u(50)", u(chaotic, half), 1.221946638567542, 1e-14, known);
@@ -164,8 +165,8 @@ void check_references(const comparison::Example& chaotic, const comparison::Exam
   show.near("transient u(100)", u(transient, end), -0.3969554297434740, 1e-14, also);
 }
 
-/// Errors of RBF-Coll, thrice as much to a third of it: D has roundings, which other compilers and processors
-/// make elsewhere, and the oracle has none.
+/// Checks the errors of RBF-Coll within a factor of 3. Rounding of D depends on compiler and processor; the
+/// oracle has none.
 void check_collocation(const Runs& chaotic, const Runs& transient, scene::Show& show) {
   constexpr double widened = 3;
   struct Known {
@@ -188,12 +189,12 @@ void check_collocation(const Runs& chaotic, const Runs& transient, scene::Show& 
   }
 }
 
-/// The longest steps with which RBF-Coll follows.
+/// Checks the largest step sizes with which RBF-Coll follows.
 void check_longest(const Runs& chaotic, const Runs& transient, scene::Show& show) {
   // oracle: rbf_ivp_chaos *: made
   const char *many = "RBF-Coll, N = 35", *few = "RBF-Coll, N = 7";
-  // The oracle's Newton iteration fails after 1 step with 23 to t = 50 (chaotic) and with 27 (transient), and
-  // with 8 after 0 and 2.
+  // The oracle's Newton iteration fails after 1 step with 23 steps to t = 50 (chaotic) and with 27
+  // (transient). With 8 steps it fails after 0 and 2.
   const auto longest = [&show](const std::string& name, double value, int steps) {
     show.near("longest step that follows, " + name, value, half / steps, 1e-12,
               "tools/oracles/rbf_ivp_chaos.py: with this step it follows, with the next longer one not");

@@ -8,9 +8,9 @@
 namespace nlmech::chapters::rbf_ivp {
 namespace {
 
-constexpr double visible = 0.05;  // of the amplitude: a curve that far from the reference is seen to be off
+constexpr double visible = 0.05;  // of the amplitude: visible difference from the reference
 
-/// Which points of the data are what.
+/// Kinds of points in the data.
 constexpr int line = 0, step_end = 1;
 
 void add_reference(scene::Table& data, const Record& record, const Case& c, int component) {
@@ -26,7 +26,7 @@ void add_method(scene::Table& data, int number, const Record& record, double win
   }
 }
 
-/// Greatest distance from the reference over the window, in amplitudes.
+/// Largest error over the window, in amplitudes.
 double distance(const Record& record, const Case& c, int component) {
   double greatest = 0;
   for (const auto& drawn : record.window) {
@@ -38,8 +38,8 @@ double distance(const Record& record, const Case& c, int component) {
 
 using Records = std::vector<const Record*>;
 
-/// The reference is the first block of the data, runs are the others. Symbols that are drawn first are
-/// larger, so that none is hidden.
+/// Draws the reference (first data block) and the runs. Symbols drawn first are larger, so that none is
+/// hidden.
 void draw(const std::vector<std::string>& labels, double start, double end, scene::Panel& panel) {
   panel.place(0.12, 0.97, 0.13, 0.79).set("title offset 0,2.4").x_range(start, end);
   panel.key("at screen 0.535, screen 0.91 center top horizontal maxrows 2 samplen 2.5");
@@ -71,7 +71,7 @@ void put(const Example& example, const Comparison& figure, const Records& record
       "{/:Italic t} (s)", figure.symbol);
   std::vector<std::string> labels = figure.methods;
   if (!figure.also_inferred.empty())
-    labels.emplace_back("inferred");  // wider ones leave no room for two rows
+    labels.emplace_back("inferred");  // a longer label would not fit into two rows
   draw(labels, c.t1 - example.window, c.t1, panel);
   show.figure().data(std::move(data));
   for (std::size_t i = 0; i < figure.methods.size(); ++i) {

@@ -13,7 +13,7 @@ namespace {
 
 // ------------------------------------------------------------------------------ figure 4.1, the flow chart
 
-/// x' = n t^(n-1), of the highest degree that the expansion of the chart keeps.
+/// x' = n t^(n-1), of the highest degree in the expansion of the chart.
 struct Power {
   static constexpr int dimension = 1;
   int n;
@@ -25,7 +25,7 @@ struct Power {
   }
 };
 
-/// Greatest error of one step from 0 to 1 over the orders 2 to 20.
+/// Largest error of one step from 0 to 1 over the orders 2 to 20.
 double error_of_powers() {
   double greatest = 0;
   for (int order = 2; order <= 20; ++order) {
@@ -38,7 +38,7 @@ double error_of_powers() {
 
 void draw_flow_chart(scene::Show& show) {
   FlowChart chart;
-  constexpr Spot left{20, 7}, right{23, 7};  // half sides
+  constexpr Spot left{20, 7}, right{23, 7};  // half of the sides
   chart.box({22, 90}, left,
             {"{/:Bold given}", "state x_0 at t_0, step {/:Italic h},",
              "order {/:Italic N}, nodes 0, …, {/:Italic M} ≥ {/:Italic N}"});
@@ -74,7 +74,7 @@ void draw_flow_chart(scene::Show& show) {
 
 // ---------------------------------------------------------------------------------- figure 4.30, the chain
 
-/// Eight teeth between two straight ends.
+/// Draws a spring: eight teeth between two straight ends.
 void draw_spring(Drawing& d, double x0, double x1, double y) {
   constexpr int teeth = 8;
   constexpr double straight = 0.2, height = 1.6;
@@ -87,7 +87,7 @@ void draw_spring(Drawing& d, double x0, double x1, double y) {
   d.path("outline", points);
 }
 
-/// A cylinder open to the right, and a piston in it.
+/// Draws a damper: a cylinder open to the right with a piston.
 void draw_damper(Drawing& d, double x0, double x1, double y) {
   constexpr double half = 1.6;
   const double left = x0 + 0.35 * (x1 - x0), right = x0 + 0.65 * (x1 - x0), piston = 0.5 * (x0 + x1);
@@ -97,13 +97,13 @@ void draw_damper(Drawing& d, double x0, double x1, double y) {
   d.path("outline", {{piston, y}, {x1, y}});
 }
 
-/// A wall's surface, hatched away from @p side.
+/// Draws the surface of a wall, hatched away from @p side.
 void draw_wall(Drawing& d, double x, double side) {
   d.path("ground", {{x, -8}, {x, 8}});
   for (int i = 0; i < 8; ++i) d.path("hatch", {{x, 8.0 - 2 * i}, {x - 2 * side, 6.0 - 2 * i}});
 }
 
-/// A mass and its position, counted from where it rests.
+/// Draws a mass and its displacement from rest.
 void draw_mass(Drawing& d, double x0, double x1, int number) {
   const double middle = 0.5 * (x0 + x1);
   d.path("body", {{x0, -6}, {x1, -6}, {x1, 6}, {x0, 6}, {x0, -6}});
@@ -113,8 +113,8 @@ void draw_mass(Drawing& d, double x0, double x1, int number) {
   d.text(fmt::format("x_{}", number), {middle + 3.5, 11.2});
 }
 
-/// What the drawing says: elements act with opposite forces on their two ends. The sum of all mass times
-/// acceleration is then the load and what the two walls exert.
+/// Largest imbalance of the drawn system. Elements exert opposite forces on their ends, so the sum of mass
+/// times acceleration is the load plus the forces of the two walls.
 double force_balance() {
   const problems::TextProblem chain("three-dof");
   const auto p = [&chain](const char* name) { return chain.parameter(name); };

@@ -1,4 +1,4 @@
-/// The three examples of section 4.4: which figures and tables show which of their runs.
+/// The three examples of section 4.4: assignment of runs to figures and tables.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace {
 
 using Scenes = std::vector<scene::Scene>;
 
-/// "ODE45-1", "Explicit-1", ...: the methods of one setting, in the order of the tables.
+/// Methods of one setting in the order of the tables: "ODE45-1", "Explicit-1", ...
 std::vector<std::string> methods_of(const std::string& setting, bool with_ode45) {
   std::vector<std::string> all;
   if (with_ode45) all.push_back("ODE45-" + setting);
@@ -24,7 +24,7 @@ std::vector<std::string> methods_of(const std::string& setting, bool with_ode45)
   return all;
 }
 
-/// The two settings of each method one after the other.
+/// Methods of both settings, alternating.
 std::vector<std::string> both_settings(bool with_ode45) {
   const std::vector<std::string> first = methods_of("1", with_ode45), second = methods_of("2", with_ode45);
   std::vector<std::string> all;
@@ -32,12 +32,12 @@ std::vector<std::string> both_settings(bool with_ode45) {
   return all;
 }
 
-/// Velocities of the three masses: RMS error of v1.
+/// Expected RMS error of v1 of the three masses.
 Expected velocity(double value) {
   return about(value, 1e-4, "tools/oracles/rbf_ivp_methods.py, five digits");
 }
 
-/// A figure for each row, from the given number on.
+/// One figure per row, numbered from @p number on.
 Scenes histories_of_rows(const Example& example, int number) {
   Scenes scenes;
   for (const Row& row : example.rows) {

@@ -9,14 +9,15 @@
 namespace nlmech::chapters::rbf_ivp {
 namespace {
 
-/// How a record is thinned out for drawing.
+/// Thinning of a record for drawing.
 struct Thinning {
-  bool by_step;      ///< the greatest error within each step
-  int bins;          ///< else the greatest of each of so many equal parts; 0: all errors
-  std::string text;  ///< the same in words
+  bool by_step;      ///< keep the largest error within each step
+  int bins;          ///< otherwise the largest in each of so many equal intervals; 0: keep all
+  std::string text;  ///< description for the axis
 };
 
-/// Nothing is left out of a few steps; steps longer than half a period count one by one.
+/// Thinning by the number of steps: none for a few steps, by step for steps longer than half a period, else
+/// by bins.
 Thinning thinning_of(const Record& record, const Case& c) {
   constexpr std::int64_t few = 20;
   const int bins = static_cast<int>(std::round((c.t1 - c.t0) / c.half_period));
@@ -25,18 +26,18 @@ Thinning thinning_of(const Record& record, const Case& c) {
   return {false, bins, fmt::format("greatest of each {:.1f} s", (c.t1 - c.t0) / bins)};
 }
 
-/// One line or row of dots.
+/// Points of one line, or of one series of dots.
 struct Curve {
   std::string label;
   std::vector<TimeError> points;
 };
 
-/// What is drawn of a run: its lines, and dots at the ends of steps.
+/// The curves of a run: lines, and dots at the ends of steps.
 struct Curves {
   std::vector<Curve> lines, dots;
 };
 
-/// Errors of a record by a measure, thinned out.
+/// Errors of a record by a measure, thinned for drawing.
 template <class Measure>
 std::vector<TimeError> errors_of(const Record& record, const Case& c, Points points, Measure measure) {
   const Thinning thinning = thinning_of(record, c);
@@ -62,7 +63,7 @@ double greatest(const std::vector<TimeError>& errors) {
   return largest;
 }
 
-/// Dots are left out where they stand on the lines.
+/// Removes the dots if they are on the lines.
 void drop_needless_dots(Curves& curves) {
   for (std::size_t i = 0; i < curves.lines.size(); ++i) {
     if (greatest(curves.lines[i].points) > 1.5 * greatest(curves.dots[i].points)) return;
@@ -70,7 +71,7 @@ void drop_needless_dots(Curves& curves) {
   curves.dots.clear();
 }
 
-/// One curve a component, or one for the state.
+/// One curve per component, or one for the state.
 Curves curves_of(const Record& record, const Case& c, Shown shown, const std::string& label) {
   Curves all;
   const auto add = [&](const std::string& name, auto measure) {
@@ -90,7 +91,8 @@ Curves curves_of(const Record& record, const Case& c, Shown shown, const std::st
   return all;
 }
 
-/// Decades that hold all errors; twelve at most, for a first step may be exact to rounding.
+/// Sets the decades of the axis to cover all errors; at most twelve, because a first step can be exact to
+/// rounding.
 void set_decades(const Curves& curves, scene::Panel& panel) {
   double least = HUGE_VAL, largest = 0;
   for (const std::vector<Curve>* group : {&curves.lines, &curves.dots}) {
@@ -105,7 +107,7 @@ void set_decades(const Curves& curves, scene::Panel& panel) {
   panel.set(high - low > 8 ? "ytics 100" : "ytics 10");
 }
 
-/// @param size of dots
+/// Draws the curves. @param size of the dots
 void draw(const Curves& curves, double end, const char* size, scene::Panel& panel) {
   const bool alone = curves.lines.size() + curves.dots.size() == 1;
   panel.place(0.12, 0.97, 0.13, alone ? 0.89 : 0.83).set(alone ? "title offset 0,0.2" : "title offset 0,1.4");
@@ -128,7 +130,7 @@ const char* word_for(Shown shown) {
                                      : "velocity error";
 }
 
-/// "5.6e-4", "0.12"
+/// Formats an error size, such as "5.6e-4" or "0.12".
 std::string size_text(double size) {
   if (size >= 0.01) return scene::format_number(size, 2);
   std::string text = fmt::format("{:.1e}", size);
@@ -136,7 +138,7 @@ std::string size_text(double size) {
   return text.substr(0, e + 2) + text.substr(text.find_first_not_of('0', e + 2));
 }
 
-/// What there is to see: the time at which the phase is lost, or how large the error gets and how it grows.
+/// Finding for the title: the time at which the phase is lost, or the largest error and its growth.
 std::string finding(const std::vector<Curve>& lines, Shown shown) {
   const Curve& worst =
       *std::ranges::max_element(lines, {}, [](const Curve& c) { return greatest(c.points); });
@@ -146,7 +148,7 @@ std::string finding(const std::vector<Curve>& lines, Shown shown) {
     return fmt::format("{} first above 1 at {:.0f} s", word_for(shown), lost->t);
   const std::string size = size_text(largest);
   const double exponent = growth_exponent(worst.points);
-  // Less is not told from a level by the eye.
+  // Slower growth is not visible.
   if (exponent < 0.75) return fmt::format("{} at most {}", word_for(shown), size);
   return fmt::format("{} grows to {} as t^{{{:.1f}}}", word_for(shown), size, exponent);
 }
@@ -178,7 +180,7 @@ void put(const Case& c, const Row& row, const History& figure, const Record& nom
                           rms_error(nominal, static_cast<int>(c.x0.size()) / 2, row.points), show);
 }
 
-/// The greatest error of a position within each part of the way.
+/// Largest position error in each interval of time.
 std::vector<TimeError> position_errors(const Record& record, const Case& c) {
   return errors_of(record, c, Points::all, [&c](const ivp::State& e) {
     const Eigen::Index half = e.size() / 2;
@@ -186,7 +188,7 @@ std::vector<TimeError> position_errors(const Record& record, const Case& c) {
   });
 }
 
-/// A panel a run, the two settings of a method side by side, all with the same axes.
+/// Draws one panel per run with common axes; the two settings of a method are side by side.
 void put_all(const Example& example, const std::vector<std::string>& methods,
              const std::vector<const Record*>& records, scene::Show& show) {
   const Case& c = example.made();

@@ -10,56 +10,55 @@
 
 namespace nlmech::chapters::rbf_ivp {
 
-/// Which error a figure shows, normalised by the amplitudes of the response (Eq. 4.21).
+/// Error shown in a figure, normalised by the amplitudes of the response (Eq. 4.21).
 enum class Shown {
   state,      ///< "Normalized State Error": Euclidean norm of position and velocity
-  positions,  ///< "Normalized Position Error": one curve a mass
-  velocities  ///< "Normalized Velocity Error": one curve a mass
+  positions,  ///< "Normalized Position Error": one curve per mass
+  velocities  ///< "Normalized Velocity Error": one curve per mass
 };
 
-/// A figure of the error of a row.
+/// Figure of the error of a row against time.
 struct History {
-  int figure;              ///< 14: Figure 4.14
-  std::string method;      ///< of the row: "RBF-Coll-1"
-  Shown shown;             ///< what its caption says
-  Expected velocity = {};  ///< RMS error of the first velocity, where the figure shows velocities
+  int figure;              ///< number; 14 is Figure 4.14
+  std::string method;      ///< method of the row, such as "RBF-Coll-1"
+  Shown shown;             ///< error named in the printed caption
+  Expected velocity = {};  ///< expected RMS error of the first velocity, if the figure shows velocities
 };
 
-/// "fig-4.<figure>": the error at all values that the method gives, and at the ends of its steps where it
-/// gives more than those; where the inferred reading has settings of its own, its errors beside them.
+/// Scene "fig-4.<figure>": errors at all values of the method, and at the ends of steps if there are other
+/// values. Also draws the inferred reading if it has different settings.
 [[nodiscard]] scene::Scene history(const Example& example, const History& figure);
 
-/// The greatest position error in time of several runs, a panel each on common axes: methods whose settings
-/// follow each other stand side by side.
-/// @param methods of rows, two a line of panels
+/// Scene of the largest position error against time, one panel per run with common axes.
+/// @param methods of rows; two successive ones are side by side
 [[nodiscard]] scene::Scene histories(const Example& example, const std::string& name,
                                      const std::vector<std::string>& methods);
 
-/// A figure of solutions over the window that the runs of an example keep.
+/// Figure of solutions over the window of the runs of an example.
 struct Comparison {
-  int figure;                        ///< 16: Figure 4.16
-  int component;                     ///< of the state
-  std::string symbol;                ///< "x_1(t)"
+  int figure;                        ///< number; 16 is Figure 4.16
+  int component;                     ///< component of the state
+  std::string symbol;                ///< label, such as "x_1(t)"
   std::vector<std::string> methods;  ///< rows of the example
-  std::string also_inferred = {};    ///< one of them whose inferred reading is drawn too
+  std::string also_inferred = {};    ///< method of which the inferred reading is drawn too
 };
 
-/// "fig-4.<figure>": the reference, dense output and step ends of each method.
+/// Scene "fig-4.<figure>": reference, dense output and step ends of each method.
 [[nodiscard]] scene::Scene comparison(const Example& example, const Comparison& figure);
 
 /// A point of a curve.
 struct TimeError {
   double t;      ///< time
-  double error;  ///< magnitude
+  double error;  ///< magnitude of the error
 };
 
-/// The greatest error of each of @p bins equal parts of [begin, end], at the time where it occurs; parts
-/// without errors are left out.
+/// Largest error in each of @p bins equal intervals of [begin, end], with its time; intervals without errors
+/// are omitted.
 [[nodiscard]] std::vector<TimeError> greatest_by_bin(const std::vector<TimeError>& errors, double begin,
                                                      double end, int bins);
 
-/// The power of time as which a curve grows over the last nine tenths of its time: slope of the straight line
-/// that fits log error against log time best.
+/// Growth exponent of an error over the last nine tenths of the time: least-squares slope of log error
+/// against log time.
 [[nodiscard]] double growth_exponent(const std::vector<TimeError>& errors);
 
 }  // namespace nlmech::chapters::rbf_ivp

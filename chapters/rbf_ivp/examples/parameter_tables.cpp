@@ -12,7 +12,7 @@ namespace {
 
 constexpr const char* digits60 = "tools/oracles/rbf_ivp_ends.py, 40 digits; two roundings";
 
-/// A parameter as printed, the number we use, and why the two differ if they do.
+/// A parameter as printed and as used, with the reason for a difference.
 struct Parameter {
   std::string name, printed;
   double used;
@@ -26,7 +26,7 @@ void show_parameters(const std::vector<Parameter>& parameters, scene::Show& show
                           {"remark", &Parameter::remark}});
 }
 
-/// A component of the reference, beside its value in 40 digits.
+/// Checks a component of the reference against its value in 40 digits.
 void check_reference(const std::string& name, Extended value, Extended known, scene::Show& show) {
   show.at_most("error of the reference, " + name, std::abs(value - known), 2e-16, digits60);
 }
@@ -101,8 +101,8 @@ void chain_parameters(scene::Show& show) {
                    {"F", "missing", p.parameter("force"), from_paper},
                    {"Omega", "missing", p.parameter("frequency"), from_paper}},
                   show);
-  // With the doubles next to the table's decimals: with 0.05, 0.2 and the root of 1/2 themselves the chain
-  // ends up to 5.4e-15 from there.
+  // For the doubles nearest to the table's decimals; the exact 0.05, 0.2 and sqrt(1/2) change the end by up
+  // to 5.4e-15.
   const Vector<Extended, 6> end = c.reference(200);
   check_reference("x1(200)", end[0], 0.1621748860002473897017669L, show);
   check_reference("x2(200)", end[1], 0.3465729515799769464131827L, show);

@@ -10,18 +10,18 @@
 namespace nlmech::chapters::rbf_ivp {
 namespace {
 
-/// A row of the table.
+/// A table row.
 struct Line {
   std::string method, setting, published = "N/A", reading;
   scene::Verdict judged = scene::Verdict::context;
-  std::string name = {};  ///< as PublishedValue::name(); empty if no error is printed
+  std::string name = {};  ///< PublishedValue::name(); empty if no error is printed
   scene::Measured errors = {};
   double milliseconds = 0;
   Statistics statistics = {};
 
-  std::string missing = {};  ///< what the text leaves out, so that there is no nominal error
+  std::string missing = {};  ///< what the text does not state, so that there is no nominal error
 
-  /// The error, or why there is none.
+  /// The nominal error, or the reason why there is none.
   [[nodiscard]] scene::Cell nominal() const {
     return errors.nominal ? scene::Cell(*errors.nominal) : scene::Cell("cannot be run: " + missing);
   }
@@ -32,7 +32,7 @@ struct Line {
 
 using Records = std::vector<const Record*>;
 
-/// Both errors; none as printed where the text cannot be run.
+/// Nominal and inferred error; no nominal one if the text does not state all settings.
 scene::Measured errors_of(const Example& example, const Row& row, const Record& literal,
                           const Record& inferred) {
   const Case& c = example.made();
@@ -83,7 +83,7 @@ void put(const Example& example, const std::vector<Line>& lines, scene::Show& sh
     const Line& line = lines[i];
     const Row& row = example.rows[i];
     const scene::Measured& errors = line.errors;
-    // Figures check what runs with the exact period.
+    // The figures check the runs with the exact period.
     const std::optional<Expected>& nominal = row.literal_procedure ? row.literal : row.nominal;
     if (nominal && errors.nominal) nominal->check("RMS error of " + line.method, *errors.nominal, show);
     if (row.inferred)

@@ -34,7 +34,7 @@ Expected about(double value, double relative, const char* reason) {
 }
 
 Expected scattered(double low, double high) {
-  constexpr double widened = 3;  // other compilers and processors round elsewhere
+  constexpr double widened = 3;  // rounding depends on compiler and processor
   return {low / widened, high * widened,
           "regression value: the range over which results scattered when nodes were moved by roundings, "
           "three times as wide to both sides"};
@@ -62,7 +62,7 @@ Example free_duffing_rows() {
               .table = "table-4.2",
               .quantity = "position RMS error",
               .window = P};
-  /// A method with steps of a period.
+  /// Adds a row of a method whose step size is a fraction of the period.
   const auto add = [&](Row row, const std::string& run, const std::string& how, auto method_of) {
     row.literal_procedure = throughout(method_of(printed_period));
     all.add(std::move(row), run, how, throughout(method_of(P)));
@@ -114,7 +114,7 @@ Example free_duffing_rows() {
        .inferred = about(4.378e-3, digits, found),
        .missing = alpha},
       "hht-2", hht, [](double p) { return Hht{p / 500}; });
-  // To 100 P the errors are 1.97e-8 and 8.26e-8: the first row fits the printed end alone.
+  // To 100 P the errors are 1.97e-8 and 8.26e-8; the first row fits only the printed end.
   add({.row = "MCPI-1 (P/10)",
        .method = "MCPI-1",
        .setting = "P/10",

@@ -1,6 +1,6 @@
 /// @file
-/// Rows of Tables 4.2, 4.4 and 4.6: a method with its settings, the results behind it, and which of their
-/// values the printed error is compared with.
+/// Rows of Tables 4.2, 4.4 and 4.6: methods with settings, their runs, and the values compared with the
+/// printed errors.
 #pragma once
 
 #include <algorithm>
@@ -16,68 +16,68 @@
 
 namespace nlmech::chapters::rbf_ivp {
 
-/// Where an error should lie, from numbers that were found without this library.
+/// Expected range of an error.
 struct Expected {
   double low = 0;           ///< least value
-  double high = 0;          ///< greatest value
-  const char* reason = "";  ///< where the range comes from
+  double high = 0;          ///< largest value
+  const char* reason = "";  ///< source of the range
 
-  /// Checks it.
+  /// Checks that @p value is in the range.
   void check(const std::string& name, double value, scene::Show& show) const {
     show.between(name, value, low, high, reason);
   }
 };
 
-/// Four digits of tools/oracles/rbf_ivp_methods.py, or as many as are given.
+/// Range @p value (1 -+ @p relative), usually for four digits of tools/oracles/rbf_ivp_methods.py.
 [[nodiscard]] Expected about(double value, double relative, const char* reason);
-/// A recorded range of results when nodes are moved by roundings, widened.
+/// Recorded range of results under rounding changes of the nodes, widened by a factor of 3.
 [[nodiscard]] Expected scattered(double low, double high);
 
-/// A row of a table: how it is to be read, and the run behind it.
+/// A table row: its interpretation and its runs.
 struct Row {
-  std::string row;      ///< of `tables/published/elgohary.csv`: "RK4-1 (P/10)"; empty: no error is printed
-  std::string method;   ///< in tables: "RK4-1"
-  std::string setting;  ///< step, tolerance, order, nodes, in words without commas: "P/10"
-  Points points = Points::ends;          ///< at which the error is taken
-  int inferred_component = 0;            ///< whose error the printed one seems to be; the text says the first
-  std::optional<Expected> nominal;       ///< of the nominal error
-  std::optional<Expected> inferred;      ///< of the inferred error
-  std::optional<Expected> literal = {};  ///< of the error with the period as printed
-  std::string as_printed = {};           ///< settings as printed, in a figure that shows other ones too
-  std::string as_inferred = {};          ///< those other ones
-  const char* missing = "";              ///< what the text leaves out, so that it cannot be run; else empty
-  std::optional<double> inferred_end = {};  ///< the end of the inferred reading, if not the example's
+  std::string row;      ///< row of `tables/published/elgohary.csv`: "RK4-1 (P/10)"; empty: no printed error
+  std::string method;   ///< name in tables, such as "RK4-1"
+  std::string setting;  ///< step, tolerance, order, nodes as text, such as "P/10"
+  Points points = Points::ends;      ///< points at which the error is taken
+  int inferred_component = 0;        ///< component of the printed error, inferred; the text states the first
+  std::optional<Expected> nominal;   ///< range of the nominal error
+  std::optional<Expected> inferred;  ///< range of the inferred error
+  std::optional<Expected> literal = {};     ///< range of the error with the printed period
+  std::string as_printed = {};              ///< label of the printed settings in a figure with both
+  std::string as_inferred = {};             ///< label of the inferred settings in such a figure
+  const char* missing = "";                 ///< setting that the text does not state; empty if it states all
+  std::optional<double> inferred_end = {};  ///< end time of the inferred reading, if not the example's
 
-  std::string run = {};               ///< the name of its result without the example's: "rk4-1"
-  std::string how = {};               ///< settings as printed, in words
-  Procedure procedure = {};           ///< with them
-  std::string how_inferred = {};      ///< settings of the inferred reading, in words
-  Procedure inferred_procedure = {};  ///< with them; empty: those as printed
-  Procedure literal_procedure = {};   ///< with the period as printed; empty: `procedure`
+  std::string run = {};               ///< name of the result without that of the example: "rk4-1"
+  std::string how = {};               ///< printed settings as text
+  Procedure procedure = {};           ///< run with the printed settings
+  std::string how_inferred = {};      ///< settings of the inferred reading as text
+  Procedure inferred_procedure = {};  ///< run with the inferred settings; empty: `procedure`
+  Procedure literal_procedure = {};   ///< run with the printed period; empty: `procedure`
 
   /// RMS error to the printed end.
   [[nodiscard]] double nominal_error(const Record& record) const { return rms_error(record, 0, points); }
-  /// RMS error under the inferred reading, to its end, which is @p until where the row has none of its own.
+  /// RMS error of the inferred reading to inferred_end, or to @p until if the row has none.
   [[nodiscard]] double inferred_error(const Record& record, double until) const {
     return rms_error(record, inferred_component, points, inferred_end.value_or(until));
   }
-  /// The setting behind the printed number's two errors, in words: points, ends, component.
+  /// Settings of the nominal and the inferred error as text: points, end times, component.
   [[nodiscard]] std::string setting_text(const Case& c) const;
 };
 
 /// An example with its rows.
 struct Example {
-  const Case& (*made)();       ///< free_duffing_case and its like; called only when a result is computed
-  std::string name;            ///< begins the names of its results: "duffing"
-  std::string title;           ///< in headings: "Free Duffing"
-  std::string table;           ///< "table-4.2"
-  std::string quantity;        ///< as in `elgohary.csv`: "position RMS error"
-  double window;               ///< length of time before the end over which figures compare solutions, s
+  const Case& (*made)();       ///< free_duffing_case or similar; called only when a result is computed
+  std::string name;            ///< prefix of the names of results, such as "duffing"
+  std::string title;           ///< in headings, such as "Free Duffing"
+  std::string table;           ///< table of the source, such as "table-4.2"
+  std::string quantity;        ///< quantity in `elgohary.csv`, such as "position RMS error"
+  double window;               ///< length of the final time interval in which figures compare solutions, s
   std::vector<Row> rows = {};  ///< in the order of the table
 
-  std::string borrowed = {};  ///< what no row of the table can do without, and where it is from
+  std::string borrowed = {};  ///< data needed by all rows that are taken from another source
 
-  /// Adds a row with its run, and with that of the inferred reading if it has other settings.
+  /// Adds a row with its run, and the run of the inferred reading if that has other settings.
   void add(Row row, const std::string& run, const std::string& how, const Procedure& procedure,
            const std::string& how_inferred = {}, const Procedure& inferred = {}) {
     row.run = run;
@@ -93,16 +93,16 @@ struct Example {
     if (found == rows.end()) throw std::out_of_range("no row " + method);
     return *found;
   }
-  /// The run with settings as printed, and the period as printed if the steps are fractions of it.
+  /// The run with the printed settings, and with the printed period if the steps are fractions of it.
   [[nodiscard]] scene::Result<Record> literal(const Row& row) const {
     return row.literal_procedure ? recorded(row.run + "-printed-period", row.how, row.literal_procedure)
                                  : nominal(row);
   }
-  /// The run with settings as printed; steps are fractions of the exact period.
+  /// The run with the printed settings; steps are fractions of the exact period.
   [[nodiscard]] scene::Result<Record> nominal(const Row& row) const {
     return recorded(row.run, row.how, row.procedure);
   }
-  /// The same, unless the inferred reading has other settings.
+  /// The run of the inferred reading; nominal() unless that has other settings.
   [[nodiscard]] scene::Result<Record> inferred(const Row& row) const {
     return row.inferred_procedure ? recorded(row.run + "-inferred", row.how_inferred, row.inferred_procedure)
                                   : nominal(row);
@@ -133,7 +133,7 @@ struct Example {
 /// The rows of Table 4.6.
 [[nodiscard]] Example three_mass_rows();
 
-/// The table as a scene, published beside ours, with what we get for each printed error.
+/// Scene of the table with printed and computed errors.
 [[nodiscard]] scene::Scene result_table(const Example& example);
 
 }  // namespace nlmech::chapters::rbf_ivp

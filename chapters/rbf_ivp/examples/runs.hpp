@@ -1,5 +1,5 @@
 /// @file
-/// What a method gave on one of the three examples: values, errors, cost; and how far to look at them.
+/// Recorded runs of a method on one of the three examples: values, errors, cost.
 #pragma once
 
 #include <algorithm>
@@ -21,35 +21,35 @@
 
 namespace nlmech::chapters::rbf_ivp {
 
-/// Which of the values that a method gives are looked at.
+/// Values of a method at which errors are taken.
 enum class Points {
   ends,  ///< the ends of steps
-  all    ///< inner nodes of a collocation and refined output of ode45 as well
+  all    ///< also inner nodes of a collocation and refined output of ode45
 };
 
-/// One integration.
+/// Record of one integration.
 struct Record {
-  /// A value that the method gave.
+  /// A value returned by the method.
   struct Value {
-    double t;          ///< time, after the start
-    bool end;          ///< the end of a step
+    double t;          ///< time
+    bool end;          ///< is it the end of a step?
     ivp::State x;      ///< state
     ivp::State error;  ///< state minus reference
   };
-  /// A value of the method's dense output, for drawings.
+  /// A value of the dense output, for figures.
   struct Drawn {
     double t;      ///< time
     ivp::State x;  ///< state
   };
-  std::vector<Value> values;  ///< in the order of time
-  std::vector<Drawn> window;  ///< over the asked window
-  Statistics statistics;      ///< of one integration
+  std::vector<Value> values;  ///< ordered by time, without the start
+  std::vector<Drawn> window;  ///< dense output over the window
+  Statistics statistics;      ///< work of the integration
 };
 
-/// An integration of an example: from its start to a time, with a method and its settings.
+/// Integrates an example from its start to a time, with a method and its settings.
 using Procedure = std::function<ivp::Solution(const Case&, double end, const ivp::Observer&)>;
 
-/// One method from begin to end.
+/// Procedure with the same method from start to end.
 template <class Method>
 [[nodiscard]] Procedure throughout(const Method& method) {
   return [method](const Case& c, double end, const ivp::Observer& observer) {
@@ -57,8 +57,7 @@ template <class Method>
   };
 }
 
-/// Another setting from the end of the impact on: two integrations, the second from the end of the first, as
-/// section 4.4.2 says.
+/// Procedure of two integrations (section 4.4.2): @p during up to the end of the impact, then @p after.
 template <class Method>
 [[nodiscard]] Procedure in_two_phases(const Method& during, const Method& after) {
   return [during, after](const Case& c, double end, const ivp::Observer& observer) {
@@ -71,9 +70,9 @@ template <class Method>
   };
 }
 
-/// Integrates to @p end and records.
-/// @param window length of time before the end of which dense output is kept, for drawings
-/// @throws Failure with the method's own sentence if it does not get there
+/// Integrates to @p end and records the run.
+/// @param window length of the final time interval with dense output, for figures
+/// @throws Failure with the message of the method if it does not reach @p end
 [[nodiscard]] inline Record record(const Case& c, double end, const Procedure& procedure, double window = 0) {
   Record kept;
   constexpr int samples = 400;
@@ -99,10 +98,10 @@ template <class Method>
   return kept;
 }
 
-/// Root of the mean square of one component's error over the points up to a time, not normalised. Among the
-/// ends of steps the start counts too, as in an array of times t_0, t_0 + h, ...; among inner nodes it does
-/// not, for no method computes it.
-/// @param start is the start counted among the ends?
+/// RMS error of one component over the points up to a time, not normalised. With Points::ends the start
+/// counts, as in an array of times t_0, t_0 + h, ...; with Points::all it does not, because no method
+/// computes it.
+/// @param start whether the start counts with Points::ends
 [[nodiscard]] inline double rms_error(const Record& record, int component, Points points,
                                       double until = std::numeric_limits<double>::infinity(),
                                       bool start = true) {

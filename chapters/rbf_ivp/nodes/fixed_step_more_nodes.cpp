@@ -10,14 +10,14 @@
 namespace nlmech::chapters::rbf_ivp::fixed_step_more_nodes {
 namespace {
 
-/// Errors of the three methods with a number of nodes; nothing where a step was not solved.
+/// Errors of the three methods for a number of nodes; nothing if a step was not solved.
 struct Row {
   std::string problem;
   int nodes;
   std::optional<double> rbf, lgl, radau;
 };
 
-/// Root mean square of the first position's error over all nodes of all steps from t0 to @p end.
+/// RMS error of the first position over all nodes of all steps from t0 to @p end; nothing after a failure.
 template <class Method>
 std::optional<double> error_of(const Case& c, double end, const Method& method) {
   try {
@@ -51,7 +51,7 @@ void put(const std::vector<Row>& rows, scene::Show& show) {
                     {"RBF-Coll, c = (N - 1)/(4 h)", &Row::rbf},
                     {"LGL", &Row::lgl},
                     {"Radau", &Row::radau}});
-  /// With N nodes.
+  /// Error for a number of nodes.
   const auto error_with = [&](const char* problem, int nodes, std::optional<double> Row::*of) {
     const auto row =
         std::ranges::find_if(rows, [&](const Row& r) { return r.problem == problem && r.nodes == nodes; });
@@ -60,7 +60,7 @@ void put(const std::vector<Row>& rows, scene::Show& show) {
   const double at_10 = error_with("duffing", 10, &Row::rbf), at_35 = error_with("duffing", 35, &Row::rbf);
   show.between("error of RBF-Coll with 35 nodes over that with 10, free Duffing", at_35 / at_10, 1e-6, 1e-3,
                "regression value: 2e-5; rounding moves the error with 35 nodes by a factor of ten");
-  /// With 60 and more nodes.
+  /// Least error for 60 or more nodes.
   const auto least = [&](const char* problem, std::optional<double> Row::*error) {
     double smallest = HUGE_VAL;
     for (const Row& r : rows) {

@@ -1,5 +1,5 @@
-/// Future work of chapter 6: nodes and shapes that adapt, redundant nodes with least squares, refinement by
-/// residuals; and the claim of section 4.5 that radial functions need no Lobatto nodes.
+/// Future work of chapter 6: adaptive nodes and shapes, redundant nodes with least squares, refinement by
+/// residuals. Also the claim of section 4.5 that radial functions need no Lobatto nodes.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -20,17 +20,17 @@ using Eigen::VectorXd;
 
 constexpr auto lobatto = NodeFamily::legendre_gauss_lobatto, radau = NodeFamily::left_end_and_radau;
 
-// Names of variants, in the order of the table's columns.
+// Names of variants in the order of the table columns.
 constexpr const char *equal = "LGL, equal shapes", *right = "Radau nodes", *residual = "nodes by residual",
                      *own = "own shapes", *inserted = "inserted nodes", *squares = "least squares",
                      *split = "Radau polynomials, split at kinks";
 constexpr std::array variants = {equal, right, residual, own, inserted, squares, split};
 
-/// Errors at the end and anywhere.
+/// Errors at the end, and largest in the interval.
 struct Errors {
   double end = HUGE_VAL, largest = HUGE_VAL;
 };
-/// Variants on one interval with one number of nodes and one shape.
+/// Errors of the variants for an interval, number of nodes and shape.
 struct Comparison {
   std::string problem;
   Arc arc;
@@ -41,7 +41,8 @@ struct Comparison {
 
 VectorXd equal_shapes(const VectorXd& nodes, double shape) { return VectorXd::Constant(nodes.size(), shape); }
 
-/// From half the nodes, inserted in four rounds or so; the relative shape grows with their number.
+/// Nodes inserted from half the number on, in about four rounds; the shape grows in proportion to their
+/// number.
 VectorXd grown_nodes(const Arc& arc, int count, double shape) {
   VectorXd nodes = family_nodes(lobatto, (count + 1) / 2);
   const int batch = std::max(1, (count - static_cast<int>(nodes.size()) + 3) / 4);
@@ -58,7 +59,8 @@ VectorXd grown_nodes(const Arc& arc, int count, double shape) {
   return nodes;
 }
 
-/// Three steps of Radau polynomials between the kinks of the force, with as many unknowns or fewer.
+/// Errors of Radau polynomials with steps split at the kinks of the force, for no more unknowns in three
+/// steps.
 Errors split_at_kinks(const Arc& arc, int count) {
   const Case& c = *arc.example;
   const ivp::PolynomialCollocation method = {.step = arc.h, .nodes = (count - 1) / 3 + 1, .points = radau};
@@ -92,7 +94,7 @@ void compare(Comparison& c) {
     c.errors[split] = split_at_kinks(c.arc, c.nodes);
 }
 
-/// Two intervals of smooth motion, and one with the whole impact inside.
+/// Compares on intervals of smooth motion, and on one that contains the whole impact.
 std::vector<Comparison> compute(bool quick) {
   const double P = duffing_period();
   std::vector<Comparison> all = {{"duffing", {&free_duffing_case(), 0, P / 2}, 20, 2.375},
@@ -105,7 +107,7 @@ std::vector<Comparison> compute(bool quick) {
   return all;
 }
 
-/// "end / largest" of a variant; empty where it was not tried.
+/// Table cell "end / largest" of a variant; empty if it was not tried.
 scene::Cell errors_cell(const Comparison& c, const char* variant) {
   const auto found = c.errors.find(variant);
   if (found == c.errors.end()) return {};

@@ -41,7 +41,7 @@ TrialSpace gaussians(const VectorXd& nodes, const VectorXd& shapes) {
   };
   fill(nodes, phi, dphi);
   fill(checks, at, dat);
-  // A Phi = B for all three at once: their rows one above the other.
+  // Solves A Phi = B for all three matrices at once, stacked.
   Square right(n, n + 2 * m);
   right << dphi.transpose(), at.transpose(), dat.transpose();
   const Square rows = Square(phi.transpose()).partialPivLu().solve(right);
@@ -85,7 +85,7 @@ VectorXd placed_nodes(const VectorXd& nodes, const VectorXd& checks, const Vecto
     const Index first = std::max<Index>(i - 2, 0), last = std::min(i + 2, m - 1);
     monitor[i] = std::sqrt(residuals.segment(first, last - first + 1).maxCoeff());
   }
-  // The density is a polygon through the check points, constant beyond the outermost; its integral by the
+  // The density is piecewise linear through the check points and constant beyond them; integral by the
   // trapezoidal rule.
   std::vector<double> times = {0}, density;
   const double mean = gauss_weights(m).dot(monitor);
@@ -105,7 +105,7 @@ VectorXd placed_nodes(const VectorXd& nodes, const VectorXd& checks, const Vecto
   for (Index k = 1; k + 1 < nodes.size(); ++k) {
     const double target = nodes[k] * sum.back();
     while (sum[i] < target) ++i;
-    // Within a piece the integral is taken for linear: off by the bend of the density alone.
+    // Linear interpolation of the integral within a piece.
     placed[k] = times[i - 1] + (times[i] - times[i - 1]) * (target - sum[i - 1]) / (sum[i] - sum[i - 1]);
   }
   return placed;
@@ -151,7 +151,7 @@ ivp::State reference_state(const Arc& arc, double tau) {
   return arc.example->reference(arc.t0 + arc.h * tau).cast<double>();
 }
 
-/// Errors and residuals of a solution. @param states a row for each node
+/// Computes errors and residuals of a solution. @param states one row per node
 Fit judged(const Arc& arc, const TrialSpace& space, MatrixXd states) {
   Fit fit;
   const auto size = [&](const ivp::State& x) {

@@ -9,7 +9,8 @@ namespace {
 
 using Vector3 = Vector<double, 3>;
 
-/// Stops where an update of the velocity is lost; the damping is weak, so that each turn gains four digits.
+/// Velocity of ExplicitDamping::implicit by fixed-point iteration. The damping is weak: each of the 12
+/// iterations gains four digits.
 Vector3 implicit_velocity(const problems::TextProblem& p, double t, double h, const Vector3& q,
                           const Vector3& half_before) {
   Vector3 v = half_before, a;

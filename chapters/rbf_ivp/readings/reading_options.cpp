@@ -25,7 +25,7 @@ using ivp::RbfCollocation;
 using ivp::Rk4;
 using ivp::VelocityTime;
 
-/// Errors as printed, by "table-4.2/RK4-1 (P/10)".
+/// Printed errors, indexed by names such as "table-4.2/RK4-1 (P/10)".
 using Printed = std::map<std::string, std::string>;
 
 Printed read_printed() {
@@ -37,23 +37,23 @@ Printed read_printed() {
   return printed;
 }
 
-/// A table's steps.
+/// Step sizes of rows of a table.
 struct Setting {
-  std::string table;  ///< "table-4.2"
-  std::string steps;  ///< as in the row's name: "(P/10)"
-  double first;       ///< step
-  double second = 0;  ///< step after the impact
+  std::string table;  ///< such as "table-4.2"
+  std::string steps;  ///< text in the name of the row, such as "(P/10)"
+  double first;       ///< step size
+  double second = 0;  ///< step size after the impact; 0: none
 };
 
-/// The first and second settings of the step methods, with steps of a period @p P: Newmark's and HHT's.
+/// First and second settings of Newmark and HHT, with steps as fractions of the period @p P.
 std::vector<Setting> implicit_settings(double P) {
   return {{"table-4.2", "(P/10)", P / 10},       {"table-4.2", "(P/500)", P / 500},
           {"table-4.4", "(0.1; 0.5)", 0.1, 0.5}, {"table-4.4", "(0.05; 0.03)", 0.05, 0.03},
           {"table-4.6", "(0.625)", 0.625},       {"table-4.6", "(0.0625)", 0.0625}};
 }
 
-/// The example of a table; the free oscillator with a Taylor series as its reference, which is fifteen times
-/// as fast as the elliptic functions.
+/// The example of a table. The reference of the free oscillator is a Taylor series, fifteen times as fast as
+/// the elliptic functions.
 const Case& case_of(const std::string& table) {
   if (table == "table-4.4") return impact_case();
   if (table == "table-4.6") return three_mass_case();
@@ -69,21 +69,21 @@ Record run_on(const std::string& table, const Procedure& procedure) {
   return record(case_of(table), case_of(table).t1, procedure);
 }
 
-/// A printed row and the run that answers to it.
+/// A printed row and its run.
 struct Answer {
   std::string table, row;
   Record record;
   [[nodiscard]] const std::string& printed(const Printed& all) const { return all.at(table + "/" + row); }
-  /// The end to which the printed errors of the table seem to belong.
+  /// Inferred end time of the printed errors of the table.
   [[nodiscard]] double inferred_end() const { return case_of(table).inferred_end; }
-  /// RMS error of a component up to a time, the start counted among the ends of steps if asked for.
+  /// RMS error of a component up to a time; @p start counts the start with Points::ends.
   [[nodiscard]] double rms(double until, Points points = Points::ends, int component = 0,
                            bool start = true) const {
     return rms_error(record, component, points, until, start);
   }
 };
 
-/// A method with the steps of a setting on the example of its table.
+/// Runs a method with the step sizes of a setting on the example of its table.
 template <class Method>
 Answer answer(const Setting& s, const std::string& row, Method method) {
   Method after = method;
@@ -93,12 +93,12 @@ Answer answer(const Setting& s, const std::string& row, Method method) {
           run_on(s.table, s.second > 0 ? in_two_phases(method, after) : throughout(method))};
 }
 
-/// "Newmark-1", or with "-2" for the short steps.
+/// Numbered method: "-1" for the long steps, "-2" for the short ones.
 std::string numbered(const std::string& method, const Setting& s) {
   return method + (s.first >= 0.1 ? "-1" : "-2");
 }
 
-/// RK4, Newmark and HHT in all three tables, without the rows that nothing explains.
+/// RK4, Newmark and HHT in all three tables.
 std::vector<Answer> step_methods(double P, bool free_only = false) {
   std::vector<Answer> all;
   for (const Setting& s : implicit_settings(P)) {
@@ -112,8 +112,8 @@ std::vector<Answer> step_methods(double P, bool free_only = false) {
   return all;
 }
 
-/// The two MCPI rows of each table, of a degree and a number of intervals that differ from the printed order
-/// n by @p degree and @p intervals.
+/// The two MCPI rows of each table, with degree n + @p degree and n + @p intervals intervals for the printed
+/// order n.
 std::vector<Answer> picard(double P, int degree, int intervals, double tolerance) {
   const auto method = [&](int n) {
     return Mcpi{.order = n + degree, .intervals = n + intervals, .tolerance = tolerance};
@@ -126,7 +126,7 @@ std::vector<Answer> picard(double P, int degree, int intervals, double tolerance
           answer({"table-4.6", "(4)", 4}, "MCPI-2", method(12))};
 }
 
-/// The score of answers, each by a number of its own.
+/// Score of answers; @p number returns the computed value of an answer.
 template <class Number>
 Score score(const std::vector<Answer>& answers, const Printed& printed, Number number) {
   Score s;
@@ -270,7 +270,7 @@ ReadingChoice begin_counted(const Printed& printed, const std::vector<Answer>& s
   return q;
 }
 
-/// The errors of MCPI belong to 500 s in Table 4.2, whose other rows belong to 100 P.
+/// In Table 4.2 the errors of MCPI are to 500 s, those of the other rows to 100 P.
 ReadingChoice picard_points(const Printed& printed) {
   const std::vector<Answer> answers = picard(duffing_period(), 0, 0, 1e-13);
   ReadingChoice q{
@@ -320,12 +320,12 @@ ReadingChoice ode45_points(const Printed& printed) {
   return q;
 }
 
-/// A row of RBF-Coll.
+/// A printed row of RBF-Coll with its run.
 struct RadialRun {
   std::string table;
-  double printed;                ///< its error
-  Points chosen;                 ///< at which the inferred reading takes the error
-  std::optional<Record> record;  ///< none if a step is not solved
+  double printed;                ///< printed error
+  Points chosen;                 ///< points of the inferred reading
+  std::optional<Record> record;  ///< nothing if a step is not solved
 };
 
 std::vector<RadialRun> radial_runs(const Printed& printed, collocation::Inversion inversion) {
@@ -356,7 +356,7 @@ std::vector<RadialRun> radial_runs(const Printed& printed, collocation::Inversio
   return all;
 }
 
-/// @param points of all rows; none: those chosen
+/// Score of rounding noise. @param points of all rows; nothing: those of the inferred reading
 Score score_noise(const std::vector<RadialRun>& runs, std::optional<Points> points = {}) {
   Score s;
   for (const RadialRun& run : runs)
@@ -396,7 +396,7 @@ double last_digit(const std::string& printed) {
 void Score::count(const std::string& printed, double ours) {
   const double distance = std::abs(ours - std::stod(printed)) / last_digit(printed);
   ++rows;
-  exact += distance <= 0.5 + 1e-9 ? 1 : 0;  // the edge itself may be rounded either way
+  exact += distance <= 0.5 + 1e-9 ? 1 : 0;  // a tie can be rounded either way
   close += scene::Tolerance("digits", printed).allows(ours, std::stod(printed)) ? 1 : 0;
 }
 

@@ -15,7 +15,7 @@ namespace {
 
 using Questions = std::vector<ReadingChoice>;
 
-/// The option that explains most rows, the chosen one left aside.
+/// The option that explains most rows, except the chosen one.
 const Option& best_other(const ReadingChoice& q) {
   return *std::ranges::max_element(q.options, {}, [&](const Option& o) {
     return std::tuple(o.text != q.chosen, o.score.exact, o.score.close);
@@ -75,8 +75,8 @@ void check(const Questions& questions, scene::Show& show) {
   explained("component in the explicit rows 4.6", "x3, v0 - h/2 a0, v(-h/2) first", 2, 2, both_rows);
 }
 
-/// The counts that stand beside the rows of a table: options of all questions that bear on it, and how many
-/// of its rows that have digits are reproduced.
+/// Checks the counts stated with the rows of a table: options of all questions about the table, and
+/// reproduced rows among those of kind `error`.
 void check_counts(const Questions& questions, const std::string& table, scene::Show& show) {
   std::size_t options = 0, rows = 0, explained = 0;
   for (const ReadingChoice& q : questions)
@@ -101,7 +101,7 @@ void check_counts(const Questions& questions, const std::string& table, scene::S
 void put(const Questions& questions, scene::Show& show) {
   show.table(tabulate(questions));
   check(questions, show);
-  if (show.quick()) return;  // which tries fewer options
+  if (show.quick()) return;  // a quick run tries fewer options
   for (const char* table : {"4.2", "4.4", "4.6"}) check_counts(questions, table, show);
 }
 

@@ -1,5 +1,6 @@
 /// @file
-/// What the dissertation leaves open, the answers that were tried, and how many printed errors each explains.
+/// Settings that the dissertation does not state: the options tried, and the number of printed errors that
+/// each explains.
 #pragma once
 
 #include <string>
@@ -7,40 +8,40 @@
 
 namespace nlmech::chapters::rbf_ivp {
 
-/// How many printed numbers an answer explains.
+/// Number of printed values that an option explains.
 struct Score {
-  int rows = 0;   ///< looked at
-  int exact = 0;  ///< come out to all printed digits (or within the factor of five of rounding noise)
-  int close = 0;  ///< come out rounded to the printed digits, or cut off after them
+  int rows = 0;   ///< rows compared
+  int exact = 0;  ///< reproduced to all printed digits (rounding noise: within a factor of five)
+  int close = 0;  ///< reproduced rounded to the printed digits, or truncated
 
-  /// Counts a number printed as @p printed that comes out as @p ours.
+  /// Counts a printed value and the computed value @p ours.
   void count(const std::string& printed, double ours);
-  /// Counts a number that is rounding noise: explained within a factor of five.
+  /// Counts a value that is rounding noise; explained if within a factor of five.
   void count_noise(double printed, double ours);
 };
 
-/// One answer.
+/// One option and its score.
 struct Option {
-  std::string text;  ///< "P = 4.77, end 500 s"
-  Score score;       ///< what it explains
+  std::string text;  ///< description, such as "P = 4.77, end 500 s"
+  Score score;       ///< printed values that it explains
 };
 
-/// A question that the text leaves open, or that its printed answer does not settle.
+/// A setting that the text does not state, or whose stated value does not explain the printed values.
 struct ReadingChoice {
-  std::string text;             ///< "end time and period"
-  std::string tables;           ///< whose rows are looked at: "4.2"
-  std::string literal;          ///< the option that the text names; empty if it names none
-  std::string chosen;           ///< the option that the inferred readings take
-  std::vector<Option> options;  ///< all that were tried
+  std::string text;             ///< description, such as "end time and period"
+  std::string tables;           ///< tables compared, such as "4.2"
+  std::string literal;          ///< option stated in the text; empty if none
+  std::string chosen;           ///< option of the inferred readings
+  std::vector<Option> options;  ///< all options tried
 
-  /// @throws std::logic_error if there is no such option
+  /// The option of a description. @throws std::logic_error if there is none
   [[nodiscard]] const Option& option(const std::string& text) const;
 };
 
-/// Tries every option of every question. @param quick of long lists of numbers only a few
+/// Tries all options of all settings. @param quick tries only a few of long lists
 [[nodiscard]] std::vector<ReadingChoice> try_readings(bool quick);
 
-/// The unit of the last digit of a number as printed: 1e-6 for "1.18e-4", 1e-4 for "0.0025".
+/// Unit of the last digit of a printed number: 1e-6 for "1.18e-4", 1e-4 for "0.0025".
 [[nodiscard]] double last_digit(const std::string& printed);
 
 }  // namespace nlmech::chapters::rbf_ivp

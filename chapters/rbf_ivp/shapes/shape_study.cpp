@@ -23,10 +23,10 @@ using collocation::Kernel;
 using collocation::Sampled;
 
 constexpr double least_shape = 0.05, largest_shape = 30;
-constexpr double arc_start = 1.1;  // s, at no symmetry of the motion, where errors would cancel
+constexpr double arc_start = 1.1;  // s; not a symmetry of the motion, at which errors would cancel
 
-/// x(t) of Eq. 4.23 with X = 1 and its derivative at the n Legendre-Gauss-Lobatto nodes of an interval, which
-/// is the unit of time; computed with 50 digits, then rounded. @param periods length of the interval
+/// x(t) of Eq. 4.23 with X = 1 and its derivative at the n Legendre-Gauss-Lobatto nodes of an interval, in
+/// units of the interval; computed with 50 digits, then rounded. @param periods length of the interval
 Sampled duffing_arc(int n, double periods, double start = arc_start) {
   using Digits50 = ExtendedReal<50>;
   const problems::Duffing problem;
@@ -38,30 +38,31 @@ Sampled duffing_arc(int n, double periods, double start = arc_start) {
   for (Eigen::Index j = 0; j < n; ++j) {
     Digits50 cn;
     const Digits50 u = omega * (start + h * nodes[j]), sn = boost::math::jacobi_elliptic(modulus, u, &cn);
-    const Digits50 dn = sqrt(1 - m * sn * sn);  // Boost's own is a quotient of zeros at quarter periods
+    const Digits50 dn = sqrt(1 - m * sn * sn);  // Boost's dn is 0/0 at quarter periods
     arc.values[j] = static_cast<double>(Digits50(X * cn));
     arc.slopes[j] = static_cast<double>(Digits50(-X * omega * h * sn * dn));
   }
   return arc;
 }
 
-/// So many nodes on so many periods of the free Duffing oscillator, and the shape c h of the dissertation.
+/// Nodes and interval length (periods of the free Duffing oscillator), with the shape c h of the
+/// dissertation.
 struct Setting {
   int nodes;
   double periods, dissertation;
-  const char* step;  ///< in words
+  const char* step;  ///< step size as text
 };
 constexpr std::array settings = {Setting{7, 0.1, 0.367, "P/10"}, Setting{15, 0.5, 3.5, "P/2"},
                                  Setting{35, 1, 8.5, "P"}};
 
-/// Errors are those of D f, relative to the largest derivative.
+/// Errors of D f at one shape, relative to the largest derivative; condition number and costs.
 struct Sample {
   double shape;
   std::optional<double> inverse, solved;
   double stable, condition, cost, exact_cost;
 };
 
-/// A way to choose the shape, what it chose, and what that gives, solved by LU and by the stable basis.
+/// A rule for the shape, its choice, and the errors by LU (`solved`) and by the stable basis.
 struct Choice {
   Setting setting;
   double flat;  ///< error of polynomials
@@ -111,7 +112,7 @@ Sample sample(const Sampled& arc, double shape) {
           collocation::exact_leave_one_out_cost(arc.times, shape)};
 }
 
-/// The least cost of Algorithm 1 among 400 shapes.
+/// The shape of least cost of Algorithm 1 among 400.
 double global_minimum_of_cost(const Sampled& arc) {
   double best = least_shape, lowest = HUGE_VAL;
   for (int k = 0; k < 400; ++k) {
@@ -125,7 +126,7 @@ double global_minimum_of_cost(const Sampled& arc) {
   return best;
 }
 
-/// Where Brent's method ends, as fminbnd does, between the wide end and the rule of thumb.
+/// The shape found by Brent's method (as in fminbnd) between the least shape and the rule of thumb.
 double local_minimum_of_cost(const Sampled& arc) {
   const auto cost = [&](double c) {
     return std::min(collocation::leave_one_out_cost(arc.times, Kernel::gaussian, c), 1e300);
@@ -136,7 +137,7 @@ double local_minimum_of_cost(const Sampled& arc) {
 
 Study study_of(const Setting& setting, bool quick) {
   const Sampled arc = duffing_arc(setting.nodes, setting.periods);
-  // Not a whole step earlier: half a period and a whole one are symmetries of the motion.
+  // Not a whole step earlier: half a period and a period are symmetries of the motion.
   const Sampled earlier =
       duffing_arc(setting.nodes, setting.periods, arc_start - problems::Duffing().period(1.0) / 10);
   Study study{setting, stable_error(arc, 0), {}, {}};
@@ -163,7 +164,7 @@ std::vector<Study> studies(bool quick) {
   return all;
 }
 
-/// How choices are marked at the abscissa.
+/// Mark of a choice on the abscissa.
 struct Marked {
   std::size_t choice;
   const char* name;
@@ -172,7 +173,7 @@ struct Marked {
 constexpr std::array marked = {Marked{1, "least of 400 costs", 5}, Marked{2, "Brent on the cost", 6},
                                Marked{4, "least error", 2}};
 
-/// Errors above; cost and condition below them.
+/// Draws the errors in the upper panel, cost and condition number in the lower one.
 void draw_study(const Study& study, int i, scene::Plot& plot) {
   const double left = 0.125 + i * 0.298, right = left + 0.268;
   const auto part = [&](const char* x_label, const char* y_label) -> scene::Panel& {

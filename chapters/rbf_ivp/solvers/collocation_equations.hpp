@@ -1,6 +1,6 @@
 /// @file
-/// The equations of one interval of collocation in time (Eq. 4.16) as a system F(x) = 0 for any solver, in
-/// two forms.
+/// Equations of one interval of collocation in time (Eq. 4.16) as a system F(x) = 0 for solvers, in two
+/// forms.
 #pragma once
 
 #include "nlmech/algebraic/equations.hpp"
@@ -8,22 +8,22 @@
 
 namespace nlmech::chapters::rbf_ivp {
 
-/// Which F. Both have the same roots, and Newton's iteration takes the same steps on both.
+/// Form of F. Both forms have the same roots and the same Newton steps.
 enum class Form {
   printed,    ///< D x - g, as Eq. 4.16
-  integrated  ///< x - (D_ss)^-1 (g - D_s1 x_1): the same times the inverse of the rows and columns 2..N of D
+  integrated  ///< x - (D_ss)^-1 (g - D_s1 x_1); D_ss: rows and columns 2..N of D
 };
 
-/// An interval of an initial value problem, and its nodes.
+/// An interval of an initial value problem with its nodes.
 struct Interval {
   ivp::System system;          ///< the problem
-  double t0;                   ///< start
-  double h;                    ///< length
-  ivp::State x0;               ///< state at the start
+  double t0;                   ///< start of the interval
+  double h;                    ///< length of the interval
+  ivp::State x0;               ///< state at t0
   Eigen::VectorXd nodes;       ///< on the unit interval, the first 0, the last 1
   Eigen::MatrixXd derivative;  ///< on the unit interval, from values at the nodes to derivatives there
 
-  /// The states at nodes 2..N, ordered node by node, are the unknowns: those of a constant state.
+  /// Unknowns of the constant state x0. The unknowns are the states at nodes 2..N, ordered by node.
   [[nodiscard]] Eigen::VectorXd start() const { return x0.replicate(nodes.size() - 1, 1); }
 };
 

@@ -17,19 +17,19 @@ namespace nlmech::chapters::rbf_ivp::mcpi_limit {
 namespace {
 
 constexpr std::array orders = {8, 16, 32, 100, 500};
-constexpr double standstill = 1e-12, overflow = 1e30;  // of a change: done; will not come back
+constexpr double standstill = 1e-12, overflow = 1e30;  // of a change: converged; diverged
 
-/// The largest change of a state component, sweep by sweep.
+/// Largest change of a state component in each sweep.
 using Changes = std::vector<double>;
 
-/// Picard's iteration on the unit interval: nodes, and the matrix from right-hand sides to increments at the
-/// nodes but the first.
+/// Picard iteration on the unit interval: nodes, and the matrix from right-hand sides to increments at all
+/// nodes except the first.
 struct Tables {
   Eigen::VectorXd nodes;
   Eigen::MatrixXd integral;
 };
 
-/// In closed form: Chebyshev coefficients are sums of cosines, and the integral of T_k is
+/// Tables in closed form: Chebyshev coefficients are sums of cosines, and the integral of T_k is
 /// T_{k+1} / (2 (k + 1)) - T_{k-1} / (2 (k - 1)).
 Tables tables_of_cosines(int order) {
   const double pi = std::numbers::pi, N = order;
@@ -49,26 +49,26 @@ Tables tables_of_cosines(int order) {
   return {(1 - turns.array().cos()) / 2, (integrals * coefficients).bottomRows(order) / 2};
 }
 
-/// The library's, as far as it has them.
+/// Tables of the library; in closed form for orders that it does not support.
 Tables chebyshev_tables(int order) {
   if (order >= collocation::max_nodes) return tables_of_cosines(order);
   const ivp::PicardTables tables = ivp::picard_tables({.order = order});
   return {tables.nodes, tables.integral};
 }
 
-/// The same iteration with other nodes and another quadrature, to judge the first by.
+/// Tables with Legendre-Gauss-Lobatto nodes and quadrature, as a reference.
 Tables legendre_tables(int count) {
   const Eigen::VectorXd nodes = collocation::legendre_gauss_lobatto(count);
   return {(nodes.array() + 1) / 2, collocation::integration_matrix(nodes).bottomRows(count - 1) / 2};
 }
 
-/// Where the iteration starts.
+/// Start of the iteration.
 enum class Start {
-  constant,  ///< from the state at the start of the step, as the method does
-  solution   ///< from the solution, displaced by 1e-6
+  constant,  ///< constant state at the start of the step, as in the method
+  solution   ///< solution, shifted by 1e-6
 };
 
-/// Iterates over a step of the free Duffing oscillator that begins at the time @p t0.
+/// Iterates on the step from @p t0 of the free Duffing oscillator until convergence or divergence.
 Changes sweep(const Tables& tables, double t0, double step, Start start) {
   const Case& c = free_duffing_case();
   const Eigen::Index count = tables.nodes.size();
@@ -85,7 +85,7 @@ Changes sweep(const Tables& tables, double t0, double step, Start start) {
   Changes changes;
   while (changes.size() < 1000) {
     c.system.rhs(times, x, g);
-    // By components: a product with two rows would pack the matrix anew in each sweep.
+    // One product per component: a product with two rows would repack the matrix in each sweep.
     for (Eigen::Index i = 0; i < 2; ++i) {
       slope = step * g.row(i).transpose();
       increment.noalias() = tables.integral * slope;
@@ -101,7 +101,7 @@ Changes sweep(const Tables& tables, double t0, double step, Start start) {
 
 bool converged(const Changes& changes) { return changes.back() <= standstill; }
 
-/// The mean ratio of successive changes from the largest of them on.
+/// Mean ratio of successive changes after the largest one; nothing without convergence.
 std::optional<double> contraction(const Changes& changes) {
   if (!converged(changes)) return std::nullopt;
   const auto largest = std::max_element(changes.begin(), changes.end());
@@ -109,7 +109,7 @@ std::optional<double> contraction(const Changes& changes) {
   return std::pow(changes.back() / *largest, 1 / sweeps);
 }
 
-/// The largest multiple of @p unit up to which every one from @p first times it on converges.
+/// Largest k @p unit such that all multiples from @p first to k converge.
 template <class Converges>
 double largest_step(double unit, std::int64_t first, Converges&& converges) {
   std::int64_t k = first;
@@ -117,13 +117,14 @@ double largest_step(double unit, std::int64_t first, Converges&& converges) {
   return static_cast<double>(k - 1) * unit;
 }
 
-/// The least and the greatest of the largest converging steps over all phases at which they begin, in
-/// periods. The equation is odd, so that half a period of phases tells all.
+/// Range of the largest converging step size over all initial phases, in periods. The equation is odd, so
+/// phases in half a period suffice.
 struct PhaseLimits {
   double least = HUGE_VAL, greatest = 0;
 };
 
-/// @param first hundredths of a period, from which every step fails that is longer than one that fails
+/// @param first smallest step size tried, hundredths of a period. From there on a step size larger than one
+/// that fails is assumed to fail.
 PhaseLimits limits_by_phase(const Tables& tables, int phases, std::int64_t first = 30) {
   const double P = duffing_period();
   PhaseLimits limits;
@@ -136,8 +137,8 @@ PhaseLimits limits_by_phase(const Tables& tables, int phases, std::int64_t first
   return limits;
 }
 
-/// Largest steps, in seconds, with which the method comes to the end of an interval.
-/// @param first half seconds of the shortest step tried
+/// Largest step size, s, with which the method reaches the end of the interval.
+/// @param first smallest step size tried, in half seconds
 double limit_over_time(const Case& c, int order, std::int64_t first) {
   return largest_step(0.5, first, [&](double step) {
     const ivp::Mcpi method = {.step = step, .order = order};
@@ -145,8 +146,8 @@ double limit_over_time(const Case& c, int order, std::int64_t first) {
   });
 }
 
-/// Steps of the free oscillator from rest, each from the exact state, before one diverges; all to the end if
-/// none does.
+/// Number of steps of the free oscillator before one diverges, each from the exact state; all steps if none
+/// diverges.
 double converging_steps(double periods, int order) {
   const Tables tables = chebyshev_tables(order);
   const double step = periods * duffing_period(), all = std::floor(free_duffing_case().t1 / step);
@@ -155,7 +156,7 @@ double converging_steps(double periods, int order) {
   return k;
 }
 
-/// The same by the method itself, each step from the end of the last; nothing if none diverges.
+/// Number of steps of the method before one diverges; nothing if none diverges.
 std::optional<std::int64_t> steps_until_divergence(double periods, int order) {
   const Case& c = free_duffing_case();
   const ivp::Mcpi method = {.step = periods * duffing_period(), .order = order};
@@ -165,9 +166,9 @@ std::optional<std::int64_t> steps_until_divergence(double periods, int order) {
 }
 
 struct Limits {
-  std::vector<PhaseLimits> duffing;                         ///< by order
-  PhaseLimits by_legendre;                                  ///< with 120 Legendre nodes
-  std::vector<std::optional<double>> impact, three_masses;  ///< by order, where the method has it
+  std::vector<PhaseLimits> duffing;                         ///< one per order
+  PhaseLimits by_legendre;                                  ///< reference with 120 Legendre nodes
+  std::vector<std::optional<double>> impact, three_masses;  ///< one per order; nothing if too high
 
   [[nodiscard]] const PhaseLimits& of(int order) const {
     return duffing.at(
@@ -181,7 +182,7 @@ Limits find_limits(bool quick) {
   Limits limits{{}, limits_by_phase(legendre_tables(120), phases), {}, {}};
   for (const int order : orders) {
     const bool in_method = order < collocation::max_nodes;
-    // A sweep of 500 nodes is expensive, and those of 100 show that all shorter steps converge.
+    // Sweeps of 500 nodes are expensive; those of 100 nodes show that all smaller steps converge.
     limits.duffing.push_back(limits_by_phase(chebyshev_tables(order), phases, in_method ? 30 : 40));
     limits.impact.emplace_back();
     limits.three_masses.emplace_back();
@@ -192,10 +193,10 @@ Limits find_limits(bool quick) {
   return limits;
 }
 
-/// A row of the table.
+/// A table row.
 struct Row {
   int order;
-  double worst, best;  ///< phase, free Duffing, P
+  double worst, best;  ///< limits for the worst and best phase, free Duffing, P
   std::optional<double> contraction, impact, three_masses;
 };
 
@@ -255,7 +256,7 @@ void put(const Limits& limits, scene::Show& show) {
             "regression value: 3 s converges, 4 s does not");
   show.near("largest step, three masses, order 100", {limits.three_masses[3].value_or(NAN), "s"}, 5.25, 0.05,
             "regression value: 5 s converges, 6 s does not");
-  // The sentence is of the motion of Table 4.2, which starts at a maximum, with 500 points.
+  // The claim refers to the motion of Table 4.2, which starts at a maximum, with 500 points.
   int hundredths = 55;
   while (hundredths > 0 && converging_steps(0.01 * hundredths, 500) <
                                std::floor(free_duffing_case().t1 / (0.01 * hundredths * duffing_period())))

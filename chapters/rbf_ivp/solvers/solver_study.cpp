@@ -1,5 +1,6 @@
-/// Future work: the text solves Eq. 4.16 by Newton's iteration and says that methods without the inverse of
-/// the Jacobian could be used as well. Here are the scalar homotopies of chapter 2 and Picard's iteration.
+/// Future work: the dissertation solves Eq. 4.16 by Newton's iteration and states that methods without the
+/// inverse of the Jacobian could be used. This study compares the scalar homotopies of chapter 2 and Picard
+/// iteration.
 #include <fmt/format.h>
 
 #include <Eigen/SVD>
@@ -26,32 +27,32 @@ using collocation::NodeFamily;
 using Eigen::VectorXd;
 
 constexpr auto lobatto = NodeFamily::legendre_gauss_lobatto, radau = NodeFamily::left_end_and_radau;
-constexpr double reduction = 1e-10, too_much = 1e10;  // of |F| at the start: done; will not come back
+constexpr double reduction = 1e-10, too_much = 1e10;  // relative to |F| at the start: converged; diverged
 
 enum class Solver { newton, damped_newton, picard, fixed_point, newton_homotopy };
 using enum Solver;
 
-/// An interval of the free Duffing oscillator from its maximum.
+/// Interval of the free Duffing oscillator starting at a maximum.
 Interval interval_of(const Basis& basis, double periods) {
   const Case& c = free_duffing_case();
   return {c.system, 0, periods * duffing_period(), c.x0, basis.nodes(), basis.derivative()};
 }
 
-/// What a solver made of an interval.
+/// Result of a solver on an interval.
 struct Solve {
-  VectorXd x;                   ///< states at the nodes but the first
+  VectorXd x;                   ///< states at all nodes except the first
   std::int64_t iterations = 0;  ///< updates of x
-  bool converged = false;       ///< |F| came down as asked
-  bool diverged = false;     ///< grew beyond bounds or came to no finite number; else the iterations ran out
-  bool is_solution = false;  ///< converged, and within a hundredth of the amplitudes at all nodes
+  bool converged = false;       ///< was |F| reduced by `reduction`?
+  bool diverged = false;        ///< |F| above `too_much` or non-finite; else the iteration limit
+  bool is_solution = false;     ///< converged, with errors below 0.01 of the amplitudes at all nodes
   std::vector<double> scattered =
-      {};  ///< iterations from 16 starts that differ by roundings; infinite if none converges
+      {};  ///< iterations from 16 starts that differ by rounding; infinite without convergence
 };
 
-/// How the homotopies step.
+/// Settings of the homotopies.
 struct Flow {
-  std::int64_t most = 200'000;  ///< steps
-  double step = 1;              ///< of fictitious time
+  std::int64_t most = 200'000;  ///< maximum number of steps
+  double step = 1;              ///< step size of fictitious time
 };
 
 bool solves(const VectorXd& x, const Interval& interval) {
@@ -65,8 +66,8 @@ bool solves(const VectorXd& x, const Interval& interval) {
   return error < 0.01;
 }
 
-/// From the constant state until |F| is `reduction` of what it was. @param roundings by which the start is
-/// larger
+/// Solves from the constant state until |F| is reduced by `reduction`. @param roundings multiples of eps by
+/// which the start is enlarged
 Solve solve(Solver solver, Form form, const Interval& interval, const Flow& flow = {}, int roundings = 0) {
   algebraic::DenseEquations equations = collocation_equations(interval, form);
   Solve found{.x = interval.start() * (1 + roundings * std::numeric_limits<double>::epsilon())};
@@ -80,7 +81,7 @@ Solve solve(Solver solver, Form form, const Interval& interval, const Flow& flow
     found.diverged = !(norm <= too_much * first);
     return !found.converged && !found.diverged;
   };
-  // Newton's methods stop by their updates; here all stop by |F|.
+  // Newton's methods stop by their updates; the observer stops all solvers by |F|.
   const auto observer = [&](const algebraic::Iterate& i) { return watch(i.index, i.x, i.norm); };
   if (solver == picard) {
     VectorXd f(found.x.size());
@@ -105,7 +106,7 @@ Solve solve(Solver solver, Form form, const Interval& interval, const Flow& flow
   return found;
 }
 
-/// The same from 16 more starts that differ by roundings, where a run is short enough for that.
+/// Solves, and repeats short runs from 16 more starts that differ by rounding.
 Solve solve_scattered(Solver solver, Form form, const Interval& interval, const Flow& flow) {
   Solve found = solve(solver, form, interval, flow);
   if (!found.converged || found.iterations > 5000) return found;
@@ -116,7 +117,7 @@ Solve solve_scattered(Solver solver, Form form, const Interval& interval, const 
   return found;
 }
 
-/// A column of the table.
+/// A table column: a solver and a form of the equations.
 struct Column {
   const char* name;
   Solver solver;
@@ -130,15 +131,15 @@ constexpr std::array columns = {Column{"Newton", newton, Form::printed},
                                 Column{"fixed-point homotopy, integrated", fixed_point, Form::integrated},
                                 Column{"Newton homotopy, integrated", newton_homotopy, Form::integrated}};
 
-/// Trial functions on an interval of some length, and what each solver took.
+/// A table row: trial functions, interval length, and the results of all solvers.
 struct Row {
   std::string functions;
   Basis basis;
   double periods;
   Flow flow = {};
-  std::vector<Solve> solves = {};  ///< by column
+  std::vector<Solve> solves = {};  ///< one per column
 
-  /// Median over roundings of the start, where that was tried.
+  /// Iterations: median over the starts if there are several; infinite without convergence.
   [[nodiscard]] double iterations(std::size_t column) const {
     const Solve& s = solves[column];
     if (!s.scattered.empty()) return median(s.scattered);
@@ -146,13 +147,13 @@ struct Row {
   }
 };
 
-/// All rows, and the longest intervals.
+/// All rows, and the longest intervals on which solvers converge.
 struct Study {
   std::vector<Row> rows;
-  double longest_newton, longest_picard;  ///< up to which each converges to the solution, in periods
+  double longest_newton, longest_picard;  ///< longest interval with convergence to the solution, periods
 };
 
-/// By steps of a twentieth of a period, with 60 Radau nodes.
+/// Longest interval with convergence, in increments of P/20, with 60 Radau nodes.
 double longest(Solver solver, Form form) {
   const Basis basis = Basis::polynomial(radau, 60);
   int k = 1;
@@ -194,8 +195,8 @@ scene::Cell iterations_cell(const Row& row, std::size_t column) {
   return s.diverged ? "diverges" : fmt::format("> {}", s.iterations);
 }
 
-/// Gradient descent with Polyak's step for linear equations: |e|^2 falls by 1 - (3/4)/cond^2 or more a step,
-/// and |F| is between the least and the largest singular value times |e|.
+/// Bound for gradient descent with Polyak's step on linear equations: each step multiplies |e|^2 by at most 1
+/// - (3/4)/cond^2, and |F| is between the least and the largest singular value times |e|.
 double most_iterations(const Row& row) {
   const Interval interval = interval_of(row.basis, row.periods);
   algebraic::DenseEquations equations = collocation_equations(interval, Form::printed);

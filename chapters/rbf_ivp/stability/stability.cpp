@@ -17,19 +17,19 @@
 namespace nlmech::chapters::rbf_ivp::stability {
 namespace {
 
-constexpr double tolerance = 1e-6;        // of methods that choose their steps
-constexpr double usable_digits = 1;       // of a run that counts
+constexpr double tolerance = 1e-6;        // of methods with step-size control
+constexpr double usable_digits = 1;       // least digits of a usable run
 constexpr double gaussian_shape = 0.367;  // c h of the dissertation's 7 nodes
 
-/// What became of a method on a problem: for methods of fixed step, with the largest step that is of use.
+/// Outcome of a method on a problem; for fixed-step methods, with the largest usable step size.
 struct Ending {
   std::string method, problem;
   bool fixed_step = false;
-  Outcome outcome = Outcome::success;  ///< of the run shown; of the last one tried if none is of use
+  Outcome outcome = Outcome::success;  ///< outcome of the run shown; of the last run if none is usable
   bool usable = false;                 ///< success, and at least one digit
   double digits = 0;
-  double step = 0;       ///< mean length
-  double stiffness = 0;  ///< step times the rate of the fastest motion
+  double step = 0;       ///< mean step size
+  double stiffness = 0;  ///< step size times Stiff::rate
   std::int64_t steps = 0;
 };
 
@@ -49,8 +49,8 @@ Ending run(const ivp::MethodInfo& method, const Stiff& problem, const ivp::Setti
   return ending;
 }
 
-/// The shortest steps that are tried: end / 2^this. Explicit steps are cheap, those of collocations
-/// expensive.
+/// Maximum number of halvings of the interval: the smallest step size is end / 2^halvings. Lower for
+/// collocation, whose steps are expensive.
 int most_halvings(const ivp::MethodInfo& method, bool quick) {
   const bool is_explicit =
       method.name == "euler" || method.name == "explicit" || method.name == "rk4" || method.name == "rk6";
@@ -58,8 +58,8 @@ int most_halvings(const ivp::MethodInfo& method, bool quick) {
   return quick ? halvings - 6 : halvings;
 }
 
-/// Halves the step from the whole interval on until two in a row are of use, then lengthens the first of them
-/// by quarters of an octave.
+/// Finds the largest usable step size: halves the interval until two successive step sizes are usable, then
+/// enlarges the first of them by factors of 2^(1/4).
 Ending with_largest_step(const ivp::MethodInfo& method, const Stiff& problem, int halvings) {
   const auto with_steps = [&](std::int64_t count) {
     const double step = problem.end / static_cast<double>(count);
@@ -90,7 +90,7 @@ Ending ending_of(const ivp::MethodInfo& method, const Stiff& problem, bool quick
                  .outcome = Outcome::outside_validity};
   if (method.second_order_only && !problem.system.second_order()) return refused;
   if (method.fixed_step()) return with_largest_step(method, problem, most_halvings(method, quick));
-  // RKN12(10) refuses accelerations that depend on velocities, before it begins.
+  // RKN12(10) throws before the first step for accelerations that depend on velocities.
   try {
     return run(method, problem, {.tolerance = tolerance, .absolute_tolerance = tolerance * problem.absolute},
                std::int64_t{1} << (quick ? 14 : 17));
@@ -99,10 +99,10 @@ Ending ending_of(const ivp::MethodInfo& method, const Stiff& problem, bool quick
   }
 }
 
-/// The methods of other papers have such a scene in chapters of their own.
+/// Methods of other papers, which have such a scene in their own chapters.
 constexpr std::array<std::string_view, 5> elsewhere = {"laier", "argyris", "hoff", "bazzi", "mtl"};
 
-/// Every other method and peer of this build on every problem, method by method.
+/// Outcomes of all other methods and peers of this build on all problems, ordered by method.
 std::vector<Ending> all_endings(bool quick) {
   const std::vector<Stiff> problems = stiff_problems(quick);
   std::vector<Ending> endings;
@@ -130,7 +130,7 @@ const Ending& find(const std::vector<Ending>& endings, const std::string& method
   throw std::logic_error(fmt::format("no run of {} on {}", method, problem));
 }
 
-/// For the table.
+/// Table cell of an outcome.
 std::string words(const Ending& f) {
   if (f.usable && f.fixed_step) return fmt::format("{:.2g} s ({:.1f})", f.step, f.digits);
   if (f.outcome != Outcome::success) return std::string(to_string(f.outcome));
@@ -138,9 +138,9 @@ std::string words(const Ending& f) {
   return fmt::format("{:.1f} digits, {} steps", f.digits, f.steps);
 }
 
-/// A few characters for a cell of the figure.
+/// Text of a cell in the figure, a few characters.
 std::string mark(const Ending& f) {
-  if (f.usable && f.fixed_step && f.stiffness >= 100) {  // 1e13 is as wide as a cell
+  if (f.usable && f.fixed_step && f.stiffness >= 100) {  // 1e13 fills a cell
     const int power = static_cast<int>(std::floor(std::log10(f.stiffness)));
     return fmt::format("{:.0f}e{}", f.stiffness / std::pow(10, power), power);
   }
@@ -206,7 +206,8 @@ void check(const std::vector<Ending>& endings, scene::Show& show) {
   double radau = 0, smooth = 0, least = 1e9;
   for (const std::string& problem : different(endings, &Ending::problem)) {
     least = std::min(least, find(endings, "adaptive-collocation", problem).digits);
-    // No fixed step of the search resolves the leap of the one, the first second of the other.
+    // No fixed step size of the search resolves the jump of van der Pol 1000, or the first second of
+    // Robertson.
     if (problem == "van der Pol 1000" || problem == "Robertson") continue;
     ++smooth;
     radau += find(endings, "radau-coll", problem).usable ? 1 : 0;
@@ -219,11 +220,11 @@ void check(const std::vector<Ending>& endings, scene::Show& show) {
                "two digits less than the tolerance, as the codes of the test set's tables lose at most");
 }
 
-/// Windows of omega h in which collocation amplifies an undamped oscillation, though it is implicit.
+/// Checks the windows of omega h in which collocation, though implicit, amplifies an undamped oscillation.
 void check_windows(scene::Show& show) {
   using collocation::NodeFamily;
   constexpr auto lobatto = NodeFamily::legendre_gauss_lobatto, radau = NodeFamily::left_end_and_radau;
-  constexpr double threshold = 1.001;  // of |R|: below lies the truncation of radial functions themselves
+  constexpr double threshold = 1.001;  // of |R|; smaller excesses are truncation errors of radial functions
   const int per_unit = show.quick() ? 10 : 20;
   const char *recorded = "regression value with two or three digits",
              *formula = "|R| by the formula for the nodes (Hairer & Wanner II, Theorem IV.3.9), 50 digits";

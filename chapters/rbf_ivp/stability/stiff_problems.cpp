@@ -12,7 +12,7 @@
 namespace nlmech::chapters::rbf_ivp {
 namespace {
 
-/// With its end by Taylor series; errors relative to the largest component.
+/// Problem with a reference by Taylor series; errors relative to the largest component.
 template <class Problem>
 Stiff by_series(std::string name, const Problem& problem, double end, double rate) {
   const auto& x0 = problem.initial_state();
@@ -31,7 +31,7 @@ Stiff by_series(std::string name, const Problem& problem, double end, double rat
           ivp::LongState::Constant(x0.size(), size)};
 }
 
-/// With published digits of its end; errors relative to each component.
+/// Problem with a published reference; errors relative to each component.
 Stiff by_test_set(std::string name, const problems::TextProblem& problem, double end, double rate,
                   std::initializer_list<long double> digits) {
   ivp::LongState reference(static_cast<Eigen::Index>(digits.size()));
@@ -40,7 +40,7 @@ Stiff by_test_set(std::string name, const problems::TextProblem& problem, double
           reference,       reference.cwiseAbs()};
 }
 
-/// Near |x| = 2, where the motion creeps, the fast eigenvalue is -3 mu.
+/// Van der Pol oscillator. In the slow phase near |x| = 2 the fast eigenvalue is -3 mu.
 Stiff van_der_pol(double mu, double end) {
   return by_series(fmt::format("van der Pol {:g}", mu), problems::TextProblem("van-der-pol", {{"mu", mu}}),
                    end, 3 * mu);
@@ -55,10 +55,10 @@ Stiff stiff_duffing() {
 
 Stiff stiff_masses() {
   const problems::TextProblem chain("three-dof", {{"k1", 1e8}});
-  return by_series("three masses 1e8", chain, 2, std::sqrt((1e8 + 1) / 2));  // of k1 + k2 and m1
+  return by_series("three masses 1e8", chain, 2, std::sqrt((1e8 + 1) / 2));  // frequency of k1 + k2 and m1
 }
 
-// tables/reference/ivp_test_set.csv has the digits of these three, and where they are from.
+// References of these three and their source: tables/reference/ivp_test_set.csv.
 Stiff van_der_pol_of_the_test_set() {
   auto p = by_test_set("van der Pol 1000", problems::TextProblem("van-der-pol", {{"mu", 1000}}), 2000, 3000,
                        {1.706167732170483L, -0.8928097010247975e-3L});
@@ -67,11 +67,11 @@ Stiff van_der_pol_of_the_test_set() {
 }
 
 Stiff robertson() {
-  // At the start -k1, later about -k2: the rate of y2.
+  // Eigenvalue of y2: -k1 at the start, later about -k2.
   auto p = by_test_set("Robertson", problems::TextProblem("robertson"), 1e11, 1e4,
                        {0.2083340149701255e-7L, 0.8333360770334713e-13L, 0.9999999791665050L});
   p.absolute = 1e-8;
-  p.halvings = 10;  // of 1e11 s: equal steps that are short enough for the first second would be 1e14
+  p.halvings = 10;  // of 1e11 s; equal steps short enough for the first second would be 1e14
   return p;
 }
 

@@ -26,7 +26,7 @@ double polynomial_amplification(collocation::NodeFamily family, int count, doubl
     for (Eigen::Index k = i; k > 0; --k) at_zero[k] = at_zero[k - 1] - nodes[i] * at_zero[k];
     at_zero[0] *= -nodes[i];
   }
-  Column at_one = at_zero;  // of the Taylor series of M at 1
+  Column at_one = at_zero;  // coefficients of the Taylor series of M at 1
   for (Eigen::Index i = 0; i < s; ++i) {
     for (Eigen::Index k = s - 1; k >= i; --k) at_one[k] += at_one[k + 1];
   }

@@ -1,5 +1,5 @@
 /// @file
-/// Stability of collocation on the imaginary axis: where an undamped oscillation grows from step to step.
+/// Stability of collocation on the imaginary axis: windows in which an undamped oscillation is amplified.
 #pragma once
 
 #include <complex>
@@ -10,27 +10,27 @@
 
 namespace nlmech::chapters::rbf_ivp {
 
-/// The stability function of collocation: x1 = R(z) x0 for x' = lambda x with z = lambda h, when the equation
-/// holds at all nodes but the first. Its error is 1e-13 for polynomials of 35 nodes and |z| < 1000.
-/// @param derivative on the unit interval, the first node at its start, the last one at its end
+/// Stability function of collocation at all nodes except the first: x1 = R(z) x0 for x' = lambda x with z =
+/// lambda h. The error is 1e-13 for polynomials of 35 nodes and |z| < 1000.
+/// @param derivative matrix on the unit interval; first node 0, last node 1
 [[nodiscard]] std::complex<double> stability_function(const Eigen::MatrixXd& derivative,
                                                       std::complex<double> z);
 
-/// |R(iy)| of polynomials from the nodes alone: R(z) is M^(s)(1) + M^(s-1)(1) z + ... + M(1) z^s over the
-/// same with 0 for 1, where M has the s nodes but the first as its zeros (E. Hairer, G. Wanner, Solving
-/// Ordinary Differential Equations II, 1996, Theorem IV.3.9). Shares nothing with the matrices. Computed with
-/// 50 digits, of which it loses about one for each node.
+/// |R(iy)| of polynomial collocation from the nodes, without matrices: R(z) is
+/// M^(s)(1) + M^(s-1)(1) z + ... + M(1) z^s over the same with 0 for 1. The zeros of M are the s nodes after
+/// the first (E. Hairer, G. Wanner, Solving Ordinary Differential Equations II, 1996, Theorem IV.3.9).
+/// Computed with 50 digits; about one digit per node is lost.
 [[nodiscard]] double polynomial_amplification(collocation::NodeFamily family, int nodes, double y);
 
 /// A window of the imaginary axis on which a method amplifies oscillations.
 struct Window {
-  double start;    ///< first y with |R(iy)| above the threshold
-  double end;      ///< last one
-  double largest;  ///< of |R(iy)| in between, refined between the samples
-  double place;    ///< y of the largest
+  double start;    ///< first sampled y with |R(iy)| above the threshold
+  double end;      ///< last sampled y above the threshold
+  double largest;  ///< maximum of |R(iy)|, refined between the samples
+  double place;    ///< y of the maximum
 };
 
-/// The windows in 0 < y <= last with |R(iy)| > threshold, sampled @p per_unit times a unit of y.
+/// Windows in 0 < y <= @p last with |R(iy)| > @p threshold, from @p per_unit samples per unit of y.
 [[nodiscard]] std::vector<Window> windows_above(const Eigen::MatrixXd& derivative, double last,
                                                 double threshold, int per_unit);
 

@@ -1,7 +1,7 @@
 /// @file
-/// `two_body_series_bench`: analytic continuation against RKN12(10) and Odeint's fehlberg78, the latter as
-/// its manual runs it, at equal achieved error, and what our loop costs Odeint; by Google Benchmark. Writes
-/// results/bench/two_body_series.json under the current folder; exit code 1 if a claim is not held.
+/// `two_body_series_bench`: analytic continuation against RKN12(10) and Odeint's fehlberg78 in its own loop,
+/// at equal achieved error, and the overhead of the nlmech step loop for Odeint; by Google Benchmark. Writes
+/// results/bench/two_body_series.json under the current folder; exit code 1 if a claim does not hold.
 #include <algorithm>
 #include <array>
 #include <functional>
@@ -27,7 +27,7 @@ using Place = std::optional<orbit::Vector3<double>>;
 constexpr int orbits = 20, phases = 16;
 constexpr auto fehlberg78 = peers::Odeint::Formula::fehlberg78;
 
-/// An ellipse with a = 1 and mu = 1 from its periapsis, and where it is at the end times.
+/// An ellipse with a = 1 and mu = 1 from its periapsis, with reference positions at the end times.
 struct Ellipse {
   explicit Ellipse(double eccentricity) : e(eccentricity), start(two_body::on_ellipse(eccentricity)) {
     for (int i = 0; i < phases; ++i) {
@@ -41,7 +41,7 @@ struct Ellipse {
   std::vector<orbit::Vector3<double>> places;
 };
 
-/// Integrates from the start to a time with a tolerance; nothing after a failure.
+/// Integrates from the start to a time with a tolerance; returns nothing after a failure.
 using Integrator = std::function<Place(const orbit::State&, double time, double tolerance)>;
 
 struct TimedMethod {
@@ -77,8 +77,8 @@ Place by_odeint(const orbit::State& s, double time, double tolerance) {
   return orbit::Vector3<double>(x[0], x[1], x[2]);
 }
 
-/// All methods on an ellipse, each at the fastest tolerance of one sweep whose median of |dr|/a over the end
-/// times is as wanted.
+/// Adds all methods on an ellipse. Each uses the fastest tolerance of a sweep whose median |dr|/a over the
+/// end times is at most @p wanted.
 void add_rows(chapters::Speed& all, const Ellipse& ellipse, double wanted) {
   const auto name_of = [&](const std::string& method) {
     return fmt::format("e = {:g}, {} to {:g}", ellipse.e, method, wanted);
@@ -94,7 +94,8 @@ void add_rows(chapters::Speed& all, const Ellipse& ellipse, double wanted) {
   for (const TimedMethod& method :
        {TimedMethod{ours, by_series}, {"rkn1210", rkn1210}, {in_our_walk, walked}, {alone, by_odeint}}) {
     const auto error = [&](double tolerance) -> std::optional<double> {
-      // With a tolerance below rounding Odeint alone may never come back: in our loop it does, and says so.
+      // With a tolerance below rounding Odeint's own loop may not terminate; the nlmech loop returns a
+      // failure.
       if (method.name == alone && !walked(ellipse.start, orbits * revolution, tolerance)) return std::nullopt;
       return chapters::median_error(phases, [&](std::size_t i) -> std::optional<double> {
         const Place end = method.run(ellipse.start, ellipse.times[i], tolerance);
@@ -112,7 +113,7 @@ void add_rows(chapters::Speed& all, const Ellipse& ellipse, double wanted) {
   claim(ours, "rkn1210", wanted < 1e-9 ? 1.8 : 1.5);
   if (wanted < 1e-9) return;
   claim(ours, alone, 3);
-  claim(in_our_walk, alone, 0.5);  // a library pays for our loop: at most so much again
+  claim(in_our_walk, alone, 0.5);  // at most twice the time in the nlmech loop
 }
 
 void rows(chapters::Speed& all) {

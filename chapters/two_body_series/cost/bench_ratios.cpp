@@ -1,6 +1,6 @@
 /// @file
-/// `two_body_series_ratios_bench`: the printed ratios of run times of Tables 3.2 and 3.3, and of the text,
-/// beside ours, by Google Benchmark. Writes results/ratios/two_body_series.json under the current folder.
+/// `two_body_series_ratios_bench`: ratios of run times of Tables 3.2 and 3.3 and of the text, printed and
+/// measured, by Google Benchmark. Writes results/ratios/two_body_series.json under the current folder.
 #include <map>
 #include <stdexcept>
 #include <string>
@@ -17,10 +17,11 @@ namespace two_body = chapters::two_body_series;
 using two_body::Orbit;
 using two_body::Propagator;
 
-/// Whose times are printed: not those of F and G.
+/// Propagators with printed times; none are printed for F and G.
 constexpr Propagator timed[] = {Propagator::ode45, Propagator::rkn1210, Propagator::series};
 
-/// The method that the series is said to be faster than.
+/// The method compared with the series in a published claim. @throws std::invalid_argument for an unknown
+/// claim
 Propagator subject_of(const scene::PublishedValue& claim) {
   for (const Propagator propagator : timed) {
     if (claim.quantity == std::string("Analytic-Cont faster than ") + name_of(propagator) + " by")

@@ -20,17 +20,17 @@ using comparison::Kind;
 constexpr int orbits = 20;
 const char* const ours = "analytic-continuation";
 
-/// What a scene is about.
+/// Settings of a scene.
 struct Subject {
   std::string name, title;
   double eccentricity;
-  int order;               ///< of fixed continuation
-  std::vector<int> steps;  ///< an orbit, coarse first
-  int printed;             ///< index of the dissertation's among them; -1: none
-  double low, high;        ///< error of these, recorded
+  int order;               ///< order of fixed continuation
+  std::vector<int> steps;  ///< steps per orbit, coarsest first
+  int printed;             ///< index of the dissertation's value in `steps`; -1: none
+  double low, high;        ///< recorded bounds of the error with the printed steps
 };
 
-/// Twenty orbits from the periapsis, a = 1, mu = 1; the error is |dr|/a.
+/// Example of twenty orbits from the periapsis, a = 1, mu = 1; the error is |dr|/a.
 Example example_of(const Subject& subject) {
   const orbit::State start = on_ellipse(subject.eccentricity);
   const auto reference = [start](double t) -> Vector<long double, 6> {
@@ -56,7 +56,7 @@ Example example_of(const Subject& subject) {
           .error = error};
 }
 
-/// Analytic continuation over the sweep of tolerances and on to what double can hold.
+/// Analytic continuation over the tolerances 1e-4 to 1e-17.
 scene::MethodLine adaptive(const Example& c, bool quick) {
   scene::MethodLine curve = comparison::line_of(ours, Kind::own);
   for (int power = 4; power <= 17; power += quick ? 6 : 1) {
@@ -72,7 +72,7 @@ scene::MethodLine fixed(const Example& c, const Subject& subject, bool quick) {
   scene::MethodLine curve =
       comparison::line_of(fmt::format("fixed steps, order {}", subject.order), Kind::source);
   for (std::size_t i = 0; i < subject.steps.size(); ++i) {
-    if (quick && subject.printed < 0 && i % 2 == 1) continue;  // these short steps are dear
+    if (quick && subject.printed < 0 && i % 2 == 1) continue;  // short steps are slow
     const orbit::FixedContinuation method{.step = revolution / subject.steps[i], .order = subject.order};
     const char* remark = static_cast<int>(i) == subject.printed ? " (as printed)" : "";
     curve.attempts.push_back(cost_of(c, fmt::format("{} steps an orbit{}", subject.steps[i], remark),
@@ -81,7 +81,7 @@ scene::MethodLine fixed(const Example& c, const Subject& subject, bool quick) {
   return curve;
 }
 
-/// Kepler's solution of the end, timed in thousands: one is as short as the clock's tick.
+/// Kepler's solution at the end. Timed over 1000 calls, since one call is as short as the clock resolution.
 scene::MethodLine closed(const Example& c, bool quick) {
   const auto run = kepler_integrator(1);
   scene::MethodLine line = comparison::line_of("Kepler", Kind::closed_form);
@@ -96,7 +96,8 @@ scene::MethodLine closed(const Example& c, bool quick) {
   return line;
 }
 
-/// As LastEnds sees it: the median over 16 times in the last tenth, in halves of eps.
+/// Condition number near the end: median of rounding_of_data() over 16 times in the last tenth, in units of
+/// eps/2.
 double condition_near_end(const Subject& subject) {
   std::vector<double> all;
   for (int i = 0; i < 16; ++i) {
@@ -106,7 +107,7 @@ double condition_near_end(const Subject& subject) {
   return median(all) / (std::numeric_limits<double>::epsilon() / 2);
 }
 
-/// Its condition is that of rounding_of_data(), median near the end.
+/// Measures all methods; the condition number is condition_near_end().
 comparison::Costs measure(const Subject& subject, bool quick) {
   const Example c = example_of(subject);
   std::vector<comparison::MethodSweep> others = {comparison::by_tolerances("series", Kind::series, quick),

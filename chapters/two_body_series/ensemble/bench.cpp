@@ -1,7 +1,8 @@
 /// @file
-/// `two_body_series_ensemble_bench`: orbits in lanes against the same orbits one by one, at equal achieved
-/// median error, and beside them the multiply-adds alone; by Google Benchmark. Writes
-/// results/bench/two_body_series_ensemble.json under the current folder; exit code 1 if a claim is not held.
+/// `two_body_series_ensemble_bench`: orbits in SIMD lanes against the same orbits one by one, at equal
+/// achieved median error, and the multiply-adds alone; by Google Benchmark. Writes
+/// results/bench/two_body_series_ensemble.json under the current folder; exit code 1 if a claim does not
+/// hold.
 #include <cmath>
 #include <functional>
 #include <memory>
@@ -22,15 +23,15 @@ using namespace nlmech;
 namespace two_body = chapters::two_body_series;
 using two_body::revolution;
 
-/// Orbits from their periapsis over some twenty revolutions, and where they end.
+/// Orbits over some twenty revolutions with reference final positions.
 struct Orbits {
   std::string name;
   std::vector<orbit::Flight> flights;
   std::vector<orbit::Vector3<double>> ends;
-  std::vector<double> errors;  ///< median ones that are compared
+  std::vector<double> errors;  ///< median errors at which times are compared
 };
 
-/// About a point mass; the ends in 50 digits.
+/// Ellipses about a point mass from the periapsis; reference in 50 digits.
 Orbits ellipses(std::string name, double least, double largest) {
   Orbits orbits{std::move(name), {}, {}, {1e-9, 1e-12}};
   std::mt19937_64 random(21);
@@ -44,8 +45,8 @@ Orbits ellipses(std::string name, double least, double largest) {
   return orbits;
 }
 
-/// Low ones in the field of the Earth to J6, in units of its radius; the ends are as exact as doubles are,
-/// which is enough for 1e-9.
+/// Low orbits in the field of the Earth to J6, in units of its radius. The reference is by doubles with
+/// tolerance 1e-16, sufficient for errors of 1e-9.
 Orbits low_orbits() {
   Orbits orbits{"512 low orbits, J2 to J6", {}, {}, {1e-9}};
   orbit::Gravity field = orbit::earth(6);
@@ -79,13 +80,13 @@ Way in_lanes(const Shared& orbits, InstructionSet set) {
   };
 }
 
-/// Multiply-adds of a step of order @p n: about a point mass two sums of products and some twenty others an
-/// order (kernels/ensemble.hpp), in a field to J6 the products of 22 pairs of series (acceleration.hpp).
+/// Multiply-adds of a step of order @p n: two sums of products and some twenty others per order about a point
+/// mass (kernels/ensemble.hpp), products of 22 pairs of series in a field to J6 (acceleration.hpp).
 double multiply_adds_of(const orbit::Flight& flight, double n) {
   return flight.gravity.degree() == 0 ? n * n + 20 * n : 11 * n * n;
 }
 
-/// Of all orbits.
+/// Multiply-adds of all orbits.
 double multiply_adds_of(const Orbits& orbits, const std::vector<orbit::Solution>& ends) {
   double count = 0;
   for (std::size_t i = 0; i < ends.size(); ++i) {
@@ -96,7 +97,8 @@ double multiply_adds_of(const Orbits& orbits, const std::vector<orbit::Solution>
   return count;
 }
 
-/// The loosest tolerance, by half decades, at which the median error is as wanted; nothing if none is.
+/// The loosest tolerance, by half decades, with a median error of at most @p wanted; nothing if there is
+/// none.
 std::optional<double> loosest(const Orbits& orbits, const Way& run, double wanted) {
   for (const double tolerance : chapters::half_decades(12, 34)) {
     const auto ends = run(tolerance);
@@ -108,7 +110,7 @@ std::optional<double> loosest(const Orbits& orbits, const Way& run, double wante
   return std::nullopt;
 }
 
-/// One by one, in lanes, and the multiply-adds of the orbits in lanes and nothing else.
+/// Adds the orbits one by one, in lanes, and the multiply-adds of the lanes alone.
 void add_rows(chapters::Speed& all, const Shared& orbits, double wanted) {
   const auto name_of = [&](const std::string& way) {
     return fmt::format("{}, {} to {:g}", orbits->name, way, wanted);

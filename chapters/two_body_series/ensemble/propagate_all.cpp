@@ -23,7 +23,7 @@ namespace {
 
 enum Column : std::size_t { x, y, z, vx, vy, vz, mu, until };
 
-/// Lines that are worked on at a time, if that makes work for all lanes and threads.
+/// Output lines per portion, at least; see scene::portion_for().
 constexpr double lines_at_a_time = 16384;
 
 class OrbitCatalogue {
@@ -68,7 +68,8 @@ class OrbitCatalogue {
     return request_.every ? std::abs(request_.until.value_or(row[until])) / *request_.every : 0;
   }
 
-  /// Called while the catalogue is made, too: only what is before it in this class is there.
+  /// Error message for an input row; empty if it is valid. Also called by the constructor of catalogue_, when
+  /// only the members declared before catalogue_ exist.
   [[nodiscard]] std::string complaint(const std::vector<double>& row) const {
     if (row[x] == 0 && row[y] == 0 && row[z] == 0)
       return "x,y,z = 0,0,0 is the centre, where the attraction has no bound";
@@ -94,7 +95,7 @@ class OrbitCatalogue {
     return f;
   }
 
-  /// Adding 0 turns a time -0, as 0 times -1 is, into 0.
+  /// Adds an output line; t + 0 avoids a time of -0.
   static void add_line(std::string& lines, std::int64_t row, double t, const orbit::State& s,
                        const std::string& rest, std::string_view status) {
     const auto &p = s.position, &v = s.velocity;
@@ -103,13 +104,13 @@ class OrbitCatalogue {
                    p[1], p[2], v[0], v[1], v[2], rest, status);
   }
 
-  /// What became of an orbit: the failure, if there is one, and the worst accuracy of its rows.
+  /// Result of an orbit: status and worst accuracy of its rows.
   struct EnsembleResult {
     Status status;
     Accuracy worst;
   };
 
-  /// The line of a state that was computed, with what is known of its accuracy.
+  /// Adds the line of a computed state and updates the result of the orbit with its accuracy.
   void add_computed(std::string& lines, std::int64_t row, double t, const orbit::State& s,
                     const std::string& rest, const orbit::Flight& f, EnsembleResult& ended) const {
     const bool by_steps = request_.method != "kepler";
@@ -182,7 +183,7 @@ class OrbitCatalogue {
         rows.numbers.size(), request_.threads, [&](std::size_t i, std::string& lines) {
           const orbit::Flight f = flight(rows.numbers[i]);
           const double end = std::abs(f.until), sign = f.until < 0 ? -1 : 1;
-          // A row that fails has the time that was reached, and the state then.
+          // The row of a failed orbit has the time reached and the state there.
           double reached = 0;
           orbit::State state = f.start;
           const auto add = [&](double t) {
@@ -199,7 +200,7 @@ class OrbitCatalogue {
             return false;
           };
           if (request_.every && f.until != 0) {
-            // The end has its own row; rounding of k DT makes no second one.
+            // The final time has its own row; k DT equal to it up to rounding has no second one.
             for (std::int64_t k = 0; end - static_cast<double>(k) * *request_.every > 1e-9 * *request_.every;
                  ++k) {
               if (!add(sign * static_cast<double>(k) * *request_.every)) return;

@@ -1,5 +1,5 @@
 /// @file
-/// Orbits of a catalogue, propagated all: CSV to CSV.
+/// Propagation of all orbits of a catalogue, CSV to CSV.
 #pragma once
 
 #include <limits>
@@ -10,24 +10,24 @@
 
 namespace nlmech::chapters::two_body_series {
 
-/// What a user asks for.
+/// Input of the propagation of a catalogue.
 struct CatalogueRequest {
-  std::string file;               ///< CSV with columns x,y,z,vx,vy,vz, and mu and until if they differ
-  std::optional<double> until;    ///< end of the orbits, if there is no such column
-  std::optional<double> mu;       ///< of the centre, if there is no such column; nothing: the Earth's
-  std::optional<double> every;    ///< distance of rows in time, positive; nothing: a row an orbit, its end
-  orbit::Gravity field;           ///< radius and zonal terms of the centre; mu is of no meaning
-  std::string method = "series";  ///< or kepler
-  double tolerance = 1e-15;       ///< of a step, for series
-  int threads = 0;                ///< 0: one a processor
-  double seconds = std::numeric_limits<double>::infinity();  ///< wall time; then orbits end as they are
+  std::string file;               ///< CSV with columns x,y,z,vx,vy,vz; optional mu, until
+  std::optional<double> until;    ///< final time, if there is no column until
+  std::optional<double> mu;       ///< mu of the centre, if there is no column mu; nothing: the Earth's
+  std::optional<double> every;    ///< time between rows, positive; nothing: final row only
+  orbit::Gravity field;           ///< radius and zonal terms of the centre; its mu is not used
+  std::string method = "series";  ///< series or kepler
+  double tolerance = 1e-15;       ///< tolerance of a step of series
+  int threads = 0;                ///< number of threads; 0: one per processor
+  double seconds = std::numeric_limits<double>::infinity();  ///< wall time, s; then orbits stop
 };
 
-/// Prints rows `row,t,x,y,z,vx,vy,vz,...,status` in the order of the file, `...` its other columns. A row of
-/// an orbit that failed has the time that it reached; one of less than six digits the status low_accuracy
-/// (see accuracy_of()), with a word on standard error.
-/// @returns the exit code: 1, with a word on standard error, if an orbit failed
-/// @throws InputError for whatever is wrong with the file, with line and value
+/// Prints rows `row,t,x,y,z,vx,vy,vz,...,status` in the order of the file; `...` are its other columns. The
+/// row of a failed orbit has the time reached. A row of less than six digits has the status low_accuracy (see
+/// accuracy_of()), with a message on standard error.
+/// @returns exit code: 1, with a message on standard error, if an orbit failed
+/// @throws InputError naming line and value, if the file is not valid
 [[nodiscard]] int print_orbits(const CatalogueRequest& request);
 
 }  // namespace nlmech::chapters::two_body_series

@@ -15,23 +15,23 @@ using nlmech::orbit::Elements;
 
 constexpr double degree = std::numbers::pi / 180;
 
-/// Omega + omega in degrees.
+/// Longitude of the periapsis, Omega + omega, in degrees.
 double longitude_of(const Elements& e) { return (e.ascending_node + e.periapsis_argument) / degree; }
 
-/// An element as printed and by both gravitational parameters.
+/// An element as printed, and with mu of WGS 84 (`ours`) and the implied mu (`theirs`).
 struct Row {
   std::string orbit, element, unit, printed;
   double ours, theirs;
   std::string remark;
 };
 
-/// An orbit, and what Eq. 3.72 or 3.74 prints of it.
+/// An orbit with the elements printed in Eq. 3.72 or 3.74.
 struct Source {
   Orbit orbit;
   double e;
   std::string axis, longitude, period, on_longitude, on_period;
 
-  /// mu = v^2 r_p/(1 + e): both states stand at their periapsis.
+  /// Implied mu = v^2 r_p/(1 + e); both states are at their periapsis.
   [[nodiscard]] double implied_mu() const {
     return orbit.start.velocity.squaredNorm() * orbit.start.position.norm() / (1 + e);
   }

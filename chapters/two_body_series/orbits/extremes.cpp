@@ -44,7 +44,7 @@ double rounding_between_units() {
 namespace nlmech::chapters::two_body_series::extremes {
 namespace {
 
-/// A method with its setting.
+/// A method with its settings.
 struct Method {
   std::string name;
   ivp::NamedIntegrator run;
@@ -65,7 +65,7 @@ std::vector<Method> methods() {
   return all;
 }
 
-/// A start and how long, in units with mu = 1.
+/// Initial state and time interval, in units with mu = 1.
 struct Case {
   std::string name;
   orbit::State start;
@@ -84,12 +84,12 @@ std::vector<Case> cases() {
           {"r = 0", {{0, 0, 0}, {0, 1, 0}}, 1}};
 }
 
-/// What a method answers.
+/// Result of a method.
 struct Answer {
   std::string what, method, status;
   double end = 0;               ///< time reached
-  std::optional<double> error;  ///< |dr|/|r| of a success
-  double rounding = 0;          ///< kappa eps/2
+  std::optional<double> error;  ///< |dr|/|r|; nothing after a failure
+  double rounding = 0;          ///< kappa eps/2, kappa the condition of the position
   std::int64_t steps = 0;
 };
 
@@ -113,7 +113,7 @@ Answer answer(const Case& c, const Method& m, std::int64_t most_steps) {
   return a;
 }
 
-/// Order 2 of the fixed continuation: the error of an orbit with so many steps.
+/// Fixed continuation of order 2 over an orbit in @p steps steps.
 Answer second_order(int steps) {
   const orbit::FixedContinuation method{.step = revolution / steps, .order = 2, .velocity_degree = 2};
   return answer({fmt::format("e = 0.1, an orbit in {} steps", steps), on_ellipse(0.1), revolution},
@@ -122,7 +122,7 @@ Answer second_order(int steps) {
 
 struct Outcome {
   std::vector<Answer> answers;
-  double powers_of_two = 0, canonical = 0, rounding = 0;  ///< of difference_between_units()
+  double powers_of_two = 0, canonical = 0, rounding = 0;  ///< difference_between_units(), its bound
 };
 
 Outcome measure(bool quick) {
@@ -131,7 +131,7 @@ Outcome measure(bool quick) {
   const std::vector<std::string> peer_names = peers::all_peer_names();
   for (const Case& c : cases()) {
     for (const Method& method : all) {
-      // Peers do not get through a thousand orbits in ten times as many either.
+      // Fewer steps for peers, which do not finish a thousand orbits with ten times as many either.
       const std::int64_t fewer =
           std::ranges::find(peer_names, method.name.substr(0, method.name.find(','))) != peer_names.end()
               ? 5'000

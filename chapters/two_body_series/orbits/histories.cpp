@@ -12,7 +12,7 @@ namespace {
 
 double greatest(const EnergyRecord& record) { return std::ranges::max(record.error); }
 
-/// The greatest error of each twenty-fifth of an orbit, at its time: more cannot be told apart in a picture.
+/// Adds the largest error of each twenty-fifth of an orbit with its time, the resolution of the figure.
 void add_curve(scene::Table& data, int number, const EnergyRecord& record, double period) {
   const double bin = period / 25;
   const auto bin_of = [&](std::size_t k) { return static_cast<int>(record.t[k] / bin - 1e-9); };
@@ -27,18 +27,18 @@ void add_curve(scene::Table& data, int number, const EnergyRecord& record, doubl
   }
 }
 
-/// Points at which the double precision of the state knows no difference at all.
+/// Fraction of the points with an energy error of exactly 0.
 double share_of_zeros(const EnergyRecord& record) {
   return static_cast<double>(std::ranges::count(record.error, 0.0)) /
          static_cast<double>(record.error.size());
 }
 
-/// What is drawn, in this order.
+/// The drawn records, in this order.
 struct Records {
   const EnergyRecord &ode45, &series, &f_and_g, &rkn1210;
 };
 
-/// Errors of exactly 0 have no logarithm: they are drawn on a line of their own below the least double.
+/// Draws the errors; those of exactly 0 are drawn at 2e-17 on the logarithmic axis.
 void draw(const Records& r, const Orbit& orbit, scene::Show& show) {
   scene::Panel& panel = show.plot(
       fmt::format("{}: ode45 to {}, Analytic-Cont to {}, the others at rounding", orbit.name,
@@ -70,8 +70,8 @@ void check(const Records& r, const Orbit& orbit, scene::Show& show) {
   };
   at_rounding(Propagator::f_and_g, r.f_and_g, 2e-12, "eps t/G in Lagrange's G with t up to 20 orbits");
   at_rounding(Propagator::rkn1210, r.rkn1210, 1e-13, "rounding of some thousand steps, 2 eps each by chance");
-  // Norms over 500 and 2000 points with errors that grow about linearly: the last is sqrt(3/points) of the
-  // norm, and oscillates by less than a factor of three.
+  // For errors that grow linearly over 500 or 2000 points, the last error is sqrt(3/points) times the norm.
+  // It oscillates by less than a factor of three.
   const auto by_norm = [&](const char* name, const EnergyRecord& record, double norm) {
     const double last = norm * std::sqrt(3. / (orbit.steps * 20));
     show.between(std::string("greatest energy error of ") + name, greatest(record), last / 3, 3 * last,

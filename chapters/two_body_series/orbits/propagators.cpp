@@ -8,7 +8,7 @@
 namespace nlmech::chapters::two_body_series {
 namespace {
 
-/// The series of a step, for an observer of integrators in general.
+/// Dense output of an orbit step for an ivp::Observer.
 class JoinedOutput : public ivp::DenseOutput {
  public:
   explicit JoinedOutput(const BasicDenseOutput<orbit::State>& dense) : dense_(dense) {}
@@ -22,7 +22,7 @@ class JoinedOutput : public ivp::DenseOutput {
   const BasicDenseOutput<orbit::State>& dense_;
 };
 
-/// Kepler's solution from the start.
+/// Dense output by Kepler's solution from the start.
 class KeplerOutput : public ivp::DenseOutput {
  public:
   KeplerOutput(const orbit::State& start, double t0, double mu) : start_(start), t0_(t0), mu_(mu) {}

@@ -21,7 +21,7 @@
 namespace nlmech::chapters::two_body_series {
 namespace {
 
-/// What all propagators of a record share.
+/// Common part of the recording of all propagators.
 class Recorder {
  public:
   Recorder(const Orbit& orbit, int orbits)
@@ -31,7 +31,7 @@ class Recorder {
         step_(period_of(orbit) / orbit.steps),
         end_(orbits * period_of(orbit)) {}
 
-  /// Eq. 3.69.
+  /// Relative energy error, Eq. 3.69.
   [[nodiscard]] double error(const orbit::State& s) const {
     return std::abs((orbit::energy(s, earth_mu) - before_) / before_);
   }
@@ -44,7 +44,7 @@ class Recorder {
   [[nodiscard]] double step() const { return step_; }
   [[nodiscard]] double end() const { return end_; }
 
-  /// Distance of the end from Kepler's.
+  /// Sets the position error of the final state against Kepler's solution in 50 digits.
   void finish(const orbit::State& s) {
     using Real = ExtendedReal<50>;
     const orbit::BasicState<Real> start{start_.position.cast<Real>(), start_.velocity.cast<Real>()};
@@ -62,10 +62,10 @@ class Recorder {
   double step_, end_;
 };
 
-/// Solves at every point from the start.
+/// Returns the state at a time, computed from the start.
 using Solve = std::function<orbit::State(double t)>;
 
-/// A closed solution.
+/// Records a closed solution.
 EnergyRecord closed(const Orbit& orbit, int orbits, const Solve& solve) {
   Recorder r(orbit, orbits);
   orbit::State s = orbit.start;
@@ -78,7 +78,7 @@ EnergyRecord closed(const Orbit& orbit, int orbits, const Solve& solve) {
   return r.record;
 }
 
-/// An integrator for any system. @param observe what it records of a step
+/// Records a general integrator. @param observe records a step
 template <class Method>
 EnergyRecord integrated(const Orbit& orbit, int orbits, const Method& method,
                         const std::function<void(Recorder&, const ivp::Step&)>& observe) {
@@ -96,7 +96,7 @@ EnergyRecord integrated(const Orbit& orbit, int orbits, const Method& method,
   return r.record;
 }
 
-// The settings of the tables.
+// Settings of the tables.
 const ivp::Ode45 ode45{.relative_tolerance = 1e-6, .absolute_tolerance = 1e-6};
 const ivp::Rkn1210 rkn1210{.relative_tolerance = 1e-12, .absolute_tolerance = 1e-12};
 orbit::FixedContinuation series(const Orbit& orbit) {
@@ -142,7 +142,7 @@ EnergyRecord by_series(const Orbit& orbit, int orbits) {
   return r.record;
 }
 
-/// Nothing but the integration.
+/// The integration alone, for timing.
 template <class Method>
 std::function<void()> integration(const Orbit& orbit, int orbits, const Method& method) {
   return [system = ivp::System(problems::TextProblem("two-body", {{"mu", earth_mu}})),
@@ -210,7 +210,7 @@ orbit::State textbook_f_and_g(const orbit::State& start, double time, double mu,
   const double r0 = start.position.norm(), a = 1 / orbit::reciprocal_axis(start, mu);
   const double sigma = start.position.dot(start.velocity) / std::sqrt(mu * a), share = 1 - r0 / a;
   const double n = std::sqrt(mu / a) / a, wanted = n * time;
-  double change = wanted;  // of the eccentric anomaly
+  double change = wanted;  // change of the eccentric anomaly
   for (int i = 0; i < 50; ++i) {
     const double s = std::sin(change), c = std::cos(change);
     const double step = (change - share * s + sigma * (1 - c) - wanted) / (1 - share * c + sigma * s);

@@ -13,9 +13,9 @@
 namespace nlmech::chapters::two_body_series::tables {
 namespace {
 
-using Records = std::vector<const EnergyRecord*>;  // by orbits, then by propagator
+using Records = std::vector<const EnergyRecord*>;  // ordered by number of orbits, then by propagator
 
-/// What a row of the table says.
+/// A table row.
 struct Line {
   Propagator propagator;
   int orbits;
@@ -23,21 +23,21 @@ struct Line {
   double ours;
   std::string verdict;
   std::optional<double> published, published_ms;
-  std::optional<double> literal = {};  ///< norm of the series by (3.66) as printed
+  std::optional<double> literal = {};  ///< norm of the series with (3.66) as printed
 
   [[nodiscard]] std::string method() const { return name_of(propagator); }
   [[nodiscard]] auto steps() const { return record.steps; }
   [[nodiscard]] double position_error() const { return record.position_error; }
   [[nodiscard]] double milliseconds() const { return record.milliseconds; }
   [[nodiscard]] std::string reading() const { return reading_of(propagator); }
-  /// gnuplot takes an ampersand for markup.
+  /// Row label without the ampersand, which is markup in gnuplot.
   [[nodiscard]] std::string label() const {
     std::string name = method();
     if (const auto at = name.find('&'); at != std::string::npos) name.replace(at, 1, " and ");
     return fmt::format("{} orbits: {}", orbits, name);
   }
-  /// Tolerances of ode45 are not printed: they are inferred; (3.66) is misprinted. All else is as the text
-  /// has it.
+  /// The norm as nominal or inferred value. Inferred: ode45, whose tolerances are not printed, and the
+  /// series, because (3.66) is misprinted.
   [[nodiscard]] scene::Measured measured() const {
     if (propagator == Propagator::ode45) return {{}, ours};
     if (propagator == Propagator::series) return {literal, ours};
@@ -45,7 +45,7 @@ struct Line {
   }
 };
 
-/// The norm by (3.66) as printed; infinite once the state leaves the numbers.
+/// The norm with (3.66) as printed; infinite if the state overflows.
 double norm_by_printed_recursion(const Orbit& orbit, int orbits) {
   orbit::State s = orbit.start;
   const double before = orbit::energy(s, earth_mu), step = period_of(orbit) / orbit.steps;
@@ -93,7 +93,7 @@ void tabulate(const std::vector<Line>& lines, scene::Show& show) {
                      {"reading", &Line::reading}});
 }
 
-/// Rows from the top down, their labels at the left; the key in a strip under the heading.
+/// Draws the rows from the top down with labels at the left; the key is below the heading.
 void draw(const std::vector<Line>& lines, const Orbit& orbit, double ratio, scene::Show& show) {
   scene::Plot& plot = show.plots(fmt::format("{}: Analytic-Cont is {} times better than printed", orbit.name,
                                              scene::format_number(ratio, 2)));
@@ -126,12 +126,12 @@ void draw(const std::vector<Line>& lines, const Orbit& orbit, double ratio, scen
       .columns("", "published_ms:row", rings);
 }
 
-/// Values with 5, 10 and 20 orbits; those of ode45 are recorded.
+/// Expected norms for 5, 10 and 20 orbits; those of ode45 are regression values.
 struct Known {
   std::array<double, 3> series, ode45, literal;
-  double share;  ///< relative, of the series
+  double share;  ///< relative tolerance of the series
   const char* oracle;
-  double least_gain, most_gain;  ///< printed over ours
+  double least_gain, most_gain;  ///< printed norm over the computed one
   const char* gains;
   double position_m, position_share;
   const char* position;
@@ -195,7 +195,7 @@ void check(const std::vector<Line>& lines, const Known& known, scene::Show& show
     show.between(fmt::format("printed over ours, Analytic-Cont, {} orbits", orbits),
                  *series.published / series.ours, known.least_gain, known.most_gain, known.gains);
   }
-  // An error of the velocity's last term moves the body along the orbit, by much more than the energy tells.
+  // The error of the last velocity term shifts the body along the orbit; the energy error understates it.
   show.near("position error of Analytic-Cont after 20 orbits",
             {line_of(lines, Propagator::series, 20).position_error(), "m"}, known.position_m,
             known.position_share, known.position);

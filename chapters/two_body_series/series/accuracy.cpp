@@ -12,10 +12,10 @@
 namespace nlmech::chapters::two_body_series {
 namespace {
 
-/// A share of the distance from which on an error is worth a word, and one that leaves no digit.
+/// Relative errors from which a position has less than six digits, and no digit.
 constexpr double few_digits = 1e-6, none = 0.125;
 
-/// |a - b|/|b|, also where squares are no doubles.
+/// |a - b|/|b| without overflow or underflow of squares.
 double relative_distance(const orbit::Vector3<double>& a, const orbit::Vector3<double>& b) {
   return (a - b).stableNorm() / b.stableNorm();
 }
@@ -51,7 +51,7 @@ Accuracy accuracy_of(const orbit::State& state, const orbit::State& start, doubl
 std::string inside_the_earth(const orbit::State& start) {
   constexpr double deep = 1e6;  // m
   const double r = start.position.stableNorm(), alpha = orbit::reciprocal_axis(start, earth_mu);
-  // The apoapsis is nearer than the double axis.
+  // The apoapsis distance is less than 2 a.
   if (!(r < deep && alpha > 0 && 2 / alpha < deep)) return {};
   return fmt::format(
       "without --mu lengths are metres about the Earth, and this orbit stays within {:.6g} m of its centre; "

@@ -1,5 +1,5 @@
 /// @file
-/// How exact a printed position is: what rounding of the data leaves of it, and what the steps leave of it.
+/// Accuracy of a printed position: effect of rounding of the data, and of the errors of the steps.
 #pragma once
 
 #include <optional>
@@ -11,32 +11,33 @@
 
 namespace nlmech::chapters::two_body_series {
 
-/// The status of a row with a position of less than six digits.
+/// Status of a row whose position has less than six digits.
 inline constexpr std::string_view low_accuracy = "low_accuracy";
 
-/// How a state was computed.
+/// Method by which a state was computed.
 struct ComputedBy {
   std::string_view method;          ///< "series", "rkn1210" or "kepler"
-  std::optional<double> tolerance;  ///< of a step; nothing for kepler
+  std::optional<double> tolerance;  ///< tolerance of a step; nothing for kepler
 };
 
-/// What is known of one position.
+/// Accuracy of one position.
 struct Accuracy {
-  double off = 0;        ///< its uncertainty as a share of the distance, where that is 1e-6 or more; else 0
-  std::string sentence;  ///< about it, for standard error; empty if `off` is 0
-  /// A failure if not one digit is left (an eighth of the distance): of the data, by the condition of
-  /// Kepler's problem, or of the method.
+  double off = 0;        ///< uncertainty relative to the distance if at least 1e-6; else 0
+  std::string sentence;  ///< message for standard error; empty if `off` is 0
+  /// A failure if no digit is left (error of an eighth of the distance), because of the condition of Kepler's
+  /// problem or of the errors of the method.
   Status status;
 };
 
-/// The accuracy of @p state, found at @p time from @p start. About a point mass it is compared with Kepler's
-/// solution, which is exact to rounding of the data and costs a microsecond. With zonal terms only what
-/// rounding of the data does in the field of the point mass is looked at, and nothing is refused.
+/// Estimates the accuracy of @p state, computed at @p time from @p start. About a point mass the state is
+/// compared with Kepler's solution, which is exact to rounding of the data and takes a microsecond. With
+/// zonal terms only the effect of rounding of the data in the field of the point mass is estimated, and the
+/// status is success.
 [[nodiscard]] Accuracy accuracy_of(const orbit::State& state, const orbit::State& start, double time,
                                    const orbit::Gravity& gravity, const ComputedBy& by);
 
-/// Why @p start and mu in metres cannot be meant: the whole orbit lies deep inside the Earth. Empty if they
-/// can.
+/// Error message if the whole orbit from @p start, in metres with the Earth's mu, lies deep inside the Earth
+/// (wrong units); otherwise empty.
 [[nodiscard]] std::string inside_the_earth(const orbit::State& start);
 
 }  // namespace nlmech::chapters::two_body_series

@@ -16,12 +16,12 @@ namespace {
 
 using Real = ExtendedReal<50>;
 
-/// Derivatives of both orbits as the chart computes them, in doubles and SI units, against Taylor
-/// coefficients in 50 digits times n!: greatest relative error.
+/// Largest relative error of the derivatives of both orbits computed by the flow chart (doubles, SI units),
+/// against n! times the Taylor coefficients in 50 digits.
 double error_of_derivatives(int order) {
   double greatest = 0;
   for (const Orbit& orbit : {low_orbit(), high_orbit()}) {
-    // Off the periapsis, where every other derivative of f vanishes.
+    // Not at the periapsis, where the odd derivatives of f vanish.
     const orbit::State s = orbit::propagate_kepler(orbit.start, 500, earth_mu).state;
     const auto raw = raw_derivatives<double>(s, earth_mu, order);
     orbit::BasicGravity<Real> field;
@@ -39,7 +39,7 @@ double error_of_derivatives(int order) {
   return greatest;
 }
 
-/// Least |r^(30)| in SI units at the printed points of a high orbit.
+/// Smallest |r^(30)| in SI units at the printed points of the high orbit.
 double least_derivative() {
   const Orbit orbit = high_orbit();
   double least = HUGE_VAL;

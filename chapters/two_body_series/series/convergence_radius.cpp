@@ -25,9 +25,9 @@ struct Radii {
   std::vector<Radius> at = {};
 };
 
-/// From the decay of the coefficients of orders 40 to 100: near r = 0 the motion is a multiple of
-/// (t - t_0)^(2/3), whose coefficients fall like k^(-5/3) rho^(-k). Slope by least squares, which averages
-/// over the beat of the pair of singularities.
+/// Radius from the decay of the coefficients of orders 40 to 100. Near r = 0 the motion is proportional to
+/// (t - t_0)^(2/3), whose coefficients decay like k^(-5/3) rho^(-k). The least-squares slope averages the
+/// oscillation due to the pair of singularities.
 double radius_by_coefficients(orbit::Expansion<double>& series, const orbit::State& s) {
   constexpr int first = 40, last = 100;
   constexpr double middle = (first + last) / 2.0;
@@ -43,7 +43,7 @@ double radius_by_coefficients(orbit::Expansion<double>& series, const orbit::Sta
 Radii radii(double eccentricity, int half) {
   Radii r{eccentricity};
   orbit::Expansion<double> series(orbit::Gravity{}, 100);
-  // acosh(1/e) - sqrt(1 - e^2), the formula as it stands.
+  // acosh(1/e) - sqrt(1 - e^2), evaluated directly.
   const double least = std::acosh(1 / eccentricity) - std::sqrt((1 - eccentricity) * (1 + eccentricity));
   for (int k = -half; k <= half; ++k) {
     const double m = revolution / 2 * k / half;
@@ -54,14 +54,13 @@ Radii radii(double eccentricity, int half) {
   return r;
 }
 
-/// What so many steps an orbit come to.
+/// Errors for a number of steps per orbit.
 struct Choice {
   double eccentricity;
-  int steps;                                   ///< an orbit
-  const char* remark;                          ///< "as printed"
-  double ratio = 0;                            ///< of the step over the radius at the periapsis
-  std::vector<double> first = {}, orbit = {};  ///< |dr|/a after the step from the periapsis, and after an
-                                               ///< orbit, by order
+  int steps;                                   ///< steps per orbit
+  const char* remark;                          ///< remark in the table, such as "as printed"
+  double ratio = 0;                            ///< step over the radius of convergence at the periapsis
+  std::vector<double> first = {}, orbit = {};  ///< |dr|/a after one step and an orbit, by order
 };
 
 constexpr std::array orders{10, 20, 30, 40, 60, 80};
@@ -99,7 +98,7 @@ Outcome measure(bool quick) {
   return m;
 }
 
-/// A line of the table: errors after one step, or after an orbit.
+/// A table row: errors after one step, or after an orbit.
 struct Line {
   const Choice* choice;
   const char* after;
@@ -120,7 +119,7 @@ void tabulate(const std::vector<Choice>& choices, scene::Show& show) {
       {"error after", &Line::after}};
   for (std::size_t i = 0; i < orders.size(); ++i) {
     const auto cell = [i](const Line& l) {
-      // Far away from the orbit one number is as good as another.
+      // Larger errors carry no information.
       const double error = (l.choice->*l.errors)[i];
       return error < 100 ? scene::Cell(error) : scene::Cell("> 100");
     };
@@ -129,7 +128,7 @@ void tabulate(const std::vector<Choice>& choices, scene::Show& show) {
   show.table(lines, columns);
 }
 
-/// Marks are radii from the coefficients.
+/// Draws the radii; marks are radii from the coefficients.
 void draw(const std::vector<Radii>& all, scene::Show& show) {
   scene::Panel& panel = show.plot("Near the periapsis a step must be short to converge at all",
                                   "mean anomaly (degrees); periapsis at 0", "radius of convergence (orbits)");
@@ -156,7 +155,7 @@ void draw(const std::vector<Radii>& all, scene::Show& show) {
   show.figure().data(std::move(data));
 }
 
-/// By what an error grows from order 40 to order 80, a degree.
+/// Growth factor of an error per degree from order 40 to order 80.
 double growth(const Choice& c) { return std::pow(c.first[5] / c.first[3], 1.0 / 40); }
 
 void check_radii(const std::vector<Radii>& all, scene::Show& show) {

@@ -14,9 +14,9 @@
 namespace nlmech::chapters::two_body_series::reading_study {
 namespace {
 
-using Norms = std::array<double, 3>;  ///< over 5, 10 and 20 orbits
+using Norms = std::array<double, 3>;  ///< norms over 5, 10 and 20 orbits
 
-/// Degrees of the two series.
+/// Degrees of the position and velocity series.
 struct Degrees {
   int position, velocity;
   [[nodiscard]] std::string text() const { return fmt::format("({}, {})", position, velocity); }
@@ -26,11 +26,11 @@ struct Degrees {
 /// Energy error norms of Analytic-Cont under one reading.
 struct Trial {
   Degrees degrees;
-  double steps;  ///< an orbit
+  double steps;  ///< steps per orbit
   Norms norms;
 };
 
-/// "||eps||" of Tables 3.2 and 3.3.
+/// Printed norms "||eps||" of Tables 3.2 and 3.3.
 Norms printed_norms(const Orbit& orbit, Propagator propagator, scene::Show& show) {
   Norms norms{};
   std::ranges::transform(revolutions, norms.begin(),
@@ -38,7 +38,7 @@ Norms printed_norms(const Orbit& orbit, Propagator propagator, scene::Show& show
   return norms;
 }
 
-/// How far the worst of the three is from print: max(ours/printed, printed/ours) - 1.
+/// Largest deviation of the three norms from the printed ones: max(ours/printed, printed/ours) - 1.
 double distance(const Norms& ours, const Norms& printed) {
   double worst = 0;
   for (std::size_t k = 0; k < ours.size(); ++k) {
@@ -48,10 +48,10 @@ double distance(const Norms& ours, const Norms& printed) {
   return worst;
 }
 
-/// Within 10 % of all three.
+/// Are all three norms within 10 % of the printed ones?
 bool fits(const Norms& ours, const Norms& printed) { return distance(ours, printed) <= 0.1; }
 
-/// Twenty orbits; a run that overflows has infinite norms.
+/// Norms of a run over twenty orbits; infinite if it fails.
 Norms norms_of(const Orbit& orbit, const Degrees& degrees, double steps) {
   const double step = period_of(orbit) / steps, before = orbit::energy(orbit.start, earth_mu);
   std::array<std::int64_t, 3> ends{};
@@ -71,7 +71,7 @@ Norms norms_of(const Orbit& orbit, const Degrees& degrees, double steps) {
   return squares;
 }
 
-/// The textbook form with Newton's iteration stopped early.
+/// Norms of the textbook form of F and G. @param enough stopping bound of Newton's iteration
 Norms norms_of_f_and_g(const Orbit& orbit, double enough) {
   const double step = period_of(orbit) / orbit.steps, before = orbit::energy(orbit.start, earth_mu);
   Norms squares{};
@@ -85,11 +85,11 @@ Norms norms_of_f_and_g(const Orbit& orbit, double enough) {
   return squares;
 }
 
-/// What is tried on an orbit.
+/// Readings tried for an orbit.
 struct Plan {
-  std::vector<Degrees> degrees;     ///< that are drawn
-  double least, most, distance;     ///< steps an orbit
-  int lowest_order, highest_order;  ///< of all readings that are tried with the printed steps
+  std::vector<Degrees> degrees;     ///< drawn degrees
+  double least, most, distance;     ///< steps per orbit: range and increment
+  int lowest_order, highest_order;  ///< orders tried with the printed steps
 };
 
 Plan plan_of(const Orbit& orbit) {
@@ -98,12 +98,12 @@ Plan plan_of(const Orbit& orbit) {
   return {{{30, 29}, {30, 30}, {17, 18}, {17, 17}, {18, 17}, {17, 16}}, 64, 100, 1, 12, 34};
 }
 
-/// All trials on an orbit.
+/// All trials for an orbit.
 struct Trials {
-  std::vector<Trial> drawn;             ///< steps varied
-  std::vector<Trial> at_printed_steps;  ///< degrees varied
+  std::vector<Trial> drawn;             ///< trials over steps per orbit
+  std::vector<Trial> at_printed_steps;  ///< trials over degrees
 
-  /// The nearest to print of a pair of degrees that is drawn.
+  /// The drawn trial of degrees @p d nearest to the printed norms.
   [[nodiscard]] Trial best_of(const Degrees& d, const Norms& printed) const {
     Trial best{d, 0, {HUGE_VAL, HUGE_VAL, HUGE_VAL}};
     for (const Trial& t : drawn) {
@@ -114,7 +114,7 @@ struct Trials {
   }
 };
 
-/// @param quick a quarter of the points that are drawn
+/// @param quick computes a quarter of the drawn points
 Trials try_all(const Orbit& orbit, bool quick) {
   const Plan plan = plan_of(orbit);
   Trials all;
@@ -133,14 +133,14 @@ Trials try_all(const Orbit& orbit, bool quick) {
   return all;
 }
 
-/// An orbit with what was tried on it, and the runs of ode45 by orbits.
+/// An orbit with its trials, and the runs of ode45 over 5, 10 and 20 orbits.
 struct Study {
   Orbit orbit;
   const Trials& trials;
   const std::vector<const EnergyRecord*>& ode45;
 };
 
-/// A row of the table: norms, and the printed ones.
+/// A table row: computed and printed norms.
 struct Row {
   std::string orbit, method, reading;
   std::optional<double> steps;
@@ -159,7 +159,7 @@ void add_rows(std::vector<Row>& rows, const Study& study, scene::Show& show) {
     if (best.steps != orbit.steps)
       rows.push_back({orbit.name, "Analytic-Cont", d.text() + ", nearest", best.steps, best.norms, series});
   }
-  // Where the printed values of ode45 may have been taken.
+  // Possible output points of the printed values of ode45.
   const auto add = [&](const char* reading, std::vector<double> EnergyRecord::*points) {
     Norms ours{};
     for (std::size_t k = 0; k < ours.size(); ++k) ours[k] = norm_of(study.ode45[k]->*points);
@@ -189,7 +189,7 @@ void tabulate(const std::vector<Row>& rows, scene::Show& show) {
               {"all within 10 %", [](const Row& r) { return fits(r.ours, r.printed) ? "yes" : "no"; }}});
 }
 
-/// A curve a pair of degrees.
+/// Adds one curve per pair of degrees.
 void add_panel(scene::Panel& panel, int first_block, scene::Table& data, const Study& study,
                scene::Show& show) {
   const Norms printed = printed_norms(study.orbit, Propagator::series, show);
@@ -225,7 +225,7 @@ void draw(const Study& low, const Study& high, scene::Show& show) {
   plot.data(std::move(data));
 }
 
-/// Norms of two to four digits.
+/// Reference norms of two to four digits.
 struct Known {
   Orbit orbit;
   Degrees degrees;
@@ -251,7 +251,7 @@ void check_norms(scene::Show& show) {
                             revolutions[i]),
                 ours[i], k.norms[i], k.share, "tools/oracles/two_body_series_steps.py, to its digits");
   }
-  // Ended at 1e-6, Newton's iteration leaves the same error in every orbit, as the printed values have it.
+  // Newton's iteration stopped at 1e-6 gives the same error in every orbit, like the printed values.
   const Norms ours = norms_of_f_and_g(high_orbit(), 1e-6), known = {3.85e-12, 5.53e-12, 7.81e-12};
   for (std::size_t i = 0; i < ours.size(); ++i)
     show.near(fmt::format("norm of HEO F&G, Newton to 1e-6, {} orbits", revolutions[i]), ours[i], known[i],

@@ -23,7 +23,7 @@ namespace {
 /// w_k = R^k q^(k+2), see orbit::Expansion. State (x1, x2, x3, v1, v2, v3).
 struct ZonalField {
   static constexpr int dimension = 6;  ///< three positions, then three velocities
-  orbit::Gravity gravity;              ///< of the centre
+  orbit::Gravity gravity;              ///< gravity field of the centre
 
   /// The acceleration at @p r.
   template <class T>
@@ -45,22 +45,22 @@ struct ZonalField {
     for (int i = 0; i < 3; ++i) a[i] = gravity.mu * radial * r[i];
     a[2] = a[2] - gravity.mu * axial;
   }
-  /// The equation of first order.
+  /// The equation in first-order form.
   template <class T>
   void operator()(const T& t, const Vector<T, 6>& x, Vector<T, 6>& dxdt) const {
     problems::first_order_form(*this, t, x, dxdt);
   }
 };
 
-/// Collects the rows of a run and what is known of their accuracy.
+/// Collects the rows of a run and the worst accuracy.
 class Rows {
  public:
   Rows(const OrbitRequest& request, const ComputedBy& by) : request_(request), by_(by) {
     print(0, request.start);
   }
 
-  /// The asked times up to @p t1, the end of a step or of all. @p state_at gives the state at any of them.
-  /// @returns false if one of them has no digit
+  /// Adds the rows at the requested times up to @p t1. @param state_at returns the state at a time
+  /// @returns false if a row has no digit
   template <class StateAt>
   bool add_up_to(double t1, const StateAt& state_at) {
     if (!request_.every) return true;
@@ -72,7 +72,7 @@ class Rows {
     }
     return status_.ok();
   }
-  /// All rows, @p s the last one. What there is to know of their accuracy goes to standard error.
+  /// Adds the last row @p s, prints low accuracy to standard error and returns all rows.
   /// @throws Failure if a row has no digit
   [[nodiscard]] std::string finish(const orbit::State& s) {
     if (request_.time != 0) add(request_.time, s);
@@ -80,7 +80,7 @@ class Rows {
     if (!worst_.sentence.empty()) scene::print_message(fmt::format("two_body_series: {}", worst_.sentence));
     return std::move(text_);
   }
-  /// Did a row have no digit?
+  /// A failure if a row has no digit.
   [[nodiscard]] const Status& status() const { return status_; }
 
  private:
@@ -100,7 +100,7 @@ class Rows {
   [[nodiscard]] double next() const {
     return std::copysign(static_cast<double>(count_) * *request_.every, request_.time);
   }
-  // The end has its own row; rounding of k DT makes no second one.
+  // The final time has its own row; k DT equal to it up to rounding has no second one.
   [[nodiscard]] bool is_inner(double t) const {
     return std::abs(request_.time) - std::abs(t) > 1e-9 * *request_.every;
   }
@@ -113,7 +113,7 @@ class Rows {
   Status status_;
 };
 
-/// About a point mass no steps are needed; said of runs of so many that they take time.
+/// Advice for long runs about a point mass.
 const std::string without_steps =
     "about a point mass --method kepler needs no steps and is exact to rounding";
 
@@ -122,8 +122,8 @@ void say_steps_are_needless(const OrbitRequest& request, std::int64_t steps) {
     scene::print_message(fmt::format("two_body_series: {} steps; {}", steps, without_steps));
 }
 
-/// Units of length and time that are powers of two, in which the start has distance and circular speed near
-/// 1: they change no digit.
+/// Units of length and time for initial distance and circular speed near 1. They are powers of two, so that
+/// scaling causes no rounding.
 struct Units {
   explicit Units(const OrbitRequest& r) {
     const int a = std::ilogb(r.start.position.stableNorm());
@@ -202,7 +202,7 @@ std::string rows_of_rkn1210(const OrbitRequest& request) {
       observer, {.seconds = request.seconds});
   if (!rows.status().ok()) throw Failure(rows.status());
   if (!end.status.ok()) {
-    // The sentence has the time in our units: one with the user's.
+    // The message of the status has scaled units; report time and distance in the user's units.
     throw Failure(failed_with(end.status.outcome(),
                               "rkn1210: it ends at t = {:.17g}, a distance of {:.6g} from the centre; loosen "
                               "the tolerance {:g}, or "

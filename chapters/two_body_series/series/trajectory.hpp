@@ -1,5 +1,5 @@
 /// @file
-/// An orbit of the user's own as rows of CSV.
+/// Propagation of one orbit to CSV rows, for the command `propagate`.
 #pragma once
 
 #include <optional>
@@ -9,25 +9,25 @@
 
 namespace nlmech::chapters::two_body_series {
 
-/// What a user asks for.
+/// Input of a propagation.
 struct OrbitRequest {
-  orbit::State start;           ///< at t = 0
-  double time = 0;              ///< end, of either sign
-  std::optional<double> every;  ///< distance of the rows in time, positive; nothing: first and last alone
-  orbit::Gravity gravity;       ///< of the centre
-  double tolerance = 1e-15;     ///< of a step; not for Kepler's solution
-  double seconds = 60;          ///< wall time, at most
+  orbit::State start;           ///< state at t = 0
+  double time = 0;              ///< final time, of either sign
+  std::optional<double> every;  ///< time between rows, positive; nothing: first and last row only
+  orbit::Gravity gravity;       ///< gravity field of the centre
+  double tolerance = 1e-15;     ///< tolerance of a step; not used by Kepler's solution
+  double seconds = 60;          ///< limit of wall time, s
 };
 
-/// Rows `t,x,y,z,vx,vy,vz`: the first at 0, those at multiples of `every`, the last at the asked time
-/// exactly; a single one if that is 0. Numbers with 17 digits. By Kepler's problem, solved anew for every
-/// row. What is known of the accuracy of the rows goes to standard error where it is less than six digits.
-/// @throws Failure with the method's own sentence, and if a row has not one digit; so for the following two
+/// Propagates by Kepler's solution, computed from the start for every row. Returns rows `t,x,y,z,vx,vy,vz`
+/// with 17 digits: at 0, at multiples of `every`, and exactly at the final time; one row if that is 0. Prints
+/// the accuracy to standard error if a row has less than six digits.
+/// @throws Failure with the message of the method, and if a row has not one digit (also the following two)
 [[nodiscard]] std::string rows_of_kepler(const OrbitRequest& request);
-/// The same by analytic continuation; rows between by its series.
+/// Propagates by analytic continuation; inner rows by the series of the step.
 [[nodiscard]] std::string rows_of_series(const OrbitRequest& request);
-/// The same by RKN12(10), with the tolerance relative and, in units of the initial distance and its circular
-/// speed, absolute; rows between by its dense output.
+/// Propagates by RKN12(10); inner rows by dense output. The tolerance is relative, and absolute in units near
+/// the initial distance and its circular speed.
 [[nodiscard]] std::string rows_of_rkn1210(const OrbitRequest& request);
 
 }  // namespace nlmech::chapters::two_body_series

@@ -16,25 +16,25 @@
 namespace nlmech::chapters::two_body_series::drift {
 namespace {
 
-/// Analytic continuation on an ellipse, and how often.
+/// Settings of analytic continuation on an ellipse from several starts.
 struct DriftTask {
   std::string name;
   double eccentricity;
-  int order;  ///< of the series; 0: adaptive
-  int steps;  ///< an orbit
+  int order;  ///< order of the series; 0: adaptive
+  int steps;  ///< steps per orbit
   bool compensated = true;
   bool true_division = true;
-  double tolerance = 0;  ///< adaptive
-  int phases = 8;        ///< mean anomalies at the start, equidistant
+  double tolerance = 0;  ///< tolerance of adaptive steps
+  int phases = 8;        ///< number of equidistant initial mean anomalies
 };
 
-/// Root mean squares over the phases.
+/// Errors as root mean squares over the phases.
 struct Drift {
   std::vector<int> orbits;
-  std::vector<double> energy;    ///< of |E/E_0 - 1|
-  std::vector<double> position;  ///< of |dr|/a
+  std::vector<double> energy;    ///< |E/E_0 - 1|
+  std::vector<double> position;  ///< |dr|/a
 
-  /// Exponent of growth of such errors from 100 orbits on, by least squares of logarithms.
+  /// Exponent of the growth of errors from 100 orbits on, by least squares of logarithms.
   [[nodiscard]] double exponent(const std::vector<double>& errors) const {
     double n = 0, x = 0, y = 0, xx = 0, xy = 0;
     for (std::size_t i = 0; i < orbits.size(); ++i) {
@@ -56,7 +56,7 @@ Wide widened(const orbit::State& s) {
   return {s.position.cast<long double>(), s.velocity.cast<long double>()};
 }
 
-/// 10, 18, 32, 56, 100, ... and the last.
+/// Checkpoints after 10, 18, 32, 56, 100, ... orbits and at the end.
 std::vector<int> checkpoints(int orbits) {
   std::vector<int> all;
   for (int i = 4; std::pow(10, i / 4.0) < 0.99 * orbits; ++i)
@@ -65,16 +65,16 @@ std::vector<int> checkpoints(int orbits) {
   return all;
 }
 
-/// Squares of the errors of one start, added up.
+/// Adds the squared errors of one start to the sums.
 class Track {
  public:
   Track(const orbit::State& start, Drift& sums)
       : start_(widened(start)), energy_(orbit::energy(start_, 1.0L)), sums_(sums) {}
 
-  /// When the next checkpoint is, in orbits; none left: false.
+  /// Is there another checkpoint? orbits() is its time, in orbits.
   [[nodiscard]] bool waits() const { return next_ < sums_.orbits.size(); }
   [[nodiscard]] int orbits() const { return sums_.orbits[next_]; }
-  /// The state at a checkpoint.
+  /// Adds the errors of the state at a checkpoint.
   void add(double t, const orbit::State& state) {
     const Wide s = widened(state);
     const long double energy = orbit::energy(s, 1.0L) / energy_ - 1;
@@ -92,7 +92,7 @@ class Track {
   std::size_t next_ = 0;
 };
 
-/// The step of a share of an orbit, rounded to 30 bits so that multiples of it are exact.
+/// Step size of an orbit over @p steps, rounded to a multiple of 2^-30 so that its multiples are exact.
 double step_of(int steps) { return std::round(revolution / steps * 0x1p30) * 0x1p-30; }
 
 Status run_fixed(const DriftTask& task, const orbit::State& start, Track& track, int orbits) {
@@ -122,7 +122,7 @@ Status run_adaptive(const DriftTask& task, const orbit::State& start, Track& tra
   return orbit::propagate(start, 0, revolution * orbits, orbit::Gravity{}, method, observe).status;
 }
 
-/// Energies in long double; positions against Kepler's solution in long double. @throws Failure
+/// Computes the errors against energy and Kepler's solution in long double. @throws Failure if a run fails
 Drift drift_of(const DriftTask& task, int orbits) {
   Drift d{checkpoints(orbits), {}, {}};
   d.energy.assign(d.orbits.size(), 0);
@@ -154,7 +154,7 @@ std::vector<DriftTask> tasks() {
           {"adaptive, tolerance 1e-17", 0.7, 0, 0, true, true, 1e-17, 8}};
 }
 
-/// A task and what came out.
+/// A task and its result.
 struct Outcome {
   DriftTask task;
   Drift drift;
@@ -188,7 +188,7 @@ void tabulate(const std::vector<Outcome>& all, scene::Show& show) {
               {"exponent of position", [](const O& o) { return o.drift.exponent(o.drift.position); }, 2}});
 }
 
-/// Growth like t and its root, named at the right end.
+/// Adds guide lines proportional to t and t^(1/2).
 void add_guides(scene::Panel& panel) {
   const char* small = "left offset 0.3,0 font 'sans-serif,11' textcolor rgb soft_ink";
   panel.also("1.5e-15*sqrt(x/100) with lines linestyle 13").also("6e-15*(x/100) with lines linestyle 13");
@@ -237,7 +237,7 @@ void check(const std::vector<Outcome>& all, scene::Show& show) {
   const auto end = [&](double e, const std::string& name) { return of(e, name).drift.energy.back(); };
   const std::string division = "division", compensated = "division, compensated",
                     reciprocals = "rounded reciprocals, compensated", adaptive = "adaptive, tolerance 1e-17";
-  const double scatter = show.quick() ? 0.45 : 0.25;  // a decade says less than two
+  const double scatter = show.quick() ? 0.45 : 0.25;  // larger scatter for a fit over one decade
   const auto exponent = [&](const std::string& what, double e, const std::string& name, double expected,
                             const char* reason) {
     show.between(fmt::format("exponent of the energy, {}, e = {:g}", what, e), of(e, name).energy_slope(),

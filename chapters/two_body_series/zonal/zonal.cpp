@@ -22,20 +22,20 @@
 namespace nlmech::chapters::two_body_series::zonal {
 namespace {
 
-/// A start in metres and seconds, in decimals, and what 86400 s of J_2 make of it.
+/// An initial state (metres, seconds, decimal) and the reference state after 86400 s with J_2.
 struct ZonalDay {
-  const char* name;                   ///< "LEO"
-  std::array<const char*, 6> start;   ///< position, velocity
-  std::array<const char*, 6> end_j2;  ///< to 20 digits, by tools/oracles/two_body_series_orbits.py
+  const char* name;                   ///< name, such as "LEO"
+  std::array<const char*, 6> start;   ///< initial position and velocity
+  std::array<const char*, 6> end_j2;  ///< final state to 20 digits by tools/oracles/two_body_series_orbits.py
 };
 
-/// Seconds of a day.
+/// A day, s.
 inline constexpr double day = 86400;
 
 using Quad = ExtendedReal<34>;
 
-/// LEO of Eq. 3.71; the same with the velocity tilted by 60 degrees out of the equator; a nearly circular
-/// one.
+/// LEO of Eq. 3.71; LEO with the velocity tilted by 60 degrees out of the equatorial plane; a nearly circular
+/// orbit.
 // Taylor series of orders 45 and 50 and RKN12(10) with the gradient in closed form agree to 1e-22 m.
 constexpr ZonalDay days[] = {
     {"LEO",
@@ -61,7 +61,7 @@ orbit::BasicState<Quad> parsed(const std::array<const char*, 6>& digits) {
   return s;
 }
 
-/// Errors of the end by J_2: lengths of the differences to the digits.
+/// Errors of the final state with J_2 against the reference.
 struct ZonalErrors {
   double position = 0;  ///< m
   double velocity = 0;  ///< m/s
@@ -77,28 +77,28 @@ ZonalErrors errors(const orbit::BasicState<Quad>& end, const ZonalDay& d) {
           std::abs(static_cast<double>(Quad(after / before - 1)))};
 }
 
-/// Rounded to double.
+/// Initial state rounded to double.
 orbit::State start_of(const ZonalDay& d) {
   const auto s = parsed(d.start);
   return {s.position.cast<double>(), s.velocity.cast<double>()};
 }
 
-/// By orbit::propagate().
+/// Errors of orbit::propagate() in double precision.
 ZonalErrors day_in_double(const ZonalDay& d) {
   const auto end = orbit::propagate(start_of(d), 0, day, orbit::earth(2), orbit::AnalyticContinuation{});
   if (!end.status.ok()) throw Failure(end.status);
   return errors({end.x.position.cast<Quad>(), end.x.velocity.cast<Quad>()}, d);
 }
 
-/// In quadruple precision, by orbit::continue_analytically().
+/// Errors of orbit::continue_analytically() in quadruple precision.
 ZonalErrors day_in_extended(const ZonalDay& d) {
   return errors(orbit::continue_analytically<Quad>(parsed(d.start), Quad(day), orbit::earth(2).as<Quad>(), 30,
                                                    Quad(1e-21)),
                 d);
 }
 
-/// The attraction for integrators in general: the gradient of the potential by dual numbers, with
-/// nothing of the recursion.
+/// Acceleration for general integrators: gradient of the potential by dual numbers, independent of the
+/// recursion.
 struct PotentialGradient {
   static constexpr int dimension = 6;
   orbit::Gravity gravity;
@@ -140,23 +140,24 @@ std::vector<orbit::State> sampled(const orbit::State& start, int degree, int sam
 
 double distance(const orbit::State& a, const orbit::State& b) { return (a.position - b.position).norm(); }
 
-/// What comes out for a day.
+/// Results of one orbit over a day.
 struct Study {
   const ZonalDay* what = nullptr;
-  std::vector<orbit::State> kepler, j2, j6;  ///< at equidistant times
-  ZonalErrors in_double, in_extended;        ///< by J_2
-  double by_rkn_j2 = 0, by_rkn_j6 = 0;       ///< distance between the ends, m
-  double node = 0, node_rate = 0;  ///< what the node turns by with J_2, and by secular theory, degrees
+  std::vector<orbit::State> kepler, j2, j6;  ///< states at equidistant times
+  ZonalErrors in_double, in_extended;        ///< errors with J_2
+  double by_rkn_j2 = 0, by_rkn_j6 = 0;       ///< distance of the final positions from rkn1210, m
+  double node = 0, node_rate = 0;  ///< rotation of the node with J_2, and by secular theory, degrees
   std::int64_t steps = 0;
 
   [[nodiscard]] std::string name() const { return what->name; }
-  /// After a day by J_2.
+  /// Position after a day with J_2.
   [[nodiscard]] const orbit::Vector3<double>& end() const { return j2.back().position; }
   [[nodiscard]] double from_kepler_km() const { return distance(j2.back(), kepler.back()) / 1e3; }
   [[nodiscard]] double further_km() const { return distance(j6.back(), j2.back()) / 1e3; }
 };
 
-/// Degrees by which the node turns: found, and -3/2 n J_2 (R/p)^2 cos i t of the mean motion.
+/// Computes the rotation of the node: from the elements, and by -3/2 n J_2 (R/p)^2 cos i t with the mean
+/// motion n.
 void turn_of_node(Study& s) {
   const orbit::Elements before = orbit::elements_of(s.j2.front(), earth_mu),
                         after = orbit::elements_of(s.j2.back(), earth_mu);
@@ -183,13 +184,13 @@ Study study(const ZonalDay& d, int samples) {
 }
 
 std::vector<Study> studies() {
-  constexpr int samples = 720;  // some fifty a revolution; with a few, an orbit would have corners
+  constexpr int samples = 720;  // some fifty per revolution, for smooth curves
   std::vector<Study> all;
   for (const ZonalDay& d : days) all.push_back(study(d, samples));
   return all;
 }
 
-/// A column an orbit.
+/// Makes the table, one column per orbit.
 void tabulate(const std::vector<Study>& all, scene::Show& show) {
   std::vector<scene::Column> orbits = {{"after a day"}};
   for (const Study& s : all) orbits.push_back({s.name(), 15});
@@ -237,7 +238,7 @@ scene::Table data_of(const std::vector<Study>& all) {
 
 const std::string small = "font 'sans-serif,11'";
 
-/// The second orbit from above the pole: its first revolution and its last.
+/// Draws the first and last revolution of the tilted orbit, seen from above the pole.
 void draw_orbit(scene::Panel& panel, double orbit_hours) {
   panel.caption("LEO tilted, from above the pole").x_range(-9, 9).y_range(-9, 9);
   panel.set("xtics 3").set("ytics 3").set("size ratio -1");
