@@ -89,7 +89,7 @@ struct LyapunovHistory {
 /// @param gains k1 > 0, k2 > -2, k3 >= 0
 /// @param modes number of modes
 /// @param until final time, s
-/// @param step s
+/// @param step step size, s
 /// @throws std::invalid_argument naming what is out of range
 [[nodiscard]] LyapunovHistory lyapunov_history(const Parameters& parameters, const Gains& gains, int modes,
                                                double until, double step);
