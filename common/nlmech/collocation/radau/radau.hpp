@@ -47,7 +47,7 @@ extern template const Radau<16>& radau<16>();
 /// Gaussians do not reproduce constants: a constant slope is integrated with an error that decreases with c
 /// (not mentioned in Elgohary 2015, section 4.3), and the order at the end is not 2s - 1.
 /// @param shape  c times the step size, from 0 to StableGaussian::largest_shape
-/// @param tables integral, twice and left are set; nodes and legendre must be those of radau<s>()
+/// @param tables receives all tables; nodes and legendre are those of radau<s>()
 /// @returns false if the matrix of derivatives at the nodes has no inverse in double precision
 /// @throws std::invalid_argument if the shape is out of range
 template <int s>
