@@ -80,7 +80,7 @@ Frequencies frequencies(const Plant& plant, int count, const Characteristic& c, 
   return all;
 }
 
-/// Appends the roots s of s^2 = z with Im s >= 0; of a pair -conj(s), s only one.
+/// Appends the roots s of s^2 = z with Im s >= 0.
 void append(std::vector<Complex>& s, Complex z) {
   const Complex root = std::sqrt(z);
   if (z.imag() == 0 && z.real() < 0) {
