@@ -24,9 +24,8 @@ constexpr int modes = 9;
 /// Closed loop with its margins, sensitivity peaks and numbers of unstable poles under delays.
 struct Fragile {
   std::string name;
-  std::array<int, delays.size()> unstable{};  ///< number of unstable poles among the first nine, per delay
-  std::array<int, delays.size()>
-      of_ten{};  ///< number among the first ten: the rigid mode and nine flexible modes
+  std::array<int, delays.size()> unstable{};  ///< unstable among the first nine poles, by delay
+  std::array<int, delays.size()> of_ten{};    ///< among the first ten: rigid mode and nine flexible modes
   std::vector<spacecraft::SensitivityPeak> peaks;
   spacecraft::Margins margins;
 

@@ -27,9 +27,8 @@ constexpr int modes = 10;
 
 /// Integrals from 0 to infinity of a slew by 1 rad from rest.
 struct Integrals {
-  double hub = 0;  ///< int I_hub theta'^2/2 dt, lb ft s
-  double beams =
-      0;  ///< int of strain energy and of kinetic energy relative to the hub, both appendages, dt, lb ft s
+  double hub = 0;         ///< int I_hub theta'^2/2 dt, lb ft s
+  double beams = 0;       ///< int of the energy of both appendages relative to the hub dt, lb ft s
   double error = 0;       ///< int (theta - 1)^2 dt, s
   double dissipated = 0;  ///< int k3 theta'^2 dt, lb ft
 };

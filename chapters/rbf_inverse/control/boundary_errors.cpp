@@ -18,9 +18,8 @@ struct Row {
   const DuffingSubject* subject;
   int condition;
   double printed;
-  std::array<std::optional<double>, final_times.size()>
-      residual;          ///< of the plotted result; none without a root
-  double costate_error;  ///< T = 2
+  std::array<std::optional<double>, final_times.size()> residual;  ///< plotted result; none without a root
+  double costate_error;                                            ///< T = 2
 
   /// Name of the condition in the case: "x1(t0)" or "lambda1(t0)".
   [[nodiscard]] std::string name() const {

@@ -9,13 +9,12 @@
 
 namespace nlmech::chapters::rbf_inverse {
 
-/// Result of shooting.
+/// Result of single or multiple shooting.
 struct Shot {
-  Status status;          ///< status of Newton's iteration
-  Eigen::VectorXd first;  ///< x(t_0); not meaningful after a failure
-  double miss =
-      0;  ///< single shooting: largest residual of the end conditions; NaN if the end is not reached
-  double reach = 0;         ///< single shooting: norm of the largest iterate
+  Status status;            ///< status of Newton's iteration
+  Eigen::VectorXd first;    ///< x(t_0); not meaningful after a failure
+  double miss = 0;          ///< single: largest residual of the end conditions; NaN if the end is not reached
+  double reach = 0;         ///< single: norm of the largest iterate
   std::int64_t newton = 0;  ///< number of Newton iterations
 };
 

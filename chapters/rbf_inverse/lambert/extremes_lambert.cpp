@@ -106,9 +106,8 @@ std::vector<Extreme> extremes() {
 struct Trial {
   Extreme extreme;
   LambertSolution solution;
-  double miss = 0;  ///< miss of the orbit propagated in 50 digits, relative to |r_2|
-  double scaled =
-      0;  ///< the larger of the relative errors of position and velocity, each divided by kappa eps
+  double miss = 0;    ///< miss of the orbit propagated in 50 digits, relative to |r_2|
+  double scaled = 0;  ///< largest relative error of position and velocity, over kappa eps
 
   /// The cell, or an empty one if the problem was not solved.
   [[nodiscard]] scene::Cell if_solved(const scene::Cell& cell) const {

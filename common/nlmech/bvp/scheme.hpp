@@ -20,9 +20,8 @@ struct Scheme {
   bool is_through_values = false;  ///< true: the interpolant is the polynomial through the values; false: the
                                    ///< polynomial whose derivative interpolates the slopes
   Eigen::VectorXd barycentric;     ///< barycentric weights of the nodes
-  Eigen::VectorXd
-      gauss;  ///< nodes on [0, 1] of the Gauss rule that integrates the cardinal polynomials exactly
-  Eigen::VectorXd gauss_weights;  ///< weights of that rule
+  Eigen::VectorXd gauss;           ///< nodes on [0, 1] of a Gauss rule, exact for cardinal polynomials
+  Eigen::VectorXd gauss_weights;   ///< weights of that rule
 
   /// Rows of the interpolant: u(t_0 + tau h) = of_value X + h of_slope F for values X and slopes F at the
   /// nodes.

@@ -28,8 +28,7 @@ struct Solution {
   /// max over the mesh of |x - integrated x| / (1 + max |x|), by component; see Verification. 0 if not
   /// integrated.
   double integration_error = 0;
-  Eigen::VectorXd
-      integrated_end;  ///< x at the end of the integration; empty if the integration did not reach the end
+  Eigen::VectorXd integrated_end;  ///< integrated x at the end; empty if the end was not reached
   /// Rough reciprocal condition number of the reduced system of the last Newton matrix: its negative decimal
   /// logarithm is the number of digits lost.
   double pivot_ratio = 0;

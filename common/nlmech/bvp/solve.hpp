@@ -20,16 +20,14 @@ enum class Verification : std::uint8_t {
 
 /// Options of solve(); with the defaults the states have at least 10 digits.
 struct Options {
-  int nodes = 8;              ///< N per interval, including both ends; 3 to 200
-  int intervals = 10;         ///< intervals per phase of the first mesh, if the start has no mesh; >= 1
-  bool refine = true;         ///< whether to refine the mesh by the residual
-  double tolerance = 1e-9;    ///< bound of Solution::residual, > 0
-  int most_intervals = 2000;  ///< largest number of intervals in all phases; >= 1
-  double newton_tolerance =
-      1e-10;  ///< bound of the last update: root mean square of |dx_i| / (1 + max |x_i|); > 0
+  int nodes = 8;                    ///< N per interval, including both ends; 3 to 200
+  int intervals = 10;               ///< intervals per phase of the first mesh, if the start has no mesh; >= 1
+  bool refine = true;               ///< whether to refine the mesh by the residual
+  double tolerance = 1e-9;          ///< bound of Solution::residual, > 0
+  int most_intervals = 2000;        ///< largest number of intervals in all phases; >= 1
+  double newton_tolerance = 1e-10;  ///< bound of the last update: rms of |dx_i| / (1 + max |x_i|), > 0
   Verification verification = Verification::whole;  ///< kind of verification
-  double verification_tolerance =
-      1e-6;  ///< bound of Solution::integration_error, > 0; a root above it is spurious
+  double verification_tolerance = 1e-6;  ///< bound of Solution::integration_error, > 0; else spurious
 };
 
 /// Solves a boundary value problem.

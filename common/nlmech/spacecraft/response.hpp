@@ -24,7 +24,7 @@ struct ResidueOptions {
 struct ResidueBounds {
   double theta = 0;                    ///< rad
   double theta_dot = 0;                ///< rad/s
-  std::vector<double> deflection;      ///< ft, one a place
+  std::vector<double> deflection;      ///< ft, one per place
   std::vector<double> deflection_dot;  ///< ft/s
   double torque = 0;                   ///< lb ft
 };

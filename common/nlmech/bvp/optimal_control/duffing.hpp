@@ -105,10 +105,9 @@ struct DuffingStarts {
   bool constants = true;  ///< whether to include the constants 0 and 1
   int unforced = 12;      ///< unforced trajectories over the free initial values
   int pumps = 6;          ///< pump_start with strengths 0.9 to 1.2
-  int direct =
-      12;  ///< direct_start from zero, constant and harmonic forces, or unforced from free initial values
-  int random = 12;    ///< random_start
-  unsigned seed = 1;  ///< seed of the random starts
+  int direct = 12;        ///< direct_start: zero, constant, harmonic forces; or over free initial values
+  int random = 12;        ///< random_start
+  unsigned seed = 1;      ///< seed of the random starts
   /// direct_start from pump_start with strengths 1 to 1.08, if T is at least four oscillations; 20 ms per
   /// oscillation.
   int driven = 6;

@@ -124,8 +124,7 @@ class CondensedCollocation final : public algebraic::Equations {
 
 /// Root of the global equations with its verification by integration.
 struct GlobalResult {
-  Extremal
-      extremal;  ///< solution on one interval through the nodes; its status includes solver and verification
+  Extremal extremal;           ///< solution on one interval; status of solver and verification
   algebraic::Report report;    ///< report of the solver
   Eigen::VectorXd conditions;  ///< residuals of the end conditions
   /// States at the nodes, integrated from the initial values of the root (Eq. "Delta x"); fewer columns if

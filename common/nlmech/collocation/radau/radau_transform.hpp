@@ -20,11 +20,9 @@ struct RadauTransform {
   static_assert(s % 2 == 1, "an even number of stages has no real eigenvalue");
   static constexpr int pairs = (s - 1) / 2;  ///< number of pairs of complex eigenvalues
 
-  double real;  ///< the real eigenvalue of A^-1
-  std::array<std::complex<double>, pairs>
-      complex;  ///< the eigenvalue of each pair with positive imaginary part
-  typename Radau<s>::Square
-      to;  ///< T^-1: row 0 for the real eigenvalue; rows 2p + 1 and 2p + 2 for the real and imaginary parts
+  double real;                                      ///< the real eigenvalue of A^-1
+  std::array<std::complex<double>, pairs> complex;  ///< one per pair, with Im > 0
+  typename Radau<s>::Square to;    ///< T^-1: row 0 real; rows 2p + 1, 2p + 2: Re, Im of pair p
   typename Radau<s>::Square from;  ///< T
 };
 
@@ -59,8 +57,7 @@ template <int s>
 struct RadauDefect {
   using Column = typename Radau<s>::Column;  ///< one number per node
   using Weights =
-      std::array<std::complex<double>, s / 2 + 1>;  ///< one number for the real eigenvalue, and for one
-                                                    ///< eigenvalue of each pair twice its number
+      std::array<std::complex<double>, s / 2 + 1>;  ///< for the real eigenvalue, then one per pair, doubled
 
   double inner_time;   ///< the inner time, as a fraction of the step
   Column begin_slope;  ///< maps increments at the nodes to the slope of u at the start, times h

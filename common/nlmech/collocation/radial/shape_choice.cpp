@@ -40,8 +40,7 @@ ShapeChoice refine(const Sampled& sampled, double low, double high) {
   const auto at = [&](double x) { return ShapeChoice{std::exp(x), error_of(sampled, std::exp(x))}; };
   double a = std::log(low), b = std::log(high), x = b - ratio * (b - a), y = a + ratio * (b - a);
   ShapeChoice left = at(x), right = at(y);
-  constexpr double enough =
-      1e-3;  // relative accuracy of c; at the minimum the error is flat, or has a kink of height zero
+  constexpr double enough = 1e-3;  // relative accuracy of c; at a minimum the error is flat or 0 with a kink
   while (b - a > enough) {
     if (left.error < right.error) {
       b = y;

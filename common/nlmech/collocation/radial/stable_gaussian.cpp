@@ -143,8 +143,7 @@ GaussianCardinals::GaussianCardinals(Eigen::VectorXd times, double shape)
 }
 
 PositiveKernel GaussianCardinals::factorised() {
-  constexpr double margin =
-      25;  // digits of the smallest pivot, and allowance for smaller pivots in other orders
+  constexpr double margin = 25;  // digits of the smallest pivot, and allowance for other orders
   const Index n = times_.size();
   const double width = shape_ * (times_[n - 1] - times_[0]);
   for (double digits = 60;;) {
@@ -231,8 +230,7 @@ StableGaussian::StableGaussian(const Eigen::VectorXd& times, double shape) : tim
   static_cast<void>(barycentric_weights(times));  // throws if nodes are too close to each other
   const double length = times[times.size() - 1] - times[0];
   require_width(shape, length);
-  constexpr double negligible =
-      1e-10;  // D differs from that of polynomials by the square of c times the interval
+  constexpr double negligible = 1e-10;  // D differs from that of polynomials by its square
   if (shape * length < negligible) {
     derivative_ = polynomial_differentiation_matrix(times);
     return;

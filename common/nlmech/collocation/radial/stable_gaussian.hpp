@@ -39,7 +39,7 @@ class PositiveKernel {
   /// matrix K(x_i, x_j), eliminated in the order of the nodes.
   [[nodiscard]] Wide last_gamma() const noexcept { return last_gamma_; }
 
-  /// M.
+  /// Number of terms M.
   [[nodiscard]] std::size_t terms() const noexcept { return ratios_.size() + 1; }
 
  private:

@@ -28,11 +28,10 @@ struct Crossover {
 struct Margins {
   std::vector<Crossover> crossovers;  ///< in increasing order of omega
   double phase_margin = 0;            ///< smallest modulus over all crossovers, rad
-  double delay_margin =
-      0;  ///< smallest delay that puts a pole on the imaginary axis, over all modes considered, s
-  double gain_margin = 0;  ///< the loop is stable with all gains multiplied by factors below this: infinite
-                           ///< for k2 >= 0, else -2/k2
-  Status status;           ///< success, or the status of the poles
+  double delay_margin = 0;  ///< smallest delay that puts a pole of these modes on the imaginary axis, s
+  double gain_margin = 0;   ///< the loop is stable with all gains multiplied by factors below this: infinite
+                            ///< for k2 >= 0, else -2/k2
+  Status status;            ///< success, or the status of the poles
 };
 
 /// Margins over the rigid mode and the first @p modes - 1 flexible modes. Over all modes there is no positive

@@ -14,10 +14,9 @@ namespace nlmech::spacecraft {
 
 /// Formulas taken as printed; the default is the corrected solution.
 struct AsPrinted {
-  bool cosine = false;  ///< cos(sigma x) in place of f, with the constants of Eq. 3.33 (Eqs. 3.32-3.34);
-                        ///< correct: f is the mean of cos and cosh
-  bool literal_x =
-      false;  ///< (r + x) g_2(x) - g_1(x) in Eqs. 3.38-3.42 at the place of the deflection; correct: x = L
+  bool cosine = false;       ///< cos(sigma x) in place of f, with the constants of Eq. 3.33 (Eqs. 3.32-3.34);
+                             ///< correct: f is the mean of cos and cosh
+  bool literal_x = false;    ///< (r + x) g_2(x) - g_1(x) in Eqs. 3.38-3.42 at x; correct: at L
   bool minus_in_z1 = false;  ///< minus before z_6 in the first row of Eq. 3.28; correct: plus
 };
 
