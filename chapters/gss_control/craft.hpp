@@ -1,5 +1,5 @@
 /// @file
-/// The spacecraft of Table 3.1 with and without tips, and the gains of the text.
+/// Spacecraft of Table 3.1 with and without tip bodies, and the gains of the text.
 #pragma once
 
 #include "nlmech/spacecraft/control/closed_loop.hpp"
@@ -7,7 +7,7 @@
 
 namespace nlmech::chapters::gss_control {
 
-/// Table 3.1, with its tips or without.
+/// Parameters of Table 3.1, with or without tip bodies.
 [[nodiscard]] inline spacecraft::Parameters craft(bool tip) {
   const spacecraft::Parameters all = spacecraft::table_3_1();
   return tip ? all : without_tip(all);

@@ -22,7 +22,7 @@ using spacecraft::ExponentialSum;
 using spacecraft::Gains;
 using spacecraft::Parameters;
 
-/// A spacecraft and gains at the end of what can be.
+/// Spacecraft and gains at the limits of the parameter range.
 struct Extreme {
   std::string name;
   Parameters craft;
@@ -72,7 +72,7 @@ std::vector<Extreme> gains_at_the_end() {
           {"unit gains, beams 1e6 times as stiff", stiffer(1e6), unit_gains}};
 }
 
-/// The largest error over max(1, |omega G'/G|), of theta/u, y(L/2)/u and y(L)/u.
+/// Largest relative error of theta/u, y(L/2)/u and y(L)/u, divided by max(1, |omega G'/G|).
 double worst_error(const Parameters& p, int samples) {
   const spacecraft::Plant plant(p);
   double worst = 0;
@@ -88,7 +88,7 @@ double worst_error(const Parameters& p, int samples) {
   return worst;
 }
 
-/// A row of the table: the open loop, where the spacecraft is another one, and the turn by 1 rad.
+/// Row of the table: open loop (only where the spacecraft differs), and slew by 1 rad.
 struct Row {
   std::string name;
   scene::Cell first = {}, fifth = {}, error = {};
@@ -96,10 +96,10 @@ struct Row {
   scene::Cell poles = {}, angle = {}, rate = {};
 };
 
-/// The worst of all rows.
+/// Largest errors and counts over all rows.
 struct Worst {
-  double error = 0, angle = 0, rate = 0;  ///< as in the rows; the angle's over 1e-9 and rounding
-  int counted = 0, found = 0;             ///< spacecraft with five poles; motions
+  double error = 0, angle = 0, rate = 0;  ///< as in the rows; the angle error relative to 1e-9 and rounding
+  int counted = 0, found = 0;             ///< number of spacecraft with five poles; number of time responses
 };
 
 void open_loop(const Parameters& p, int samples, Row& row, Worst& worst) {
@@ -157,7 +157,7 @@ void put(scene::Show& show) {
                "against 100 digits, 1e-8 to 1e8 rad/s");
   show.equals("spacecraft all of whose first five poles are counted and found", worst.counted,
               static_cast<double>(crafts.size()), "the argument principle says that none is missing");
-  // On a pole there is no value.
+  // At a pole the value is infinite or not reliable.
   const spacecraft::Plant plant(craft(true));
   const auto there = plant.response(Complex(0, spacecraft::poles(plant, 1).omega.front()), 2);
   show.equals("a pole is said or its value is beyond 1e8",

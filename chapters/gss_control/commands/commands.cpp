@@ -1,5 +1,5 @@
 /// @file
-/// The chapter's commands: `poles`, `zeros`, `response`, `step` and `optimal-gains` of a user's own
+/// Commands of the chapter: `poles`, `zeros`, `response`, `step` and `optimal-gains` for a user-defined
 /// spacecraft.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -27,13 +27,13 @@ namespace {
 
 using spacecraft::Complex;
 
-/// What every command takes.
+/// Options common to all commands.
 struct Craft {
   std::string file;           ///< empty: Table 3.1
   std::vector<double> gains;  ///< empty: no feedback
 };
 
-/// Options --spacecraft and, where it is wanted, --gains.
+/// Declares --spacecraft and, with @p with_gains, --gains.
 void declare_craft(scene::Options& options, Craft& craft, bool with_gains = true) {
   options.add(
       "--spacecraft", craft.file,
@@ -44,7 +44,7 @@ void declare_craft(scene::Options& options, Craft& craft, bool with_gains = true
     options.add("--gains", craft.gains, "k1,k2,k3 of u = -k1 (theta - theta_f) - k2 (r S0 - M0) - k3 theta'");
 }
 
-/// Frequencies: "w1,w2,..." or "LO:HI:N", N of them from LO to HI, spaced logarithmically.
+/// Parses frequencies: "w1,w2,...", or "LO:HI:N" for N logarithmically spaced frequencies from LO to HI.
 std::vector<double> typed_frequencies(const char* option, const std::string& text) {
   if (text.find(':') == std::string::npos) {
     std::vector<double> all;
@@ -66,13 +66,13 @@ std::vector<double> typed_frequencies(const char* option, const std::string& tex
   return logarithmic(low, high, n);
 }
 
-/// A place on an appendage, with the text that headers repeat.
+/// Place on an appendage, with its text for column headers.
 struct Place {
   std::string text;  ///< as typed
-  double x = 0;      ///< from the hub's rim
+  double x = 0;      ///< distance from the rim of the hub
 };
 
-/// Places "x1,x2,..."; none for an empty text.
+/// Parses places "x1,x2,..."; none for an empty text.
 std::vector<Place> typed_places(const char* option, const std::string& text,
                                 const spacecraft::Parameters& craft) {
   std::vector<Place> all;
@@ -87,7 +87,7 @@ std::vector<Place> typed_places(const char* option, const std::string& text,
   return all;
 }
 
-/// The closed loop of three gains.
+/// Closed loop with the gains of --gains.
 spacecraft::ClosedLoop typed_loop(const spacecraft::Parameters& craft, const std::vector<double>& gains) {
   const std::string typed = fmt::format("--gains {}", fmt::join(gains, ","));
   if (gains.size() != 3)
@@ -99,12 +99,12 @@ spacecraft::ClosedLoop typed_loop(const spacecraft::Parameters& craft, const std
   }
 }
 
-/// Times 0, DT, 2 DT, ... and T itself, which is the last; without DT the first and the last.
+/// Times 0, DT, 2 DT, ... and T; without DT only 0 and T.
 std::vector<double> typed_times(double until, const std::optional<double>& every) {
   std::vector<double> times = {0};
   if (every) {
     if (until / *every > 1e7) throw InputError(fmt::format("--every {}: more than 10 million rows", *every));
-    // A last step shorter than a millionth of DT is rounding of T/DT, and no row of its own.
+    // A last step shorter than a millionth of DT is due to rounding of T/DT and gets no row.
     for (int i = 1; i * *every < until - 1e-6 * *every; ++i) times.push_back(i * *every);
   }
   times.push_back(until);
@@ -159,7 +159,8 @@ std::string print_poles(const FrequencyOptions& typed) {
 
 /// The first zeros of y(x)/u with Im s >= 0, by modulus.
 std::vector<Complex> deflection_zeros(const spacecraft::Plant& plant, double x, int count) {
-  // About as many zeros as poles below a frequency; the square grows until there are enough.
+  // The numbers of zeros and poles below a frequency are similar; the square is enlarged until it contains
+  // enough zeros.
   const spacecraft::Frequencies guide = spacecraft::poles(plant, count);
   if (!guide.status.ok()) throw Failure(guide.status);
   double omega = 1.2 * guide.omega.back();
@@ -170,9 +171,9 @@ std::vector<Complex> deflection_zeros(const spacecraft::Plant& plant, double x, 
     all.clear();
     for (const Complex& s : found.s) {
       all.push_back(s);
-      if (s.imag() == 0 && s.real() > 0) all.push_back(-s);  // a real pair has no imaginary part below 0
+      if (s.imag() == 0 && s.real() > 0) all.push_back(-s);  // the negative zero of a real pair
     }
-    // Beyond this modulus the square of z = s^2 does not hold them all.
+    // Above this modulus zeros may lie outside the square of z = s^2.
     const auto complete = std::count_if(all.begin(), all.end(),
                                         [omega](const Complex& s) { return std::abs(s) < 0.99 * omega; });
     if (complete >= count) break;
@@ -186,7 +187,7 @@ std::vector<Complex> deflection_zeros(const spacecraft::Plant& plant, double x, 
 std::string print_zeros(const FrequencyOptions& typed) {
   const int count = typed.count;
   const spacecraft::Parameters craft = read_spacecraft(typed.craft.file);
-  // Feedback from the hub moves no zero, but a loop that cannot be is refused all the same.
+  // Feedback from the hub does not move zeros, but invalid gains are still rejected.
   if (!typed.craft.gains.empty()) static_cast<void>(typed_loop(craft, typed.craft.gains));
   const spacecraft::Plant plant(craft);
   if (typed.at.empty()) return table_of(on_axis(spacecraft::hub_zeros(plant, count)), count);

@@ -15,11 +15,11 @@ namespace {
 
 using spacecraft::Parameters;
 
-/// A key of the file.
+/// Key of the TOML file.
 struct Key {
   std::string_view name;
   double Parameters::*field;
-  bool may_vanish;  ///< is 0 allowed?
+  bool may_vanish;  ///< whether 0 is allowed
 };
 
 constexpr std::array keys = {Key{"hub_inertia", &Parameters::hub_inertia, true},
@@ -37,7 +37,7 @@ std::string names_of_keys() {
   return all;
 }
 
-/// The number behind a key. @throws InputError
+/// Number of a key. @throws InputError if it is out of range
 double number(const toml::node& node, const Key& key, const std::string& file) {
   const double value = number_of(file, node, key.name);
   if (key.may_vanish && value < 0) complain(file, node, key.name, "must not be negative");

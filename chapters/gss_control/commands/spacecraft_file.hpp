@@ -1,5 +1,5 @@
 /// @file
-/// A spacecraft of the user's own from a TOML file.
+/// Spacecraft parameters from a TOML file.
 #pragma once
 
 #include <string>
@@ -10,14 +10,14 @@
 namespace nlmech::chapters::gss_control {
 
 /// Reads `hub_inertia`, `mass_per_length`, `youngs_modulus`, `length`, `hub_radius`, `second_moment`,
-/// `tip_mass` and `tip_inertia`; keys that are not there keep their value of Table 3.1.
-/// @param name what complaints call the text: the file's name, or "standard input"
-/// @throws InputError naming file, line, key and value: no TOML, an unknown key, a value that is no number,
-/// is not finite, or that no spacecraft can have
+/// `tip_mass` and `tip_inertia`; missing keys have the values of Table 3.1.
+/// @param name name in messages: the file name, or "standard input"
+/// @throws InputError naming file, line, key and value: invalid TOML, an unknown key, or a value that is not
+/// a number, not finite or out of range
 [[nodiscard]] spacecraft::Parameters parse_spacecraft(std::string_view text, const std::string& name);
 
-/// The same from a file; "-" is standard input, and without a name it is Table 3.1. @throws InputError also
-/// if the file cannot be read
+/// Reads a file; "-" is standard input, an empty path Table 3.1.
+/// @throws InputError as parse_spacecraft(), and if the file cannot be read
 [[nodiscard]] spacecraft::Parameters read_spacecraft(const std::string& path);
 
 }  // namespace nlmech::chapters::gss_control

@@ -21,11 +21,11 @@ using spacecraft::ClosedLoop;
 constexpr std::array delays = {1e-6, 1e-5, 1e-4, 1e-3, 1e-2};
 constexpr int modes = 9;
 
-/// A loop with what a delay and its sensitivity make of it.
+/// Closed loop with its margins, sensitivity peaks and numbers of unstable poles under delays.
 struct Fragile {
   std::string name;
-  std::array<int, delays.size()> unstable{};  ///< of the first nine poles
-  std::array<int, delays.size()> of_ten{};    ///< of the first ten: the rigid mode and nine flexible ones
+  std::array<int, delays.size()> unstable{};  ///< unstable among the first nine poles, by delay
+  std::array<int, delays.size()> of_ten{};    ///< among the first ten: rigid mode and nine flexible modes
   std::vector<spacecraft::SensitivityPeak> peaks;
   spacecraft::Margins margins;
 
@@ -76,7 +76,7 @@ void check(const std::vector<Fragile>& all, scene::Show& show) {
   show.equals("unstable modes of ten, optimum, 100 us", optimum.of_ten[2], 6, counted);
   show.near("largest sensitivity, designed gains", designed.largest_value(), 1.111, 5e-3,
             "tools/oracles/gss_control_loop.py, four digits");
-  // Unit gains: |S| near successive poles.
+  // |S| near successive poles for unit gains.
   constexpr std::array known = {3.78, 19.4, 139.8, 416.8, 794., 1245.};
   for (std::size_t i = 0; i < known.size() && i < unit.peaks.size(); ++i)
     show.near(fmt::format("sensitivity near pole {}, unit gains", i + 1), unit.peaks[i].value, known.at(i),

@@ -25,10 +25,10 @@ using spacecraft::Parameters;
 
 constexpr int modes = 10;
 
-/// Of a slew from rest by 1 rad, from 0 to infinity.
+/// Integrals from 0 to infinity of a slew by 1 rad from rest.
 struct Integrals {
   double hub = 0;         ///< int I_hub theta'^2/2 dt, lb ft s
-  double beams = 0;       ///< int of strain energy and kinetic energy about the hub, both appendages, lb ft s
+  double beams = 0;       ///< int of the energy of both appendages relative to the hub dt, lb ft s
   double error = 0;       ///< int (theta - 1)^2 dt, s
   double dissipated = 0;  ///< int k3 theta'^2 dt, lb ft
 };
@@ -46,10 +46,10 @@ Integrals integrals(const DiscreteModel& model, const Gains& gains) {
           gains.k3 * rate};
 }
 
-/// The same in closed form, all modes.
+/// The integrals in closed form, for all modes.
 Integrals closed_form(const Parameters& p, const Gains& k) {
   const double length = p.length, bending = p.youngs_modulus * p.second_moment;
-  // sum 1/omega_n^2 of the hub-locked appendage: the trace of Green's function with its masses.
+  // sum 1/omega_n^2 of the hub-locked appendage: the trace of Green's function times the masses.
   const double sum = (p.mass_per_length * std::pow(length, 4) / 12 + p.tip_mass * std::pow(length, 3) / 3 +
                       p.tip_inertia * length) /
                      bending;
@@ -93,7 +93,7 @@ void draw(const DiscreteModel& model, scene::Show& show) {
         scene::points(style++));
 }
 
-/// A motion: what is found with ten modes, and the same in closed form.
+/// Integrals of a slew with ten modes and in closed form.
 struct Motions {
   std::string of;
   Gains gains;
@@ -120,7 +120,7 @@ std::vector<Motions> all_motions(const DiscreteModel& model) {
 }
 
 void check(const Motions& m, scene::Show& show) {
-  // Rounding: eps times the fastest over the slowest decay of ten modes, 2.3e3 and 1.2e-5 a second.
+  // Rounding: eps times the ratio of the fastest to the slowest decay rate of ten modes, 2.3e3 to 1.2e-5 1/s.
   show.near("energy of the hub, " + m.of, {m.found.hub, "lb ft s"}, m.exact.hub, 1e-7,
             "I_hub k1/(4 k3) by Parseval's theorem, for any number of modes; rounding of fast motions that "
             "hardly decay");

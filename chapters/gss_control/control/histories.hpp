@@ -1,5 +1,5 @@
 /// @file
-/// The four histories of a motion that the source has a figure each of, and their check by another method.
+/// The four time histories that the source plots, and their check by numerical inversion of the transform.
 #pragma once
 
 #include <algorithm>
@@ -11,15 +11,15 @@
 
 namespace nlmech::chapters::gss_control {
 
-/// Where deflections are looked at, ft from the hub's rim.
+/// Places of the deflection, ft from the rim of the hub.
 inline constexpr std::array places = {2.0};
 
-/// Angle of the hub or deflection, or its rate.
+/// Time history of the hub angle or the deflection, or of its rate.
 struct History {
   const char *name, *label, *unit;  ///< label of the axis, with gnuplot's markup
   bool hub, rate;
 
-  /// The same of a motion.
+  /// This history of a time response.
   [[nodiscard]] const spacecraft::ExponentialSum& of(const spacecraft::TimeResponse& r) const {
     if (hub) return rate ? r.theta_dot : r.theta;
     return rate ? r.deflection_dot.front() : r.deflection.front();
@@ -31,9 +31,9 @@ inline constexpr History deflection{"deflection at 2 ft", "{/:Italic y}(2 ft) (f
 inline constexpr History deflection_rate{"deflection rate at 2 ft",
                                          "d{/:Italic y}/d{/:Italic t} at 2 ft (ft/s)", "ft/s", false, true};
 
-/// The largest distance of a residue sum from the Bromwich integral at some times and at its extremes, the
-/// latter by Durbin's trapezoidal sum up to 1.2e4 rad/s with aliasing e^(-30).
-/// @param system whose response to a unit step it is: a plant, a closed loop
+/// Largest difference between a residue sum and the Bromwich integral at some times and at the extremes of
+/// the sum. The integral is Durbin's trapezoidal sum up to 1.2e4 rad/s with aliasing e^(-30).
+/// @param system plant or closed loop with this unit step response
 template <class System>
 [[nodiscard]] double distance_from_inversion(const spacecraft::ExponentialSum& sum, const History& h,
                                              const System& system) {

@@ -14,7 +14,7 @@ namespace {
 
 using spacecraft::LyapunovHistory;
 
-/// A set of gains, and V along the motion with it.
+/// Gains with V along the time response.
 struct Motion {
   const char* gains;
   LyapunovHistory history;

@@ -19,7 +19,7 @@ using spacecraft::ExponentialSum;
 using spacecraft::Extremes;
 using spacecraft::TimeResponse;
 
-/// Checks a value known to a unit of its last digit.
+/// Checks a value against a reference with an error of one unit of its last digit.
 void known(scene::Show& show, const std::string& name, const scene::Amount& value, double reference,
            double digit) {
   show.between(name, value, reference - digit, reference + digit,
@@ -64,7 +64,7 @@ void check_deflection_rate(const ExponentialSum& f, const Extremes& e, scene::Sh
   known(show, "settling time, 5 % of the peak", {settled(f, 0, 0.05 * peak(e)), "s"}, 39.9, 0.1);
 }
 
-/// A figure: what there is to see, what is known of it, and the bound of the Bromwich integral's distance.
+/// Figure: history, checks, and bound of the difference from the Bromwich integral.
 struct Figure {
   const char* name;
   History history;
@@ -96,7 +96,7 @@ void put_figure(const Figure& f, const TimeResponse& response, scene::Show& show
                "aliasing e^(-30), and the integral's rest beyond 1.2e4 rad/s");
 }
 
-/// Of the table: a history with a set of gains.
+/// Row of the table: a history with a set of gains.
 struct Row {
   const char *gains, *history;
   Extremes extremes;

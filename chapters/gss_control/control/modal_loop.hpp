@@ -1,5 +1,5 @@
 /// @file
-/// The closed loop of a truncated, diagonalised model as a system of ordinary differential equations.
+/// Closed loop of a truncated, diagonalised model as a system of ordinary differential equations.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,7 +11,7 @@
 namespace nlmech::chapters::gss_control {
 
 /// eta_i'' + omega_i^2 eta_i = b_i u, theta = theta_0 + sum b_i eta_i, J theta_0'' = u, and the controller
-/// (3.55) with the root load (u - I_hub theta'')/2. State: theta_0, eta, and their rates; from rest it is 0.
+/// (3.55) with the root load (u - I_hub theta'')/2. State: theta_0, eta, and their rates; 0 at rest.
 struct ModalLoop {
   static constexpr int dimension = Eigen::Dynamic;
   double hub_inertia, rigid;    ///< I_hub; 1/J
@@ -33,7 +33,7 @@ struct ModalLoop {
   void operator()(const T&, const Vector<T, dimension>& x, Vector<T, dimension>& dxdt) const {
     const Eigen::Index n = omega.size() + 1;
     T angle = x[0], rate = x[n], load(0.);
-    double mobility = rigid;  // theta'' a torque, eta held
+    double mobility = rigid;  // theta'' per torque at fixed eta
     for (Eigen::Index i = 1; i < n; ++i) {
       const double b = gain[i - 1], w = omega[i - 1];
       angle = angle + b * x[i];
@@ -41,7 +41,7 @@ struct ModalLoop {
       load = load + (b * w * w) * x[i];
       mobility += b * b;
     }
-    // theta'' = mobility u - load, in the law solved for u.
+    // The control law with theta'' = mobility u - load, solved for u.
     const T u = -(gains.k1 * (angle - target) + gains.k3 * rate + (gains.k2 / 2 * hub_inertia) * load) /
                 (1 + gains.k2 / 2 - gains.k2 / 2 * hub_inertia * mobility);
     dxdt[0] = x[n];
@@ -52,7 +52,7 @@ struct ModalLoop {
     }
   }
 
-  /// The hub angle in a state.
+  /// Hub angle of a state.
   [[nodiscard]] double angle(const Eigen::VectorXd& x) const {
     return x[0] + gain.dot(x.segment(1, gain.size()));
   }

@@ -48,7 +48,7 @@ constexpr std::array known = {Known{0,
                                     35.43220823,
                                     14.61467044}};
 
-/// The gain k1 that is best with these k2, k3: dJ/dk1 = 0 of the closed form is a cubic with one term.
+/// Optimal k1 for given k2, k3: dJ/dk1 = 0 of the closed form is a pure cubic equation.
 double best_k1(const spacecraft::Parameters& p, double k2, double k3, const CostWeights& w) {
   // J(k1) = a + b/k1 + c k1^2: three values give c and b.
   const double one = cost(p, {1, k2, k3}, w), two = cost(p, {2, k2, k3}, w), four = cost(p, {4, k2, k3}, w);
@@ -76,7 +76,7 @@ void draw(const spacecraft::Parameters& p, const CostWeights& w, scene::Show& sh
              {"pd", fmt::format("{:.9g},{:.9g}", pd.gains.k2, pd.gains.k3)}});
 }
 
-/// The cost by the residues of so many poles: what they leave out of int u^2 is of the order 1/pairs.
+/// Cost by the residues of @p pairs poles; the truncation error of int u^2 is of the order 1/pairs.
 double summed(const spacecraft::Parameters& p, const Gains& gains, const CostWeights& w, int pairs) {
   const std::array tip = {p.length};
   const auto r = step_response(spacecraft::ClosedLoop(p, gains), 1, tip, {.pairs = pairs});
@@ -85,7 +85,7 @@ double summed(const spacecraft::Parameters& p, const Gains& gains, const CostWei
          w.torque * square_integral(r.torque).value;
 }
 
-/// Gains with what they cost, in closed form and by the residues in time.
+/// Gains with their costs, in closed form and by the residues in time.
 struct Row {
   double w;  ///< weight of the deflection
   const char* name;
@@ -108,7 +108,7 @@ struct Row {
   [[nodiscard]] double torque() const { return closed.torque; }
 };
 
-/// Checks against what is known, and gives rows of the table.
+/// Checks the gains against the references; returns rows of the table.
 std::vector<Row> check(const Known& k, const spacecraft::Parameters& p, scene::Show& show) {
   const CostWeights weights{k.w, 1 / 144.};
   const OptimalGains full = spacecraft::optimal_gains(p, weights), pd = optimal_pd_gains(p, weights);
@@ -162,7 +162,7 @@ void put(scene::Show& show) {
   show.near("excess of the designed gains, W = 0",
             cost(p, designed_gains, none) / spacecraft::optimal_gains(p, none).cost - 1,
             1.797672917 / 1.73666826615 - 1, 1e-6, "the two costs above");
-  // The text's own gains as the best for some weights: k2 = 0 is optimal only for W = 0.
+  // The gains of the text have k2 = 0, which is optimal only for W = 0.
   const auto response = step_response(spacecraft::ClosedLoop(p, full.gains), 1, std::array{p.length});
   show.between("overshoot of the optimum, W = 100", extremes(response.theta, 0, 60).largest.value - 1, 0, 0.3,
                "between none and that of a well-damped second-order system");

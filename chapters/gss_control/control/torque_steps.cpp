@@ -18,8 +18,8 @@ namespace {
 
 using spacecraft::TimeResponse;
 
-/// A figure; bounds of the Bromwich sum cut at 1.2e4 rad/s with its peaks a quarter from the path, and of ten
-/// assumed modes.
+/// Figure with error bounds of the Bromwich sum, truncated at 1.2e4 rad/s with its peaks at a distance of a
+/// quarter from the path, and of ten assumed modes.
 struct Figure {
   const char* name;
   History history;
@@ -35,7 +35,7 @@ TimeResponse respond() {
   return r;
 }
 
-/// Ten assumed modes under a unit torque, in closed form.
+/// Response of ten assumed modes to a unit torque, in closed form.
 double by_modes(const spacecraft::ModalModel& model, const Eigen::VectorXd& shapes, const History& h,
                 double t) {
   const double j = model.total_inertia;
@@ -67,7 +67,7 @@ void put(const Figure& f, const TimeResponse& response, scene::Show& show) {
   if (!h.hub) panel.y_range(h.rate ? -0.06 : -0.0125, h.rate ? 0.04 : 0.001);
   panel.curve("exact", times, std::identity(), exact);
   panel.curve("ten assumed modes", times, std::identity(), modes, scene::lines(5));
-  // In a unit of a power of ten, which the label names.
+  // The unit is a power of ten, given in the label.
   const int power = static_cast<int>(std::floor(std::log10(difference)));
   const double unit = std::pow(10, power), most = std::ceil(difference / unit);
   plot.panel("{/:Italic t} (s)", fmt::format("difference (10^{{{}}} {})", power, h.unit))

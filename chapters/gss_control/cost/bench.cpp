@@ -1,7 +1,7 @@
 /// @file
 /// `gss_control_bench`: theta/u and y(x)/u at one frequency, exact, by ten assumed modes dense and
 /// diagonalised and by finite elements, by Google Benchmark. Writes results/bench/gss_control.json under the
-/// current folder; exit code 1 if a claim is not held.
+/// current folder; exit code 1 if a claim fails.
 #include <cmath>
 #include <memory>
 #include <string>
@@ -27,7 +27,7 @@ std::vector<double> grid() {
 }
 
 /// Both transfer functions at a thousand frequencies, 0.1 to 10 000 rad/s.
-/// @param at gives a Response or an AxisResponse for a number omega
+/// @param at function of omega that returns a Response or an AxisResponse
 template <class At>
 void add_sweep(chapters::Speed& all, const std::string& name, const At& at) {
   const auto sweep = [at, omega = grid()] {
@@ -42,7 +42,7 @@ void add_sweep(chapters::Speed& all, const std::string& name, const At& at) {
   all.add(name, sweep);
 }
 
-/// On the axis of frequencies, and to its left in the plane.
+/// On the imaginary axis, and to the left of it.
 template <class Model>
 void add_model(chapters::Speed& all, const std::string& name, const Model& model) {
   const auto shared = std::make_shared<Model>(model);
@@ -50,7 +50,7 @@ void add_model(chapters::Speed& all, const std::string& name, const Model& model
   add_sweep(all, name + ", in the plane", [shared](double w) { return shared->response({-0.01 * w, w}); });
 }
 
-/// The exact plant at the place of the models.
+/// Exact plant with the interface of the models.
 struct Exact {
   Plant plant{table_3_1()};
   [[nodiscard]] auto at_frequency(double w) const { return plant.at_frequency(w, place); }
@@ -75,7 +75,8 @@ void rows(chapters::Speed& all) {
   for (const std::string& where : {axis, plane}) {
     all.claim("exact" + where, budget, 1, "theta/u and y/u at most a microsecond a frequency" + where);
     all.claim("exact" + where, dense + where, 5, "exact against ten assumed modes dense" + where);
-    // The diagonalised form is a sum of ten fractions: faster than the exact one, with its truncation error.
+    // The diagonalised form is a sum of ten fractions: faster than the exact form, but with a truncation
+    // error.
     all.claim("exact" + where, diagonal + where, where == axis ? 0.02 : 0.2,
               "exact against ten assumed modes diagonalised" + where);
   }

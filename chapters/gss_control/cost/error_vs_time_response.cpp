@@ -19,10 +19,10 @@ namespace {
 
 constexpr double place = 2;
 
-/// theta/u and y/u at one frequency.
+/// Function of omega that returns theta/u and y/u.
 using Evaluate = std::function<FormValue(double)>;
 
-/// Frequencies with the exact theta/u of each.
+/// Frequencies with the exact theta/u.
 struct Reference {
   std::vector<double> omega, theta;
 };
@@ -34,7 +34,7 @@ scene::Attempt measure(const std::string& setting, const Reference& reference, c
     const double error = std::abs(evaluate(reference.omega[i]).theta / reference.theta[i] - 1);
     errors.push_back(std::isfinite(error) ? std::min(error, 1.) : 1);
   }
-  double sum = 0;  // used, so that no call is left out
+  double sum = 0;  // prevents the optimiser from removing calls
   Timing time = time_repeats(
       [&] {
         for (const double omega : reference.omega) {
@@ -51,7 +51,7 @@ scene::Attempt measure(const std::string& setting, const Reference& reference, c
 
 enum Group : std::size_t { exact, modes, elements };
 
-/// Both ways to evaluate a family of models over its sizes.
+/// Dense and diagonalised evaluation of a family of models over its sizes.
 template <class MakeModel>
 void add_family(const std::string& name, Group group, const std::vector<int>& sizes, const MakeModel& make,
                 const Reference& reference, int repeats, std::vector<scene::MethodLine>& lines) {

@@ -24,10 +24,10 @@ namespace {
 using spacecraft::Complex;
 
 constexpr std::array places = {2.0};
-/// By what errors of the deflection are divided: its peak in the manoeuvre, ft.
+/// Scale of the errors of the deflection: its peak in the manoeuvre, ft.
 constexpr double deflection_scale = 0.0817;
 
-/// theta and y(2 ft) at the asked times.
+/// theta and y(2 ft) at the output times.
 struct History {
   std::vector<double> theta, deflection;
 };
@@ -43,10 +43,10 @@ double error(const History& ours, const History& exact, std::size_t i) {
                   std::abs(ours.deflection[i] - exact.deflection[i]) / deflection_scale);
 }
 
-/// f(t) by the fixed Talbot method with so many nodes (Abate and Valko 2004), from its transform.
+/// f(t) from its transform by the fixed Talbot method with @p nodes nodes (Abate and Valko 2004).
 template <class Transform>
 double talbot_sum(const Transform& transform, double time, int nodes) {
-  const double r = 2. * nodes / (5 * time);  // where the contour crosses the real axis
+  const double r = 2. * nodes / (5 * time);  // intersection of the contour with the real axis
   double sum = std::exp(r * time) * transform(Complex(r)).real() / 2;
   for (int k = 1; k < nodes; ++k) {
     const double angle = k * std::numbers::pi / nodes, cotangent = 1 / std::tan(angle);
@@ -57,7 +57,7 @@ double talbot_sum(const Transform& transform, double time, int nodes) {
   return sum * r / nodes;
 }
 
-/// One family after the other.
+/// Measures all families of methods.
 class Field {
  public:
   explicit Field(bool quick) : quick_(quick), loop_(craft(true), designed_gains), times_(end_times()) {
@@ -82,7 +82,7 @@ class Field {
     return h;
   }
 
-  /// Begins a line of the next attempts.
+  /// Starts a new line for the next attempts.
   void begin(const std::string& method, Group group) {
     all_.lines.push_back({method, group, {}, sides.at(group)});
   }

@@ -15,7 +15,7 @@
 namespace nlmech::chapters::gss_control::accuracy {
 namespace {
 
-/// Errors of all forms at one frequency, relative: theta/u, y(L/2)/u, y(L)/u.
+/// Relative errors of theta/u, y(L/2)/u and y(L)/u by all forms at one frequency.
 struct Sample {
   double omega = 0;
   std::array<double, 3> condition{};
@@ -37,7 +37,7 @@ Sample measure(const spacecraft::Plant& plant, double omega) {
   return s;
 }
 
-/// Samples with tips and without.
+/// Samples without tip bodies, then with them.
 using Samples = std::array<std::vector<Sample>, 2>;
 
 Samples measure_all(bool quick) {
@@ -50,7 +50,7 @@ Samples measure_all(bool quick) {
   return all;
 }
 
-/// Largest over the range; NaN and infinity count as 1 and are no digits at all.
+/// Largest error over a range of frequencies; NaN and infinity count as 1, no correct digit.
 double worst(const std::vector<Sample>& samples, Form form, std::size_t what, double from, double to,
              bool conditioned = false) {
   double error = 0;

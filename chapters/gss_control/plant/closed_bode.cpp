@@ -19,7 +19,7 @@ namespace {
 using spacecraft::ClosedLoop;
 using spacecraft::Complex;
 
-/// A logarithmic grid, and points about each pole's frequency: as many widths away as the peak needs.
+/// Logarithmic grid, and points around the frequency of each pole at 0 to 100 half-widths of the peak.
 std::vector<double> frequencies(const ClosedLoop& loop) {
   std::vector<double> all = logarithmic(0.01, 1000, 900);
   for (const Complex& s : loop.poles(8).s) {
@@ -38,7 +38,7 @@ struct Peak {
   double omega = 0, size = 0;
 };
 
-/// The largest of f about the largest of a grid.
+/// Maximum of f: Brent's method around the largest value on a grid.
 template <class F>
 Peak largest(const F& f, double low, double high) {
   const std::vector<double> grid = logarithmic(low, high, 2001);
@@ -49,7 +49,7 @@ Peak largest(const F& f, double low, double high) {
   return {omega, -least};
 }
 
-/// One of the four figures.
+/// Settings of one of the four figures.
 struct Figure {
   const char *name, *heading;
   bool designed, hub;
@@ -75,7 +75,7 @@ constexpr std::array figures = {
 void draw(const Figure& f, const ClosedLoop& loop, scene::Show& show) {
   const std::vector<double> omega = frequencies(loop);
   std::vector<double> size, phase;
-  // The phase is followed from point to point, so that it does not jump by a turn.
+  // The phase is unwrapped from point to point.
   const auto value = f.value(loop);
   double angle = std::arg(value(omega.front()));
   for (const double w : omega) {

@@ -10,7 +10,7 @@
 namespace nlmech::chapters::gss_control::drawings {
 namespace {
 
-/// A hub that has turned by an angle, and the deflections drawn too large.
+/// Geometry of the drawing: hub rotated by an angle, deflections exaggerated.
 struct Craft {
   double radius = 1, length = 5.2, angle = 0.35, bend = 1.1;
   [[nodiscard]] Spot along() const { return direction(angle); }
@@ -54,7 +54,8 @@ void draw_spacecraft(scene::Show& show) {
   d.text("{/:Italic m} {/:Italic I}_{tip}", c.beam(1) + Spot{-0.2, 0.65});
   d.text("{/:Italic m} {/:Italic I}_{tip}", -1 * c.beam(1) + Spot{0.2, -0.65});
   d.text("{/:Italic ρ} {/:Italic EI} {/:Italic L}", -1 * c.beam(0.6) + Spot{0.3, -0.55});
-  // The inertia of the rigid body, by the formulas behind (3.20) and by summing slices of the appendages.
+  // Moment of inertia of the rigid body, by the formulas of (3.20) and by a sum over slices of the
+  // appendages.
   const spacecraft::Parameters p = spacecraft::table_3_1();
   double slices = p.hub_inertia + 2 * p.tip_mass * std::pow(p.hub_radius + p.length, 2) + 2 * p.tip_inertia;
   constexpr int n = 2000;
@@ -90,7 +91,7 @@ void draw_appendage_axes(scene::Show& show) {
   d.arc("body", {0, 0}, c.radius, 0, 2 * std::numbers::pi);
   d.arrow(foot, point - 0.05 * (point - foot), "force");
   d.text("{/:Italic y}", foot + 0.45 * (point - foot) + Spot{0.3, 0.05});
-  // Lengths, measured below the axis b_1; the whole one above the tip, clear of n_1.
+  // Dimension lines of lengths below the axis b_1; that of the total length is above the tip, clear of n_1.
   const Spot below = -0.45 * c.across();
   const auto measure = [&](double from, double to, const std::string& name, double offset) {
     const Spot shift = offset * below;
@@ -105,7 +106,7 @@ void draw_appendage_axes(scene::Show& show) {
   d.text("{/:Italic θ}", 7.95 * direction(0.4 * c.angle));
   d.text("hub", {-0.5, 0.75});
   d.text("{/:Italic m} {/:Italic I}_{tip}", c.beam(1) + Spot{0.95, 0});
-  // The drawn shape is a clamped one: it leaves the hub along b_1, and carries no moment at its tip.
+  // The drawn shape is that of a clamped beam: tangent to b_1 at the hub, without bending moment at the tip.
   const auto xi = [](double t) { return t * t * (3 - t) / 2; };
   constexpr double h = 1e-3;
   show.draw(d.take({{"heading", "The deflection is measured from the axis that turns with the hub"},

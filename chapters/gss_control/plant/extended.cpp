@@ -15,7 +15,7 @@ struct Row {
   Real b;
 };
 
-/// Gauss's elimination with the largest pivots of each column, rows scaled first.
+/// Gaussian elimination with row scaling and partial pivoting.
 Four solve(std::array<Row, 4> m) {
   for (Row& row : m) {
     Real largest = 0;

@@ -21,7 +21,7 @@ using spacecraft::Plant;
 constexpr const char* sixty_digits = "tools/oracles/gss_control_plant.py, 40 digits, 15 of them printed";
 constexpr double axis_end = 4000;
 
-/// A response at j omega.
+/// Reference values of the frequency response at j omega.
 struct Known {
   double omega, theta, middle, tip;
 };
@@ -39,10 +39,11 @@ constexpr std::array with_tip = {
     Known{100, -1.24569176143171e-5, 4.20049688309619e-5, 6.06691862730473e-5},
     Known{1000, -1.19743817340464e-7, -1.50064378421044e-6, 6.96987425587235e-7}};
 
-/// Relative bound for the response at the frequency: 14 digits, and the slope times rounding near a pole.
+/// Relative error bound of the response: 14 digits, and the slope times rounding near a pole.
 constexpr double fourteen_digits = 2e-13;
 
-/// Frequencies that show every peak and notch: a logarithmic grid, and points that close in on each pole.
+/// Frequencies that resolve every peak and notch: a logarithmic grid, and points that accumulate at each
+/// pole.
 std::vector<double> frequencies(const std::vector<double>& near, double low, double high) {
   std::vector<double> all = logarithmic(low, high, 900);
   for (const double p : near) {
@@ -56,7 +57,7 @@ std::vector<double> frequencies(const std::vector<double>& near, double low, dou
   return all;
 }
 
-/// |y(x)/u| by the exact transfer function and by ten assumed modes.
+/// Draws |y(x)/u| by the exact transfer function and by ten assumed modes.
 void compare(bool tip, double x, scene::Show& show) {
   const Plant plant(craft(tip));
   const auto exact_poles = spacecraft::poles(plant, 10);
@@ -94,14 +95,14 @@ void compare(bool tip, double x, scene::Show& show) {
                  1.06 * known, "tools/oracles/gss_control_plant.py, two digits");
 }
 
-/// One of the two Bode plots of the response to a unit step, G/s on the imaginary axis, where G is real: the
-/// phase is -90 or 90 degrees, as the text has it.
+/// Settings of one of the two Bode plots of the response to a unit step, G/s on the imaginary axis. G is real
+/// there, so the phase is -90 or 90 degrees, as in the text.
 struct Bode {
   const char *heading, *label, *quantity, *unit;
-  double greatest;              ///< of the axis
-  double Known::*known;         ///< of the responses at the five frequencies
+  double greatest;              ///< upper limit of the axis
+  double Known::*known;         ///< member of Known that is plotted
   double first_zero;            ///< rad/s
-  std::vector<double> notches;  ///< frequencies of the zeros on the axis
+  std::vector<double> notches;  ///< frequencies of the zeros on the imaginary axis
   bool hub;
 };
 

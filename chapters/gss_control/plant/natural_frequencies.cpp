@@ -34,7 +34,7 @@ double worst(const std::vector<double>& ours, const Ten& theirs) {
   return error;
 }
 
-/// A discretisation whose poles are drawn.
+/// Discretisation with the style of its curve.
 struct Drawn {
   const char* legend;
   int style;
@@ -51,7 +51,7 @@ Eigen::VectorXd frequencies(const spacecraft::Parameters& p, const Drawn& d) {
       .omega;
 }
 
-/// A mode: its pole, its frequency with the hub locked, and relative errors of the discretisations' poles.
+/// Mode with its pole, hub-locked frequency and relative errors of the poles of the discretisations.
 struct Mode {
   const char* model;
   int number;
@@ -64,7 +64,7 @@ scene::ColumnOf<Mode> errors_of(const std::string& heading, std::size_t k) {
   return {heading, [k](const Mode& m) { return m.error.at(k); }, 2};
 }
 
-/// With tips or without.
+/// Spacecraft with or without tip bodies.
 struct Model {
   const char* name;
   spacecraft::Parameters craft;
@@ -115,7 +115,8 @@ void check(const Model& model, const Ten& known_poles, const Ten& known_locked, 
     show.between("largest error of modes 4 to 10 by 40 assumed modes" + of, upper, 0.03, 0.05,
                  "such modes bend no tip body, and converge like 1/N: some percents with 40");
   }
-  // Hermite's cubics: errors of a frequency grow like (q h)^4/1440, q h the wave number times the length.
+  // Cubic Hermite elements: relative frequency errors grow like (q h)^4/1440, with wave number q and element
+  // length h.
   const spacecraft::Parameters& p = model.craft;
   const double q =
       std::sqrt(model.poles[9] / std::sqrt(p.bending_stiffness() / p.mass_per_length)) * p.length / 20;

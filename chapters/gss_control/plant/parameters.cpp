@@ -11,7 +11,7 @@ namespace {
 
 using spacecraft::Parameters;
 
-/// A parameter, and how it is printed if it is; then it is used as printed.
+/// Parameter with its printed text, if it is printed; then the printed value is used.
 struct Row {
   const char *symbol, *name, *unit, *text;
   double used;

@@ -1,5 +1,5 @@
 /// @file
-/// Three ways to evaluate the exact transfer functions, for the scenes that compare them.
+/// Three evaluations of the exact transfer functions, for the scenes that compare them.
 #pragma once
 
 #include <cstddef>
@@ -9,18 +9,18 @@
 
 namespace nlmech::chapters::gss_control {
 
-/// Which evaluation.
+/// Form of evaluation.
 enum class Form : std::uint8_t {
-  closed,  ///< f and its derivatives (3.28, 3.33, 3.42), misprints corrected
-  krylov,  ///< power series in beta, nothing subtracted at small s
-  scaled   ///< series at small s, decaying waves at large: what the library uses
+  closed,  ///< closed form with f and its derivatives (3.28, 3.33, 3.42), misprints corrected
+  krylov,  ///< power series in beta, without cancellation at small s
+  scaled   ///< series at small s, decaying waves at large s, as in the library
 };
 inline constexpr std::size_t form_count = 3;
 
-/// For legends.
+/// Name of the form for legends.
 [[nodiscard]] const char* form_name(Form form);
 
-/// Values at s = j omega.
+/// theta/u and y(x)/u at s = j omega.
 struct FormValue {
   double theta = 0, deflection = 0;
 };

@@ -18,19 +18,19 @@ constexpr int modes = 10;
 /// Aluminium in slug and ft: 2700 kg/m^3. Table 3.1 names no material; its E is that of aluminium, 11e6 psi.
 constexpr double density = 5.239, poisson = 0.33, shear_coefficient = 5.0 / 6;
 
-/// Rectangular section of the depth h with the bending stiffness and mass of Table 3.1.
+/// Beam of rectangular section of the given depth, with the bending stiffness and mass of Table 3.1.
 spacecraft::ShearBeam beam_of_depth(const spacecraft::Parameters& p, double depth) {
   const double area = 12 * p.second_moment / (depth * depth);
   return spacecraft::solid_section(p, p.mass_per_length / area, poisson, shear_coefficient);
 }
 
-/// First-order estimate of a frequency's relative change: -(q^2/2) (I/A) (1 + E/(kappa G)).
+/// First-order estimate of the relative change of a frequency: -(q^2/2) (I/A) (1 + E/(kappa G)).
 double estimate(const spacecraft::Parameters& p, double omega, double depth) {
   const double q2 = omega * std::sqrt(p.mass_per_length / p.bending_stiffness());
   return -0.5 * q2 * depth * depth / 12 * (1 + 2 * (1 + poisson) / shear_coefficient);
 }
 
-/// Beams of one depth: their modes beside Euler's.
+/// Depth of the beams, with the style of its curve.
 struct Depth {
   const char* name;
   double depth;  ///< ft
@@ -42,7 +42,7 @@ struct Mode {
   double depth;
   int number;
   double euler, timoshenko;  ///< rad/s
-  double guess;              ///< of the relative change
+  double guess;              ///< estimate of the relative change
 
   [[nodiscard]] double change() const { return timoshenko / euler - 1; }
   [[nodiscard]] double drop() const { return -change() / (1 + change()); }
@@ -59,7 +59,8 @@ std::vector<Mode> modes_of(const spacecraft::Parameters& p, const Depth& d) {
   return all;
 }
 
-/// Without shear and rotary inertia it is Euler's beam: a depth so small that both are below rounding.
+/// Largest relative difference from Euler-Bernoulli theory at a depth so small that shear and rotary inertia
+/// are below rounding.
 double distance_from_euler(const spacecraft::Parameters& p) {
   const std::vector<Mode> thin = modes_of(p, {"", 1e-7, 1});
   double worst = thin.size() == modes ? 0 : HUGE_VAL;

@@ -73,7 +73,7 @@ bvp::Options options_of(const BvpOptions& typed) {
   return options;
 }
 
-/// Times with three more between each two.
+/// Each interval divided into four.
 std::vector<double> quartered(const std::vector<double>& times) {
   std::vector<double> finer;
   for (std::size_t i = 0; i + 1 < times.size(); ++i) {
@@ -83,8 +83,8 @@ std::vector<double> quartered(const std::vector<double>& times) {
   return finer;
 }
 
-/// On shorter and shorter intervals as long as integration does not follow the solution through one of them:
-/// across a boundary layer, and behind it, neighbours of a solution part within a part of the time.
+/// Solves, and divides the intervals by four as long as the integration deviates from the solution within one
+/// of them: in and after a boundary layer adjacent trajectories diverge within a fraction of the interval.
 bvp::Solution solve_on_finer_meshes(const TypedBoundary& problem, bvp::Start start, const BvpOptions& typed) {
   start.mesh = problem.mesh();
   bvp::Options options = options_of(typed);
@@ -100,7 +100,7 @@ bvp::Solution solve_on_finer_meshes(const TypedBoundary& problem, bvp::Start sta
   return solution;
 }
 
-/// From the guess, or without one from zeros and then from cubics of growing size.
+/// Solves from the guess, or without one from zeros and then from random cubics of increasing size.
 bvp::Solution solve_from_guesses(const TypedBoundary& problem, const BvpOptions& typed, std::string& remark) {
   bvp::Solution first = solve_on_finer_meshes(problem, problem.guess(typed.guess), typed);
   if (first.status.ok()) return first;
@@ -126,7 +126,8 @@ bvp::Solution solve_from_guesses(const TypedBoundary& problem, const BvpOptions&
                                       : "try another --guess")));
 }
 
-/// Integrated from its start alone, as far as that can be told: nothing if it comes to the end, else how far.
+/// Result of an integration from the initial values to the end: empty if it agrees with the solution, else a
+/// message with the deviation.
 std::string whole_way(const TypedBoundary& problem, const BvpOptions& typed, const bvp::Solution& solution) {
   bvp::Options options = options_of(typed);
   options.verification = bvp::Verification::whole;
@@ -176,7 +177,7 @@ void boundary_values(const BvpOptions& typed) {
   for (const double t : times_of(typed, solution)) {
     text += fmt::format("{:.17g}", t);
     const Eigen::VectorXd x = solution.at(t);
-    // A value that is prescribed to be 0 comes out with the rounding of the solve.
+    // A value prescribed as 0 has the rounding error of the solve.
     for (Eigen::Index i = 0; i < x.size(); ++i)
       text += fmt::format(",{:.17g}", std::abs(x[i]) < 1e-18 * sizes[i] ? 0 : x[i]);
     text += "\n";

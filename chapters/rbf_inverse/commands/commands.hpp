@@ -1,5 +1,5 @@
 /// @file
-/// The chapter's commands: the user's own numbers.
+/// Commands of the chapter for user-defined problems.
 #pragma once
 
 #include "nlmech/scene/program/options.hpp"

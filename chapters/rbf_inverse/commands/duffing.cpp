@@ -19,7 +19,7 @@ struct DuffingOptions {
   bvp::DuffingSettings settings;
   std::string which;
   std::vector<double> target, weights;
-  std::optional<double> bound;  ///< of |f|
+  std::optional<double> bound;  ///< bound of |f|
 };
 
 void declare(scene::Options& options, DuffingOptions& typed) {
@@ -72,10 +72,10 @@ bvp::DuffingSettings understand(const DuffingOptions& typed) {
   return s;
 }
 
-/// Two minutes, starts and the last solve included.
+/// Time limit of the solves; with the starts and the last solve at most two minutes.
 constexpr double seconds_of_solves = 60;
 
-/// The extremals that the own starts lead to, one at least.
+/// Extremals from the automatic starts, at least one.
 std::vector<bvp::Found> unbounded(const bvp::DuffingSettings& settings) {
   const bvp::Multistart all = bvp::duffing_extremals(settings, {}, {}, {.seconds = seconds_of_solves});
   if (all.found.empty())
@@ -87,11 +87,11 @@ std::vector<bvp::Found> unbounded(const bvp::DuffingSettings& settings) {
   return all.found;
 }
 
-/// A power of two in which the bound is 8 to 16: the smoothing of a bounded control is 1e-4, whatever the
-/// unit.
+/// Power of two as unit in which the bound is 8 to 16, because the smoothing of a bounded control is 1e-4 in
+/// every unit.
 double unit_of(double bound) { return std::ldexp(1.0, std::ilogb(bound) - 3); }
 
-/// The same task with states and forces in such a unit; powers of two change no digit.
+/// The same task with states and forces in this unit; scaling by powers of two is exact.
 bvp::DuffingSettings in_units(bvp::DuffingSettings s, double unit) {
   s.begin /= unit;
   s.target /= unit;
@@ -100,7 +100,7 @@ bvp::DuffingSettings in_units(bvp::DuffingSettings s, double unit) {
   return s;
 }
 
-/// The cheapest under the bound, from the cheapest ones without.
+/// Extremal of least cost with the bound, from the three of least cost without it.
 bvp::Extremal bounded(const bvp::DuffingSettings& settings, double bound) {
   const bvp::ExtremalProblem problem = duffing_problem(settings);
   std::optional<bvp::Extremal> best;
@@ -111,7 +111,7 @@ bvp::Extremal bounded(const bvp::DuffingSettings& settings, double bound) {
     constexpr int samples = 1000;
     for (int i = 0; i <= samples; ++i)
       peak = std::max(peak, std::abs(free.solution.at(settings.final_time * i / samples)[3]));
-    // A bound that does not bind, with room for what is between the samples.
+    // The bound is inactive, with a margin for the peak between samples.
     bvp::Extremal e = peak < 0.99 * bound
                           ? free
                           : tighten(problem, start_from(free.solution), bvp::control_bound_path(peak, bound));
@@ -131,7 +131,7 @@ std::string duffing(const DuffingOptions& typed) {
   const bvp::Extremal e = typed.bound ? bounded(in_units(settings, unit), *typed.bound / unit)
                                       : unbounded(settings).front().extremal;
   const Eigen::VectorXd first = e.solution.first() * unit, last = e.solution.last() * unit;
-  // What is prescribed or vanishes comes out with the rounding of the solve.
+  // Prescribed and zero values have the rounding error of the solve.
   const auto shown = [](double value) { return std::abs(value) < 1e-20 ? 0.0 : value; };
   return fmt::format(
       "cost,x1_0,x2_0,lambda1_0,lambda2_0,x1_T,x2_T,miss\n"

@@ -24,7 +24,7 @@
 namespace nlmech::chapters::rbf_inverse {
 namespace {
 
-/// `lambert`
+/// Options of `lambert`.
 struct Arc {
   orbit::TransferProblem problem;
   std::optional<double> mu, radius;
@@ -67,7 +67,7 @@ void add_zonal_terms(const Arc& a, orbit::Gravity& gravity) {
   gravity.radius = *a.radius;
 }
 
-/// Both positions deep inside the Earth: its mu in metres is not meant.
+/// Rejects positions deep inside the Earth with its default mu in metres: other units are likely.
 void refuse_other_units(const Arc& a) {
   constexpr double deep = 1e6;  // m
   if (a.mu || !(a.problem.from.stableNorm() < deep && a.problem.to.stableNorm() < deep)) return;
@@ -107,7 +107,7 @@ orbit::LambertArc arc_of(const Arc& a) {
           a.branch == "high" ? orbit::LambertBranch::high : orbit::LambertBranch::low};
 }
 
-/// Collocation with polynomials, from the guess that turns about the centre the short way.
+/// Collocation with polynomials, from a guess that rotates about the centre the short way.
 orbit::Transfer by_collocation(const orbit::TransferProblem& p, const orbit::LambertArc& arc) {
   if (arc.revolutions > 0)
     throw InputError(
@@ -143,7 +143,7 @@ std::string lambert(const Arc& a) {
     throw InputError(error.what());
   }
   if (t.status.outcome() ==
-      Outcome::outside_validity)  // positions that determine no plane, an impossible time
+      Outcome::outside_validity)  // positions that do not determine a plane, or an impossible time
     throw InputError(fmt::format("--from {} --to {} --time {}: {}", text_of(p.from), text_of(p.to), p.time,
                                  t.status.sentence()));
   if (!t.status.ok()) throw Failure(t.status);
@@ -151,7 +151,7 @@ std::string lambert(const Arc& a) {
                      t.v1[0], t.v1[1], t.v1[2], t.v2[0], t.v2[1], t.v2[2], t.miss);
 }
 
-/// `porkchop`
+/// Options of `porkchop`.
 struct Grid {
   std::string file, grid;
   int threads = 0;
@@ -178,20 +178,20 @@ std::pair<int, int> counts_of(const std::string& grid) {
       };
       return {whole(grid.substr(0, place)), whole(grid.substr(place + 1))};
     }
-  } catch (const InputError&) {  // of one half; the sentence below names all
+  } catch (const InputError&) {  // for one of the numbers; the message below names both
   }
   throw InputError(fmt::format("--grid {}: needs two whole numbers from 1 to 1000000 with 'x' between",
                                quoted_input(grid)));
 }
 
-/// The power of a thousand in which numbers up to @p largest are short, and how a label says so.
+/// Power of a thousand as unit for numbers up to @p largest, and the label with this unit.
 std::pair<double, std::string> short_unit(double largest, const std::string& label) {
   if (!(largest >= 1e4 || (largest > 0 && largest < 1e-2))) return {1, label};
   const double exponent = 3 * std::floor(std::log10(largest) / 3);
   return {std::pow(10, exponent), fmt::format("{} in 10^{{{:.0f}}}", label, exponent)};
 }
 
-/// The units of the file, which are not known.
+/// Labels without units, because those of the file are not known.
 PorkchopAxes plain_axes(const orbit::Porkchop& grid) {
   PorkchopAxes axes{.heading = "Excess speeds by departure and arrival"};
   double latest = 0, least = HUGE_VAL;
@@ -205,12 +205,12 @@ PorkchopAxes plain_axes(const orbit::Porkchop& grid) {
   return axes;
 }
 
-/// Where the picture goes: <name of the TOML file>.svg in the current folder.
+/// Path of the plot: <name of the TOML file>.svg in the current folder.
 std::filesystem::path picture_of(const Grid& g) {
   return (g.file == "-" ? "porkchop" : std::filesystem::path(g.file).stem().string()) + ".svg";
 }
 
-/// The picture, if one is asked for; refuses what cannot be drawn before there are numbers.
+/// The plot, if requested; rejects a grid that cannot be plotted before the computation.
 scene::Picture wanted_picture(const Grid& g, const orbit::PorkchopProblem& p) {
   if (!g.plot) return scene::Picture("");
   if (p.departures.count < 4 || p.arrivals.count < 4)

@@ -18,7 +18,7 @@
 namespace nlmech::chapters::rbf_inverse {
 namespace {
 
-/// A table of the file, with its path for complaints: "from" or "" for the whole.
+/// Table of the file with its path for messages: "from", or "" for the root table.
 class Reader {
  public:
   Reader(const toml::table& table, std::string name, std::string path)
@@ -56,7 +56,7 @@ class Reader {
     if (node->as_table() == nullptr) refuse(node, fmt::format("{} must be a table", full(key)));
     return {*node->as_table(), name_, full(key)};
   }
-  /// Keys that mean nothing are mistakes of spelling.
+  /// Rejects unknown keys.
   void only(std::initializer_list<std::string_view> known) const {
     for (const auto& [key, node] : table_) {
       if (std::find(known.begin(), known.end(), key.str()) == known.end())
@@ -92,7 +92,7 @@ orbit::Conic shape_of(const Reader& r) {
   return {p / (1 + e), 1 - e};
 }
 
-/// An angle in degrees; 0 without it.
+/// Angle in degrees; 0 if the key is missing.
 double angle_of(const Reader& r, std::string_view key, double least, double most) {
   const double value = r.number(key).value_or(0);
   if (!(value >= least && value <= most))
@@ -101,7 +101,7 @@ double angle_of(const Reader& r, std::string_view key, double least, double most
   return value;
 }
 
-/// Lengths and mu in which all that a grid computes stays within doubles.
+/// Range of lengths and mu in which the computation of a grid neither overflows nor underflows.
 constexpr double least_size = 1e-100, largest_size = 1e100;
 
 void check_size(const Reader& r, std::string_view key, double size) {
@@ -130,7 +130,7 @@ orbit::Ephemeris orbit_of(const Reader& r, double mu) {
   try {
     body.state = orbit::state_at_true_anomaly(conic, orientation, sine_cosine_of_degrees(nu / 2), mu);
   } catch (const std::invalid_argument& error) {
-    r.refuse(r.at("nu"), fmt::format("{}: {}", r.full("nu"), error.what()));  // beyond the asymptote
+    r.refuse(r.at("nu"), fmt::format("{}: {}", r.full("nu"), error.what()));  // past the asymptote
   }
   check_size(r, r.has("a") ? "a" : "p", body.state.position.stableNorm());
   return body;

@@ -8,18 +8,19 @@
 
 namespace nlmech::chapters::rbf_inverse {
 
-/// The problem in a TOML text: `mu`; tables `from` and `to`, each an orbit as elements (a or p, e, and in
+/// Reads a problem from TOML: `mu`; tables `from` and `to`, each an orbit as elements (a or p, e, and in
 /// degrees i, raan, argp, nu) or as a state (position, velocity), with `epoch`; tables `departures` and
-/// `arrivals` with `first` and `last`; and `revolutions`, if there may be some. The counts of the windows are
-/// left as they are. Every value is checked against its range (see porkchop_keys()). @param name what
-/// complaints call the text
-/// @throws InputError naming the text, line and value of what cannot be meant
+/// `arrivals` with `first` and `last`; and optionally `revolutions`. The counts of the windows are not set.
+/// Every value is checked against its range (see porkchop_keys()).
+/// @param name name of the text in messages
+/// @throws InputError naming text, line and the invalid value
 [[nodiscard]] orbit::PorkchopProblem read_porkchop(const std::string& text, const std::string& name);
 
-/// The keys of such a file with their ranges, for `--help`.
+/// Keys of the file with their ranges, for `--help`.
 [[nodiscard]] std::string porkchop_keys();
 
-/// departure,arrival,v_departure,v_arrival,revolutions: a row for each pair of times with a transfer.
+/// Grid as CSV with the columns departure,arrival,v_departure,v_arrival,revolutions and a row for each pair
+/// of times with a transfer.
 [[nodiscard]] std::string porkchop_csv(const orbit::Porkchop& grid);
 
 }  // namespace nlmech::chapters::rbf_inverse

@@ -23,7 +23,7 @@ namespace {
 using program::Program;
 using scene::trimmed;
 
-/// What stands between commas or semicolons that are in no bracket.
+/// Splits a text at commas and semicolons outside parentheses.
 std::vector<std::string> pieces_of(const char* option, const std::string& text) {
   std::vector<std::string> pieces(1);
   int depth = 0;
@@ -42,7 +42,7 @@ std::vector<std::string> pieces_of(const char* option, const std::string& text) 
   return pieces;
 }
 
-/// The derivatives of all outputs by the state, four at a time: put(output, component, value).
+/// Derivatives of all outputs with respect to the state, four at a time; calls put(output, component, value).
 template <class Put>
 void differentiate(const Program& program, double t, const Eigen::VectorXd& x, const Put& put) {
   constexpr int lanes = 4;
@@ -61,7 +61,7 @@ void differentiate(const Program& program, double t, const Eigen::VectorXd& x, c
   }
 }
 
-/// A function of the time at a time, and its derivative.
+/// Value and derivative of a function of time.
 Dual<double, 1> value_of_time(const Program& program, double t, const Eigen::VectorXd& x) {
   using D = Dual<double, 1>;
   const Vector<D, Eigen::Dynamic> at = x.cast<D>();
@@ -70,7 +70,7 @@ Dual<double, 1> value_of_time(const Program& program, double t, const Eigen::Vec
   return value;
 }
 
-/// Does it change with the state? What is not a number shows.
+/// Whether the program depends on the state: a NaN state then yields NaN.
 bool depends_on_state(const Program& program, double t, int n) {
   const auto plain = [&](double x) {
     double value = 0;
@@ -92,7 +92,7 @@ TypedBoundary::TypedBoundary(program::Equations equations, double from, double u
         "--equation: an end, bounds of the state and what is conserved are for initial value problems; here "
         "--until gives the end");
   slopes_ = Program(equations_.graph(), equations_.slopes());
-  constexpr std::size_t most_jumps = 200;  // each adds as many conditions as the state has components
+  constexpr std::size_t most_jumps = 200;  // each jump adds one condition per component
   const std::vector<double> jumps =
       program::Switches(equations_.graph(), equations_.slopes()).times(from, until);
   if (jumps.size() <= most_jumps) points_.insert(points_.begin() + 1, jumps.begin(), jumps.end());
@@ -121,7 +121,7 @@ std::vector<double> TypedBoundary::mesh() const {
   std::vector<double> mesh =
       program::TimeFeatures(equations_.graph(), equations_.slopes()).between(points_.front(), points_.back());
   if (mesh.empty()) return mesh;
-  constexpr int intervals = 10;  // besides
+  constexpr int intervals = 10;  // additional equal intervals
   for (int k = 0; k <= intervals; ++k)
     mesh.push_back(points_.front() + (points_.back() - points_.front()) * k / intervals);
   std::ranges::sort(mesh);
@@ -147,7 +147,7 @@ bvp::Start TypedBoundary::guess(const std::string& text) const {
         throw input_error("--guess {}: is to be a function of the time t alone", quoted_input(piece));
     }
   }
-  // Of each component that is left out the one whose derivative it is.
+  // For each missing component the given component of which it is the derivative.
   std::vector<std::optional<std::size_t>> integral(names().size());
   for (std::size_t i = 0; i < names().size(); ++i) {
     for (std::size_t j = 0; j < names().size(); ++j) {
@@ -177,7 +177,7 @@ void TypedBoundary::jacobian(double t, const Eigen::VectorXd& x, const Eigen::Ve
   differentiate(slopes_, t, x, [&](int i, int j, double value) { by_state(i, j) = value; });
 }
 
-// Those of the user, then the continuity of each component at each point between.
+// Conditions of the user, then continuity of each component at each interior point.
 void TypedBoundary::conditions(const Eigen::MatrixXd& ends, const Eigen::VectorXd&,
                                Eigen::VectorXd& r) const {
   const int n = states(), last = static_cast<int>(ends.cols()) - 1;

@@ -1,5 +1,5 @@
 /// @file
-/// A boundary value problem from equations, conditions and a guess as they are typed.
+/// Boundary value problem from equations, conditions and a guess given as text.
 #pragma once
 
 #include <string>
@@ -11,31 +11,30 @@
 
 namespace nlmech::chapters::rbf_inverse {
 
-/// Equations of Equations between two times, with as many conditions as the state has components, each on the
-/// state at one of the ends. A constant that is not known is an unknown of its own: k' = 0. All derivatives
-/// are exact, by dual numbers.
+/// Boundary value problem of Equations between two times, with one condition per component of the state, each
+/// on the state at one end. An unknown constant k is a component with k' = 0. All derivatives are exact, by
+/// dual numbers.
 class TypedBoundary final : public bvp::Problem {
  public:
-  /// @param begin conditions at @p from, with commas between: "x = 0, x' + 2 x = 1"
-  /// @param end the same at @p until
+  /// @param begin conditions at @p from, separated by commas: "x = 0, x' + 2 x = 1"
+  /// @param end conditions at @p until
   /// @throws InputError naming the option, for a condition that cannot be read, or too many or too few
   TypedBoundary(program::Equations equations, double from, double until, const std::string& begin,
                 const std::string& end);
 
-  /// Components of the state: "x", "x'".
+  /// Names of the components of the state: "x", "x'".
   [[nodiscard]] const std::vector<std::string>& names() const { return equations_.state_names(); }
-  /// Functions of the time to begin with: "x = sin(pi t), k = 10". A component that is left out is the
-  /// derivative of another one that is not, or else 0.
-  /// @throws InputError naming `--guess`, for what cannot be read or depends on the state
+  /// Initial guess from functions of time: "x = sin(pi t), k = 10". A missing x' is the derivative of a given
+  /// x; other missing components are 0.
+  /// @throws InputError naming `--guess`, for text that cannot be parsed or that depends on the state
   [[nodiscard]] bvp::Start guess(const std::string& text) const;
 
   /// See Problem.
   [[nodiscard]] int states() const override { return equations_.size(); }
-  /// See Problem: both ends, and the known times between at which the equations jump, if there are no more
-  /// than 200.
+  /// See Problem: both ends, and the known interior times at which the equations jump, if these are at most
+  /// 200.
   [[nodiscard]] std::vector<double> points() const override { return points_; }
-  /// A first mesh that divides functions of time where they change after a rest, as pulses do; empty if there
-  /// is no such place.
+  /// First mesh with points where functions of time start to change, as pulses do; empty if there are none.
   [[nodiscard]] std::vector<double> mesh() const;
   /// See Problem.
   void rhs(double t, const Eigen::VectorXd& x, const Eigen::VectorXd& p,

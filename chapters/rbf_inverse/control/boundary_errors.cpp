@@ -9,18 +9,19 @@
 namespace nlmech::chapters::rbf_inverse::boundary_errors {
 namespace {
 
-using Cases = std::vector<const FromGuesses*>;                        // by final time, then by case
+using Cases = std::vector<const FromGuesses*>;                        // ordered by final time, then by case
 using Variants = std::vector<const std::vector<bvp::GlobalResult>*>;  // by case
 
-/// A line of Table 5.3. Conditions 0 and 1 are of the first and second component at t0, 2 and 3 at tF.
+/// Row of Table 5.3. Conditions 0 and 1 belong to the first and second component at t0, 2 and 3 to those at
+/// tF.
 struct Row {
   const DuffingSubject* subject;
   int condition;
   double printed;
-  std::array<std::optional<double>, final_times.size()> residual;  ///< of what is drawn; none without a root
+  std::array<std::optional<double>, final_times.size()> residual;  ///< plotted result; none without a root
   double costate_error;                                            ///< T = 2
 
-  /// The condition as it is solved, from the case alone: "x1(t0)" or "lambda1(t0)".
+  /// Name of the condition in the case: "x1(t0)" or "lambda1(t0)".
   [[nodiscard]] std::string name() const {
     const bvp::ExtremalProblem problem = duffing_problem(printed_settings(subject->which));
     const auto i = static_cast<std::size_t>(condition % 2);
@@ -34,7 +35,7 @@ std::string published_name(const DuffingSubject& subject, int condition) {
                      condition % 2 + 1);
 }
 
-/// Those of a case; of the fixed one the table has x1 alone.
+/// Conditions of a case in the table; for the fixed case only those on x1.
 std::vector<int> conditions_of(const DuffingSubject& subject) {
   return subject.which == bvp::DuffingCase::fixed ? std::vector{0, 2} : std::vector{0, 1, 2, 3};
 }
@@ -58,8 +59,8 @@ std::vector<Row> rows_of(const Cases& cases, scene::Show& show) {
   return rows;
 }
 
-/// The largest residual at the conditions of the table, of all extremals at all final times: what Table 5.3
-/// shows of one root depends neither on T nor on the guess.
+/// Largest residual of the conditions of the table over all extremals at all final times. It shows that the
+/// finding of Table 5.3 depends neither on T nor on the guess.
 double largest_residual(const Cases& cases) {
   double worst = 0;
   for (const FromGuesses* all : cases)
@@ -88,14 +89,14 @@ void check(const std::vector<Row>& rows, const Cases& cases, scene::Show& show) 
 
 void measure(const std::vector<Row>& rows, const Cases& cases, const Variants& variants, scene::Show& show) {
   for (const Row& row : rows) {
-    // T is not stated. That x1(T) - 5 is a multiple of a unit in the last place of 5 needs no T.
+    // The text does not state T. x1(T) - 5 is a multiple of a unit in the last place of 5 for every T.
     const bool any_time = row.subject->which == bvp::DuffingCase::fixed && row.condition == 2;
     const std::optional<double> ours = row.residual[1], none;
     show.measured(published_name(*row.subject, row.condition), any_time ? ours : none,
                   any_time ? none : ours);
   }
-  // The text has one number for all, and no T; the best of ours, over cases, final times and guesses, is the
-  // kindest comparison.
+  // The text has one number for all cases and no T; so it is compared with the least error over cases, final
+  // times and guesses.
   double least = HUGE_VAL;
   for (const FromGuesses* all : cases) least = std::min(least, all->least_error());
   show.measured("elgohary/claim-5.3.5/all cases/difference to ODE45 at the nodes", {}, least);

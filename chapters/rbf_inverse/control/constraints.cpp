@@ -16,7 +16,7 @@ namespace {
 
 using bvp::DuffingCase;
 
-/// A force over the time.
+/// Time history of the force.
 struct History {
   std::vector<double> t, f;
 
@@ -36,14 +36,14 @@ History sampled(const std::function<double(double)>& force) {
   return h;
 }
 
-/// An extremal under a bound on the force.
+/// Extremal for a bound on the force.
 struct Bounded {
   std::optional<double> limit;
   bvp::Extremal extremal;
   History control = {};  ///< empty if there is no extremal
 
   [[nodiscard]] const Status& status() const { return extremal.solution.status; }
-  /// Nothing if there is no extremal.
+  /// Initial value of component i; empty if there is no extremal.
   [[nodiscard]] std::optional<double> first(Eigen::Index i) const {
     return status().ok() ? std::optional(extremal.solution.first()[i]) : std::nullopt;
   }
@@ -52,7 +52,7 @@ struct Bounded {
   }
 };
 
-/// Without bound, then with three of them.
+/// Extremals without a bound and with three bounds.
 std::vector<Bounded> bounded(const bvp::Multistart& found) {
   const bvp::ExtremalProblem problem = duffing_problem(printed_settings(DuffingCase::fixed));
   const bvp::Extremal& free = cheapest_of(found);

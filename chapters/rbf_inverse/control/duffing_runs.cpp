@@ -85,7 +85,7 @@ std::size_t FromGuesses::chosen() const {
 }
 
 bvp::Start random_guess(int number, double final_time) {
-  // The engine's numbers are the same on every machine; the library's distributions need not be.
+  // The standard defines the numbers of the engine, but not those of std distributions.
   std::mt19937_64 engine(static_cast<std::uint64_t>(number) + 1);
   const auto draw = [&](double size) {
     return size * (2 * static_cast<double>(engine() >> 11) / 9007199254740992.0 - 1);
@@ -100,7 +100,7 @@ bvp::Start random_guess(int number, double final_time) {
   Eigen::MatrixXd values(4, nodes);
   for (double& value : values.reshaped()) value = draw(1);
   return {.states = [times, values](double t, Eigen::VectorXd& x) {
-    // Linear between the nodes, exact at them.
+    // Linear interpolation between the nodes.
     Eigen::Index k = 0;
     while (k + 2 < times.size() && t > times[k + 1]) ++k;
     const double part = std::clamp((t - times[k]) / (times[k + 1] - times[k]), 0.0, 1.0);
@@ -128,7 +128,7 @@ std::vector<const bvp::Extremal*> FromGuesses::distinct() const {
   std::vector<const bvp::Extremal*> some;
   for (const bvp::GlobalResult& r : results) {
     const bvp::Extremal& e = r.extremal;
-    // Roots of one extremal differ by their errors, below a hundredth in the cost.
+    // Roots for the same extremal differ by numerical errors, below a hundredth in the cost.
     const auto same = [&](const bvp::Extremal* other) {
       return std::abs(other->cost - e.cost) <= 1e-2 * std::abs(e.cost);
     };
@@ -146,10 +146,10 @@ bvp::Multistart find_all(DuffingCase which, double final_time, bool quick) {
   return bvp::duffing_extremals(printed_settings(which, final_time), quick ? fewer : bvp::DuffingStarts{});
 }
 
-/// The guesses that a case gets: zeros, then ten random ones.
+/// Number of guesses per case: zeros, then ten random guesses.
 constexpr int guesses_a_case = 11;
 
-/// The equations as they stand, none eliminated: rounding belongs to what is shown.
+/// Solves the full equations without elimination, because the scenes show their rounding.
 FromGuesses solve_from_guesses(const DuffingSubject& subject, double final_time) {
   const bvp::ExtremalProblem problem = duffing_problem(printed_settings(subject.which, final_time));
   const bvp::GlobalMethod method{.rows = printed_rows(problem)};

@@ -25,19 +25,19 @@ constexpr const char *gaussian = "Gaussian, printed shape", *stable = "stable Ga
                      *ipopt = "direct, Ipopt";
 enum Group : std::size_t { many, one, by_shooting, directly };
 
-/// How a solve ended, and with which x and lambda at 0.
+/// Result of a solve: status, and x and lambda at 0.
 struct Answer {
   Status status;
   Eigen::VectorXd first;
 };
 Answer answer_of(const bvp::Solution& s) { return {s.status, s.status.ok() ? s.first() : Eigen::VectorXd()}; }
 
-/// One case. All methods start from the same trajectory.
+/// One case; all methods start from the same trajectory.
 struct Subject : ControlStart {
   bool quick;
   std::vector<scene::MethodLine>& lines;
 
-  /// Begins a line of the next settings.
+  /// Starts a new line for the next settings.
   void begin(const char* method, Group group) const {
     const bool peer = method == shooting || method == ipopt;
     lines.push_back({method, group, {}, peer ? scene::Side::peer : scene::Side::subject});
@@ -53,7 +53,7 @@ struct Subject : ControlStart {
   }
 };
 
-/// @param shape c T; 0: that of the text, which grows with the nodes
+/// @param shape c T; 0: as in the text, proportional to the number of nodes
 void one_interval(const Subject& s, const char* method, DerivativeMatrix derivative, double shape) {
   s.begin(method, one);
   for (const int nodes : {10, 15, 20, 25, 30, 40, 50, 60, 80}) {

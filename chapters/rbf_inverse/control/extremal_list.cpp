@@ -12,7 +12,7 @@ namespace {
 
 using bvp::DuffingCase;
 
-/// An extremal of a case at a final time.
+/// Row of the table: an extremal of a case at a final time.
 struct Row {
   double final_time;
   DuffingCase which;
@@ -22,13 +22,13 @@ struct Row {
   [[nodiscard]] const bvp::Extremal& extremal() const { return found->extremal; }
   [[nodiscard]] double cost() const { return extremal().cost; }
   [[nodiscard]] bvp::Kind kind() const { return extremal().second_order.kind; }
-  /// An initial value; what is prescribed or vanishes comes out with the rounding of the solve.
+  /// Initial value of component i; values of the size of rounding are shown as 0.
   [[nodiscard]] double first(Eigen::Index i) const {
     const double value = extremal().solution.first()[i];
     return std::abs(value) < 1e-12 ? 0.0 : value;
   }
 };
-/// By final time, then by case, cheapest first.
+/// Ordered by final time, then by case, then by cost.
 using Rows = std::vector<Row>;
 
 void tabulate(const Rows& rows, scene::Show& show) {
@@ -45,12 +45,12 @@ void tabulate(const Rows& rows, scene::Show& show) {
                     {"miss of the integrated end", [](const Row& r) { return r.extremal().miss; }, 2}});
 }
 
-/// The lowest extremals against those that are known.
+/// Compares the extremals of least cost with the known ones.
 void check_known(const Rows& rows, scene::Show& show) {
   const auto best = [&](DuffingCase which, double time) {
     return *std::ranges::find_if(rows, [&](const Row& r) {
       return r.which == which && r.final_time == time;
-    });  // the cheapest is first
+    });  // the first match has the least cost
   };
   double worst_first = 0, worst_miss = 0;
   for (const KnownExtremal& k : known_extremals()) {

@@ -17,28 +17,29 @@ namespace {
 
 using bvp::DuffingCase;
 
-/// A task and what became of it; cells are empty where there is nothing to say.
+/// Row of the table: a task and its result; cells are empty if not applicable.
 struct Row {
   std::string task, status = "none found";
   std::optional<double> cost = {}, known = {}, estimate = {}, miss = {};
   scene::Cell intervals = {}, starts = {};
-  double most = HUGE_VAL;  ///< that the cost may be
+  double most = HUGE_VAL;  ///< upper bound of the cost
 
   [[nodiscard]] std::optional<double> shown_cost() const {
     return cost && std::abs(*cost) < 1e-20 ? 0.0 : cost;
   }
 };
 
-/// A case that is hard by its numbers.
+/// Case with extreme parameters.
 struct Hard {
   DuffingCase which;
   double final_time, beta;
   std::optional<double> known = {};  ///< least cost known
 };
 
-/// Its extremals.
+/// Solves a hard case; returns its row.
 Row solved(const Hard& h) {
-  // Few swings need pumps alone, many need descents from them; a free end is left to the direct method.
+  // A fixed end takes pump_start() for few oscillations and the direct method from it for many; a free end
+  // takes the direct method.
   const bool fixed = h.which == DuffingCase::fixed;
   const bvp::DuffingStarts starts{.constants = false,
                                   .unforced = 0,
@@ -52,7 +53,7 @@ Row solved(const Hard& h) {
   Row row{.task = fmt::format("{}, T = {:g}, beta = {:g}", to_string(h.which), h.final_time, h.beta),
           .known = h.known,
           .starts = fmt::format("{}, {}, {}", all.good, all.spurious, all.failed)};
-  // Energy of the target over T, times 3/2: what a pump of linear amplitude costs.
+  // 3/2 times the energy of the target over T: cost of pump_start() for linearly growing amplitude.
   const double x = 5, v = 2;
   if (fixed) row.estimate = 1.5 * (v * v / 2 + x * x / 2 + h.beta / 4 * x * x * x * x) / h.final_time;
   if (h.known) row.most = *h.known * (1 + (h.beta == 3 ? 1e-5 : 1e-9));
@@ -65,7 +66,7 @@ Row solved(const Hard& h) {
   return row;
 }
 
-/// The oscillator with two conditions that cannot hold both, though their number is right.
+/// Oscillator with the right number of conditions, two of which are contradictory.
 struct TwoBegins {
   static constexpr int states = 2, parameters = 0;
   [[nodiscard]] std::vector<double> points() const { return {0, 2}; }
@@ -83,12 +84,12 @@ struct TwoBegins {
 };
 
 struct Extremes {
-  std::vector<Row> rows;         ///< the last three: zero weights, a vanishing time, a contradiction
-  double idle_force = HUGE_VAL;  ///< with zero weights
+  std::vector<Row> rows;  ///< the last three rows: zero weights, a very short time, contradictory conditions
+  double idle_force = HUGE_VAL;  ///< force with zero weights
 };
 
 Extremes compute(bool quick) {
-  // Costs: Taylor's method of order 34 in 36 digits, the end met to 1e-26.
+  // Reference costs: Taylor method of order 34 in 36 digits, end conditions met to 1e-26.
   std::vector<Hard> hard = {{DuffingCase::fixed, 2, 3, 384.514},
                             {DuffingCase::fixed, 2, 10, 1162.868031234447},
                             {DuffingCase::fixed, 2, 30, 3497.287677516521},
@@ -103,7 +104,7 @@ Extremes compute(bool quick) {
   if (quick) std::erase_if(hard, [](const Hard& h) { return h.beta > 10 || h.final_time > 2; });
   Extremes all;
   std::ranges::transform(hard, std::back_inserter(all.rows), solved);
-  // Nothing is asked of the end, so nothing should be done.
+  // With zero weights of the end cost the optimal force is 0.
   bvp::DuffingSettings idle = printed_settings(DuffingCase::free);
   idle.weights.setZero();
   const bvp::Multistart none = duffing_extremals(idle, {.unforced = 2, .pumps = 0, .direct = 1, .random = 4});
@@ -114,7 +115,7 @@ Extremes compute(bool quick) {
     zero.cost = e.cost;
     all.idle_force = e.solution.first().tail(2).norm();
   }
-  // A position at the end of a vanishing time.
+  // Prescribed end state after a very short time.
   const bvp::ExtremalProblem sudden = duffing_problem(printed_settings(DuffingCase::fixed, 1e-3));
   const bvp::Extremal jerk = solve_extremal(sudden, bvp::constant_start(Eigen::VectorXd::Ones(4)));
   all.rows.push_back({"fixed, T = 1e-3", std::string(to_string(jerk.solution.status.outcome())), jerk.cost});

@@ -8,7 +8,7 @@
 namespace nlmech::chapters::rbf_inverse::from_guesses {
 namespace {
 
-/// What one case makes of its guesses at one final time.
+/// Row of the table: outcomes of the guesses of one case at one final time.
 struct Row {
   const FromGuesses* all;
   GuessCounts counts;
@@ -48,13 +48,14 @@ void put(const std::vector<const FromGuesses*>& all, scene::Show& show) {
   const std::vector<Row> rows(all.begin(), all.end());
   tabulate(rows, show);
   std::map<double, GuessCounts> sums;  // by final time
-  int saddles = 0;                     // among the six that the figures draw
+  int saddles = 0;                     // number of saddles among the six plotted extremals
   for (const Row& r : rows) {
     sums[r.all->final_time] += r.counts;
     if (r.all->final_time == inferred)
       saddles += r.all->drawn().extremal.second_order.kind == bvp::Kind::saddle ? 1 : 0;
   }
-  // 66 guesses: three deviations of a share are 0.18 at most; a share is never beyond 0 and 1.
+  // For 66 guesses three standard deviations of a fraction are at most 0.18; the bounds are limited to 0 and
+  // 1.
   for (const auto& [time, known] : {std::pair{1, 0.80}, {2, 0.42}, {5, 0.01}})
     show.between(fmt::format("share of guesses that find an extremal, T = {}", time),
                  sums[time].share(&GuessCounts::good), std::max(0.0, known - 0.2), known + 0.2,

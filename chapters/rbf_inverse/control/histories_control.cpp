@@ -19,7 +19,7 @@ bool same_cost(const bvp::Extremal& a, const bvp::Extremal& b) {
   return std::abs(a.cost - b.cost) <= 1e-2 * b.cost;
 }
 
-/// A panel of x1, x2 or f, and how far its curves reach.
+/// Panel of x1, x2 or f with the range of its curves.
 struct Component {
   scene::Panel& panel;
   Eigen::Index k;
@@ -37,12 +37,12 @@ struct Component {
   }
 };
 
-/// What is found from the guesses, and over it the cheapest known.
+/// Draws the extremals from the guesses, and the known one of least cost on top.
 void draw(Component component, const FromGuesses& all, const bvp::Extremal& best) {
   const bvp::Extremal& drawn = all.drawn().extremal;
   std::string others = "from other guesses";
   for (const bvp::Extremal* e : all.distinct()) {
-    // What costs orders of magnitude more would be steep lines through the picture; the cheapest is there.
+    // Extremals of a cost higher by orders of magnitude are omitted: they would appear as steep lines.
     if (same_cost(*e, drawn) || same_cost(*e, best) || e->cost > 10 * drawn.cost) continue;
     component.curve(std::exchange(others, ""), *e, scene::lines(8));
   }
@@ -62,7 +62,9 @@ void draw(Component component, const FromGuesses& all, const bvp::Extremal& best
       component.k == 2 ? "at screen 0.5, screen 0.01 center bottom maxrows 1 samplen 3 width -4" : "off");
 }
 
-/// How solves ended, a row each. @param name of each by its number @param kinds are they told?
+/// Table of results, one row per solve.
+/// @param name function from the index to the name
+/// @param kinds whether to show the kind of each extremal
 template <class Name>
 void tabulate(const std::vector<bvp::GlobalResult>& results, const char* heading, Name name, bool kinds,
               scene::Show& show) {
@@ -90,9 +92,9 @@ void tabulate(const std::vector<bvp::GlobalResult>& results, const char* heading
   show.table(rows, columns);
 }
 
-/// What the guesses led to, in numbers.
+/// Checks the fractions of guesses by outcome.
 void check_guesses(const FromGuesses& all, const bvp::Extremal& best, scene::Show& show) {
-  // Recorded: of 100 other guesses at T = 2, the share that Newton's iteration leads to an extremal.
+  // Recorded: fraction of 100 other guesses at T = 2 from which Newton's iteration finds an extremal.
   static const std::map<DuffingCase, double> shares = {
       {DuffingCase::free, 0.69}, {DuffingCase::fixed, 0.48}, {DuffingCase::x1x1, 0.21},
       {DuffingCase::x1x2, 0.62}, {DuffingCase::x2x1, 0.05},  {DuffingCase::harmonic, 0.44}};
@@ -135,7 +137,7 @@ void put_states(const bvp::Multistart& found, const FromGuesses& all, scene::Sho
   show.at_most("error of its initial states and co-states", known.error_of(best), 1e-10, oracle);
 }
 
-/// The greatest |error| of some components at the nodes.
+/// Draws the largest |error| of some components at the nodes.
 void draw_error(scene::Panel& panel, const std::string& name, const bvp::GlobalResult& r, Eigen::Index first,
                 Eigen::Index count, int style, const char* look = "linespoints linewidth 1.2") {
   if (!is_extremal(r)) return;
@@ -145,14 +147,14 @@ void draw_error(scene::Panel& panel, const std::string& name, const bvp::GlobalR
   std::vector<double> t, worst;
   for (std::size_t j = 0; j < times.size(); ++j) {
     const double e = error.col(static_cast<Eigen::Index>(j)).maxCoeff();
-    if (!(e > 0)) continue;  // the first node is where the integration begins
+    if (!(e > 0)) continue;  // the integration starts at the first node
     t.push_back(times[j]);
     worst.push_back(e);
   }
   panel.curve(name, t, worst, {look, style});
 }
 
-/// @param states_accuracy whether the text says 1e-7 of this case
+/// @param states_accuracy whether the text states 1e-7 for this case
 void put_errors(const std::vector<bvp::GlobalResult>& results, bool costates, bool states_accuracy,
                 scene::Show& show) {
   const NodeErrors printed = node_errors(results[0]);
@@ -180,15 +182,15 @@ void put_errors(const std::vector<bvp::GlobalResult>& results, bool costates, bo
       "regression value: 2e-6 to 0.7 by root, T = 0.5 to 6; rounding in a matrix of condition 4e17 decides");
 }
 
-/// Greatest errors of states and of co-states: a row of panels a case, a column a derivative matrix, on
-/// common axes.
+/// Draws the largest errors of states and co-states: one row of panels per case, one column per derivative
+/// matrix, with common axes.
 void put_all_errors(const std::vector<const std::vector<bvp::GlobalResult>*>& cases, scene::Show& show) {
   struct Matrix {
     const char* name;
     std::size_t variant;  ///< of global_variants()
     std::ptrdiff_t good = 0;
   };
-  constexpr double text = 1e-7;  // what the text states
+  constexpr double text = 1e-7;  // error stated in the text
   std::array<Matrix, 3> matrices = {
       {{"Gaussians as printed", 0}, {"{/:Italic c T} = 7.5", 1}, {"polynomials", 3}}};
   for (Matrix& m : matrices)

@@ -1,5 +1,5 @@
-/// Claim of section 5.5, left to future studies: methods without the inverse of the Jacobian can take the
-/// place of Newton's iteration.
+/// Claim of section 5.5, left to future studies: methods without the inverse of the Jacobian can replace
+/// Newton's iteration.
 #include "nlmech/algebraic/homotopies/scalar_homotopy.hpp"
 
 #include <Eigen/LU>
@@ -19,7 +19,7 @@ using bvp::DuffingCase;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// What F is multiplied by from the left: the roots stay, the condition changes.
+/// Matrix that multiplies F from the left: it preserves the roots and changes the condition number.
 enum class Factor : std::uint8_t { none, rows, inverse };
 const char* name_of(Factor f) {
   switch (f) {
@@ -30,20 +30,20 @@ const char* name_of(Factor f) {
   return "";
 }
 
-/// A flow, T = 1, and what came of it.
+/// Homotopy flow at T = 1 with its result.
 struct Flow {
   DuffingCase which;
   Factor factor;
   ScalarHomotopy::Function function;
   std::string status = {};
   std::int64_t iterations = 0;
-  double residual = 0, error = 0;  ///< |F|/|F(0)|; of the unknowns against Newton's root, largest
-  double nearer = 0;               ///< Euclidean distance from Newton's root over that of the start
-  double condition = 0;            ///< of the factor times the Jacobian at Newton's root
-  std::int64_t newton = 0;         ///< iterations of Newton's from the same start
+  double residual = 0, error = 0;  ///< |F|/|F(0)|; largest error of the unknowns relative to Newton's root
+  double nearer = 0;               ///< Euclidean distance from Newton's root, relative to that of the start
+  double condition = 0;            ///< condition number of the factor times the Jacobian at Newton's root
+  std::int64_t newton = 0;         ///< Newton iterations from the same start
 };
 
-/// The collocation of the text with a wider shape, which is kinder to every solver.
+/// Collocation of the text with wider functions, for which every solver converges more easily.
 bvp::GlobalCollocation collocation_of(const bvp::ExtremalProblem& problem) {
   return {problem, {.relative_shape = 7.5, .rows = printed_rows(problem)}};
 }
@@ -135,8 +135,8 @@ void put(const std::vector<Flow>& all, scene::Show& show) {
   show.between("least condition at the root, equations as they are or rows scaled", condition, 1e3, HUGE_VAL,
                "its square, which gradient descent takes in order, is a hundred times 6000 or more");
   // Eq. 2.16 with a step of 1 is x - (|F|^2/2) w/|w|^2, w = B^T F. For a linear F it has w.(x - root) =
-  // |F|^2, so that the square of the distance from the root loses 3/4 |F|^4/|w|^2, which is 3/(4 cond(B)^2)
-  // of it at least.
+  // |F|^2, so a step reduces the squared distance from the root by 3/4 |F|^4/|w|^2, at least the fraction
+  // 3/(4 cond(B)^2) of it.
   const Flow& easiest = all[4];
   const double remains = 1 - 0.75 / (easiest.condition * easiest.condition);
   show.at_most("distance from the root over that at the start, free, times the inverse at beta = 0",

@@ -14,12 +14,12 @@
 namespace nlmech::chapters::rbf_inverse::shooting {
 namespace {
 
-/// Final times that are tried, 0.5 to 3.5.
+/// Number of final times, 0.5 to 3.5.
 constexpr int times_tried = 13;
 double time_of(int k) { return 0.5 + 0.25 * k; }
-/// beta = 0, 0.1, ..., 1.2, and of them those of the text's "0.9 and more".
+/// Number of values beta = 0, 0.1, ..., 1.2, and index of the first one in "0.9 and more" of the text.
 constexpr std::size_t betas = 13, first_of_text = 9;
-/// Guesses for all unknowns: zeros, ones, ten random ones.
+/// Guesses for all unknowns: zeros and ones, which are plotted, and ten random guesses.
 constexpr int guesses_drawn = 2, guesses_tried = 12;
 std::string name_of(int guess) { return guess == 0 ? "zeros" : "ones"; }
 
@@ -28,7 +28,8 @@ bvp::Start guess_of(int guess, double final_time) {
                                : random_guess(guess - guesses_drawn, final_time);
 }
 
-/// What "diverges" may mean: no root, or none without an iterate beyond 1000, ten times any extremal's here.
+/// Limits of the iterates for the two meanings of "diverges": no root, or no root with all iterates below
+/// 1000, ten times the largest extremal here.
 constexpr std::array<double, 2> reaches = {HUGE_VAL, 1e3};
 
 bvp::ExtremalProblem problem_of(double final_time, std::size_t beta) {
@@ -37,12 +38,12 @@ bvp::ExtremalProblem problem_of(double final_time, std::size_t beta) {
   return duffing_problem(settings);
 }
 
-/// What both methods make of a guess at one final time, by beta: computed when asked for, and once.
+/// Results of both methods from one guess at one final time, by beta; computed on demand and cached.
 class Attempt {
  public:
   Attempt(double final_time, int guess) : time_(final_time), guess_(guess) {}
 
-  /// The largest iterate of shooting on its way to a root; not a number without one.
+  /// Norm of the largest iterate of shooting before a root; NaN without a root.
   [[nodiscard]] double reach(std::size_t beta) {
     if (!reach_[beta]) reach_[beta] = shoot_at(beta);
     return *reach_[beta];
@@ -73,22 +74,22 @@ class Attempt {
   std::array<std::optional<bool>, betas> collocated_{};
 };
 
-/// How many readings of the text there are at one final time, and what they say.
+/// Numbers of readings of the text at one final time, by agreement with its statement.
 struct Readings {
   int all = 0;    ///< guesses times meanings of divergence
-  int fit = 0;    ///< fails for 0.9 and more where collocation finds an extremal at 0.9
-  int sharp = 0;  ///< of them, those that converge at 0.8
+  int fit = 0;    ///< shooting fails for 0.9 and more, and collocation finds an extremal at 0.9
+  int sharp = 0;  ///< in addition shooting converges at 0.8
 };
 
-/// Which methods converge at one final time from one guess, by beta.
+/// Convergence of both methods at one final time from one guess, by beta.
 struct Row {
   double final_time;
   int guess;
   std::array<bool, betas> shot{}, collocated{};
-  std::optional<Readings> readings = {};  ///< of the final time; with the first guess alone
+  std::optional<Readings> readings = {};  ///< readings of the final time; in the row of the first guess only
 
   [[nodiscard]] std::string guess_name() const { return name_of(guess); }
-  /// On how many values of beta both end so.
+  /// Number of values of beta with these outcomes of both methods.
   template <bool by_shooting, bool by_collocation>
   [[nodiscard]] int count() const {
     int n = 0;
@@ -104,16 +105,16 @@ struct Row {
   }
 };
 
-/// The least of the largest iterates before a root over all beta of 0.9 and more; infinite if shooting fails
-/// for all.
+/// Least reach() over all beta from 0.9 on; infinite if shooting fails for all.
 double least_reach(Attempt& attempt) {
   double least = HUGE_VAL;
   for (std::size_t beta = first_of_text; beta < betas && least > reaches.back(); ++beta)
-    least = std::fmin(least, attempt.reach(beta));  // which passes over NaN
+    least = std::fmin(least, attempt.reach(beta));  // fmin ignores NaN
   return least;
 }
 
-/// Does shooting fail for 0.9 and more where collocation finds an extremal at 0.9, and does it not at 0.8?
+/// Counts the readings in which shooting fails for 0.9 and more while collocation finds an extremal at 0.9,
+/// and those in which shooting also converges at 0.8.
 void add_readings(Readings& readings, Attempt& attempt) {
   readings.all += static_cast<int>(reaches.size());
   const double least = least_reach(attempt);
@@ -146,7 +147,8 @@ std::vector<Row> compute(bool quick) {
   return rows;
 }
 
-/// The longest time up to which single shooting converges at all beta, from zeros and from ones; 0 if none.
+/// Longest final time up to which single shooting converges for all beta, from zeros and from ones; 0 if
+/// none.
 double always_converges(const std::vector<Row>& rows) {
   const auto failing = std::ranges::find_if(rows, [](const Row& r) { return r.first_failure().has_value(); });
   const double end = failing == rows.end() ? HUGE_VAL : failing->final_time;
@@ -160,7 +162,7 @@ void check(const std::vector<Row>& rows, scene::Show& show) {
   const char* const program = "regression value, of a program with another integrator";
   show.between("longest T up to which shooting converges at every beta, from zeros and ones",
                {always_converges(rows), "s"}, show.quick() ? 0.5 : 0.75, 1.5, program);
-  if (show.quick()) return;  // three final times say nothing of the others
+  if (show.quick()) return;  // three final times are not sufficient for these checks
   double latest_solved = 0;
   Readings sum;
   int most = 0, at_2 = 0;
@@ -197,7 +199,7 @@ void put(const std::vector<Row>& rows, scene::Show& show) {
                     {"that fit the text", reading(&Readings::fit)},
                     {"and converge at 0.8", reading(&Readings::sharp)}});
   check(rows, show);
-  // Neither T nor the guess is stated: T = 2 from zeros is one reading of many.
+  // The text states neither T nor the guess: T = 2 from zeros is one reading of many.
   const auto at_2 = std::ranges::find(rows, inferred, &Row::final_time);
   show.measured("elgohary/claim-5.3.5/fixed final state/shooting diverges from beta", {},
                 at_2->first_failure());

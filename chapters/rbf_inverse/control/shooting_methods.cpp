@@ -18,10 +18,11 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// x and the n by n derivative by its initial value, one column after the other, for integrators.
+/// Variational equations for integrators: x, then the columns of its n by n derivative with respect to the
+/// initial value.
 struct Variational {
-  static constexpr int dimension = Eigen::Dynamic;  ///< known when it runs
-  const bvp::Problem* problem;                      ///< outlives the system
+  static constexpr int dimension = Eigen::Dynamic;  ///< size known at run time
+  const bvp::Problem* problem;                      ///< must outlive the system
 
   [[nodiscard]] int size() const { return problem->states() * (1 + problem->states()); }
   void operator()(const double& t, const VectorXd& y, VectorXd& dydt) const {
@@ -35,7 +36,7 @@ struct Variational {
     dydt.head(n) = slope;
     dydt.tail(n * n) = (by_state * y.tail(n * n).reshaped(n, n)).reshaped();
   }
-  /// Explicit methods and fixed-point iterations take none.
+  /// Not needed by explicit methods and fixed-point iterations.
   void jacobian(double /*t*/, const VectorXd& /*y*/, MatrixXd& /*j*/) const {
     throw std::logic_error("the variational equations give no Jacobian");
   }
@@ -45,7 +46,8 @@ using System = ivp::System;
 using Integration =
     std::function<ivp::Solution(const System& system, const VectorXd& y, double t0, double t1)>;
 
-/// The end conditions and the joints as functions of the states at the begins, integrated when these change.
+/// End conditions and continuity conditions as functions of the states at the starts of the segments;
+/// integrates when these change.
 class Segments {
  public:
   Segments(const bvp::Problem& problem, int count, Integration integration)
@@ -60,7 +62,7 @@ class Segments {
            (points.back() - points.front()) * static_cast<double>(k) / static_cast<double>(count_);
   }
 
-  /// The Euclidean norm of the largest iterate.
+  /// Largest Euclidean norm of the iterates.
   [[nodiscard]] double reach() const { return reach_; }
 
   void residual(const VectorXd& x, VectorXd& f) {
@@ -84,7 +86,7 @@ class Segments {
     b.block(0, 0, n_, n_) += by_ends.leftCols(n_);
     b.block(0, last * n_, n_, n_) += by_ends.rightCols(n_) * transitions_.middleCols(last * n_, n_);
   }
-  /// Solves for all begins, and says how it went.
+  /// Solves for the states at the starts of all segments.
   template <class Method>
   Shot solve(const Method& method, VectorXd x) {
     algebraic::DenseEquations equations(
@@ -133,11 +135,11 @@ class Segments {
 
 Shot shoot_once(const bvp::Problem& problem, const VectorXd& first, const SingleShooting& method) {
   const ivp::Ode45 ode45{.relative_tolerance = method.tolerance, .absolute_tolerance = method.tolerance};
-  // A solution that needs more steps goes off to infinity, or swings too fast to be an answer.
+  // A trajectory that needs more steps diverges, or oscillates too fast to be a solution.
   Segments segments(problem, 1, [&](const System& system, const VectorXd& y, double t0, double t1) {
     return ivp::integrate(system, y, t0, t1, ode45, {}, {.steps = 1000});
   });
-  // Errors of a solution, some hundred tolerances, are the noise of the updates.
+  // Integration errors of some hundred tolerances limit the accuracy of the updates.
   Shot shot = segments.solve(algebraic::Newton{.tolerance = 10 * method.tolerance,
                                                .noise = 1e4 * method.tolerance,
                                                .iterations = method.iterations},

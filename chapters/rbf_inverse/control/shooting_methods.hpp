@@ -1,6 +1,7 @@
 /// @file
-/// Shooting, the way to which collocation is compared: segments are integrated with their
-/// variational equations, and Newton's iteration joins them. Problems of one phase, without parameters.
+/// Single and multiple shooting, for comparison with collocation: segments are integrated with their
+/// variational equations, and Newton's iteration solves the continuity and end conditions. For problems with
+/// one phase and no parameters.
 #pragma once
 
 #include "nlmech/bvp/problem.hpp"
@@ -8,41 +9,41 @@
 
 namespace nlmech::chapters::rbf_inverse {
 
-/// How it ended.
+/// Result of single or multiple shooting.
 struct Shot {
-  Status status;            ///< of Newton's iteration
-  Eigen::VectorXd first;    ///< x(t_0); of no use after a failure
-  double miss = 0;          ///< single: largest residual of the end conditions, NaN if the end is not reached
+  Status status;            ///< status of Newton's iteration
+  Eigen::VectorXd first;    ///< x(t_0); not meaningful after a failure
+  double miss = 0;          ///< single: largest residual of the end conditions; NaN if the end is not reached
   double reach = 0;         ///< single: norm of the largest iterate
-  std::int64_t newton = 0;  ///< iterations
+  std::int64_t newton = 0;  ///< number of Newton iterations
 };
 
-/// All initial values are unknown, one solution leads to the end.
+/// Options of single shooting: all initial values are unknown, one integration to the end.
 struct SingleShooting {
-  double tolerance = 1e-8;  ///< of ode45, relative and absolute
-  int iterations = 60;      ///< of Newton at most
+  double tolerance = 1e-8;  ///< tolerance of ode45, relative and absolute
+  int iterations = 60;      ///< largest number of Newton iterations
 };
-/// Newton's iteration on x(t_0), integrated by ode45. Success means a root whose end conditions hold to 1e-6
-/// of 1 + |x(t_0)|.
+/// Single shooting: Newton's iteration for x(t_0), with integration by ode45. Success means a root with
+/// residuals of the end conditions below 1e-6 (1 + |x(t_0)|).
 ///
-/// Tests hold it to the closed form of a linear oscillator (1e-6), its roots to another integrator
-/// (1e-5), and iterations that are cut off to a failure.
-/// @param first where it begins
+/// Tests compare it with the closed form of a linear oscillator (1e-6), its roots with another integrator
+/// (1e-5), and check that a limit of iterations ends with a failure.
+/// @param first initial guess of x(t_0)
 [[nodiscard]] Shot shoot_once(const bvp::Problem& problem, const Eigen::VectorXd& first,
                               const SingleShooting& method = {});
 
-/// The states at the begins of all segments are unknown.
+/// Options of multiple shooting: the states at the starts of all segments are unknown.
 struct MultipleShooting {
-  int segments = 10;  ///< equal ones
-  double tolerance =
-      1e-9;             ///< of the integrator, relative and absolute; Newton's update ends at ten times that
-  int iterations = 60;  ///< of damped Newton
+  int segments = 10;        ///< number of segments of equal length
+  double tolerance = 1e-9;  ///< tolerance of the integrator, relative and absolute; Newton's iteration ends
+                            ///< at updates of ten times this
+  int iterations = 60;      ///< largest number of damped Newton iterations
 };
-/// Damped Newton's iteration, integrated by CVODE's Adams formulas.
+/// Multiple shooting: damped Newton iteration, with integration by CVODE's Adams methods.
 /// @throws std::logic_error if the build has no CVODE
 [[nodiscard]] Shot shoot(const bvp::Problem& problem, const bvp::Start& start,
                          const MultipleShooting& method);
-/// Is CVODE in this build?
+/// Whether this build includes CVODE.
 [[nodiscard]] bool multiple_shooting_available();
 
 }  // namespace nlmech::chapters::rbf_inverse

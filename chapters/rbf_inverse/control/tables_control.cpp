@@ -10,7 +10,7 @@ namespace {
 
 using bvp::DuffingCase;
 
-/// What the text prints for a case in Table 5.1.
+/// Printed conditions of a case in Table 5.1.
 struct Conditions {
   DuffingCase which;
   const char *prescribed, *complementary, *remark = "";
@@ -34,7 +34,7 @@ const std::vector<Conditions>& printed_conditions() {
   return all;
 }
 
-/// Which condition holds for each component at both ends.
+/// Condition of each component at both ends, as text.
 std::string Conditions::in_words() const {
   const bvp::ControlTask task = problem().task();
   std::string text;
@@ -51,8 +51,8 @@ std::string Conditions::in_words() const {
   return text;
 }
 
-/// Are the library's conditions those that the variation of J gives? Their largest residual at ends that
-/// satisfy (phi_x - lambda) dx(tF) + (phi_x + lambda) dx(t0) = 0, worked out here for the cost of Eq. 5.20.
+/// Largest residual of the library's conditions at ends that satisfy the conditions from the variation of J,
+/// (phi_x - lambda) dx(tF) + (phi_x + lambda) dx(t0) = 0, evaluated here for the cost of Eq. 5.20.
 double Conditions::contradiction() const {
   const bvp::DuffingSettings s;  // weights and target as used
   const bvp::ExtremalProblem problem = this->problem();
@@ -107,7 +107,7 @@ void put_parameters(scene::Show& show) {
                    {"printed", &Parameter::printed},
                    {"used", &Parameter::used},
                    {"remark", &Parameter::remark}});
-  // Eq. 5.34 by hand: cos 6, cos 18, cos 2 and the sines.
+  // Eq. 5.34 evaluated directly: cos 6, cos 18, cos 2 and the sines.
   const Eigen::Vector2d target = duffing_target(printed_settings(DuffingCase::harmonic));
   const double x1 = 1.5 * std::cos(6.0) + 2 * std::cos(18.0) + 3 * std::cos(2.0);
   const double x2 = -(4.5 * std::sin(6.0) + 18 * std::sin(18.0) + 3 * std::sin(2.0));

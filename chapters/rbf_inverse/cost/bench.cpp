@@ -1,8 +1,8 @@
 /// @file
 /// `rbf_inverse_bench`: nine digits of the initial co-states of the Duffing cases by refined intervals, by
-/// one polynomial and by multiple shooting with CVODE, and a direct start by our own descent and by Ipopt,
+/// one polynomial and by multiple shooting with CVODE, and a direct start by nlmech's descent and by Ipopt,
 /// by Google Benchmark. Writes results/bench/rbf_inverse.json under the current folder; exit code 1 if a
-/// claim is not held.
+/// claim fails.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -19,9 +19,9 @@ namespace inverse = chapters::rbf_inverse;
 using bvp::DuffingCase;
 using Eigen::VectorXd;
 
-/// A case and the start of all, which is not timed.
+/// Case with the common start of all methods, which is not timed.
 struct Subject : inverse::ControlStart {
-  /// Nine digits of both initial co-states?
+  /// Whether both initial co-states have nine correct digits.
   [[nodiscard]] bool right(const Status& status, const VectorXd& first) const {
     if (!status.ok()) return false;
     const double size = std::max(std::abs(known.first[2]), std::abs(known.first[3]));
@@ -30,8 +30,8 @@ struct Subject : inverse::ControlStart {
   }
 };
 
-/// The settings are the least exact ones that give nine digits in both cases.
-/// @param s outlives the measurement
+/// Adds the measurements, with the least accurate settings that give nine digits in both cases.
+/// @param s must outlive the measurement
 void add_rows(chapters::Speed& all, const Subject& s) {
   const auto named = [&s](const char* method) {
     return fmt::format("{}, {}", method, to_string(s.known.which));

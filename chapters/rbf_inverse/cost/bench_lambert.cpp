@@ -1,8 +1,7 @@
 /// @file
-/// `rbf_inverse_lambert_bench`: a solve of Lambert's problem by Izzo's method against its promise of half a
-/// microsecond and against collocation, and grids of transfers by one and two threads, by Google Benchmark.
-/// Writes results/bench/rbf_inverse_lambert.json under the current folder; exit code 1 if a claim is not
-/// held.
+/// `rbf_inverse_lambert_bench`: solution of Lambert's problem by Izzo's method against the claim of half a
+/// microsecond and against collocation, and grids of transfers with one and two threads, by Google Benchmark.
+/// Writes results/bench/rbf_inverse_lambert.json under the current folder; exit code 1 if a claim fails.
 #include <cmath>
 #include <random>
 #include <string>
@@ -21,7 +20,7 @@ using namespace nlmech;
 
 constexpr int solves = 1000;
 
-/// Problems of all kinds: ellipses, hyperbolas, short and long ways, times from a tenth to ten.
+/// Random problems: ellipses, hyperbolas, short and long ways, times from 0.1 to 10.
 std::vector<orbit::LambertProblem> problems() {
   std::mt19937_64 engine(1);
   std::normal_distribution<double> normal;
@@ -35,7 +34,7 @@ std::vector<orbit::LambertProblem> problems() {
   return made;
 }
 
-/// Cells between orbits like those of Earth and Mars.
+/// Grid of transfers between orbits like those of Earth and Mars.
 orbit::PorkchopProblem grid(int count) {
   constexpr double mu = 1.32712440018e20, au = 1.495978707e11, day = 86400;
   orbit::PorkchopProblem p;
@@ -47,7 +46,7 @@ orbit::PorkchopProblem grid(int count) {
   return p;
 }
 
-/// Seconds on the wall of a whole grid, in microseconds, several times: two threads share what CPU time adds.
+/// Wall times of a whole grid, in microseconds, repeated: CPU time would add up both threads.
 scene::BenchSeries wall(const std::string& name, int threads, int times) {
   const orbit::PorkchopProblem p = grid(2000);
   scene::BenchSeries series{name, "us a run", {}};

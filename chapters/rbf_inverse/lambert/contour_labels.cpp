@@ -10,12 +10,12 @@
 namespace nlmech::chapters::rbf_inverse {
 namespace {
 
-/// A point of the map, from 0 to 1 in both directions.
+/// Point of the map, from 0 to 1 in both directions.
 struct Place {
   double u = 0, v = 0;
 };
 
-/// Where a line crosses the edges of the grid's cells.
+/// Intersections of a contour line with the edges of the cells.
 std::vector<Place> crossings(const GridValues& grid, double level) {
   const std::size_t columns = grid.x.size(), rows = grid.y.size();
   std::vector<Place> places;
@@ -37,7 +37,7 @@ std::vector<Place> crossings(const GridValues& grid, double level) {
   return places;
 }
 
-/// Places without a value that have one beside them.
+/// Points without a value adjacent to a point with a value.
 std::vector<Place> edge(const GridValues& grid) {
   const std::size_t columns = grid.x.size(), rows = grid.y.size();
   const auto empty = [&](std::size_t i, std::size_t j) { return std::isnan(grid.values[i * rows + j]); };
@@ -61,8 +61,8 @@ std::vector<ContourLabel> contour_labels(const GridValues& grid, const std::vect
   for (const double level : levels) lines.push_back(crossings(grid, level));
   lines.push_back(edge(grid));
   std::vector<ContourLabel> labels;
-  std::vector<std::pair<Place, double>> placed;  // with their widths
-  // Distances in half labels: at 1 a point lies on the edge of the label, at 2 two labels touch.
+  std::vector<std::pair<Place, double>> placed;  // with the widths of the labels
+  // Distances in half labels: 1: the point lies on the edge of the label; 2: two labels touch.
   const auto apart = [&](const Place& a, const Place& b, double width) {
     return std::max(std::abs(a.u - b.u) / (width / 2), std::abs(a.v - b.v) / (height / 2));
   };

@@ -1,5 +1,5 @@
 /// @file
-/// Places for the labels of contour lines on a map.
+/// Placement of the labels of contour lines on a map.
 #pragma once
 
 #include <vector>
@@ -11,15 +11,17 @@ struct GridValues {
   std::vector<double> x, y, values;
 };
 
-/// A value to be written on its line.
+/// Label of a contour line: place and value.
 struct ContourLabel {
   double x = 0, y = 0, level = 0;
 };
 
-/// One place for each level at most: where the lines of other levels are farthest, so that no label lies on
-/// another label, on a line that is not its own, or across a border. A level that has no such place gets
-/// none.
-/// @param levels any order @param character, height of a label, as shares of the map's width and height
+/// At most one label per level, at the place with the largest distance from the lines of other levels. No
+/// label overlaps another label, the line of another level, or a border; a level without such a place has no
+/// label.
+/// @param levels in any order
+/// @param character width of a character, as a fraction of the width of the map
+/// @param height height of a label, as a fraction of the height of the map
 [[nodiscard]] std::vector<ContourLabel> contour_labels(const GridValues& grid,
                                                        const std::vector<double>& levels, double character,
                                                        double height);

@@ -15,7 +15,7 @@ using orbit::TransferEquations;
 
 constexpr const char *izzo = "Izzo", *positions = "positions", *both = "6N equations";
 
-/// The error is the miss over the distance of the aim.
+/// Attempt whose error is the miss relative to the distance of the target.
 scene::Attempt attempt(const std::string& setting, const orbit::TransferProblem& p, double miss,
                        Timing time) {
   return {setting, "success", std::max(miss / p.to.norm(), 1e-17), time, {miss}};
@@ -23,8 +23,8 @@ scene::Attempt attempt(const std::string& setting, const orbit::TransferProblem&
 
 scene::Attempt closed_form(const orbit::TransferProblem& p, bool quick) {
   const orbit::LambertProblem lambert{p.from, p.to, p.time, p.gravity.mu};
-  constexpr int solves = 10'000;  // one is as short as the clock's tick
-  double sum = 0;                 // used, so that no call is left out
+  constexpr int solves = 10'000;  // one solve is as short as the resolution of the clock
+  double sum = 0;                 // prevents the optimiser from removing calls
   const Timing t = time_repeats(
       [&] {
         for (int i = 0; i < solves; ++i) sum += orbit::solve_lambert(lambert).v1[0];

@@ -26,7 +26,7 @@ using Digits50 = ExtendedReal<50>;
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
-/// A problem that is hard for a reason, and how it must end.
+/// Extreme problem with its expected outcome.
 struct Extreme {
   std::string label;
   LambertProblem problem;
@@ -34,25 +34,26 @@ struct Extreme {
   Outcome expected = Outcome::success;
 };
 
-/// Radii 1 and 1.5 at an angle, mu = 1; rounded to double.
+/// Problem with radii 1 and 1.5 at an angle and mu = 1, rounded to double.
 LambertProblem apart(double angle) {
   return {{1, 0, 0}, {1.5 * std::cos(angle), 1.5 * std::sin(angle), 0}, 4, 1};
 }
-/// Nothing special about it.
+/// Ordinary problem with a given time.
 LambertProblem plain(double time) { return {{1, 0, 0}, {0.5, 1.5, 0.2}, time, 1}; }
 
-/// The time on a parabola, the short way, by Euler: 6 t = (r_1 + r_2 + c)^(3/2) - (r_1 + r_2 - c)^(3/2).
+/// Time of flight on a parabola, short way, by Euler's equation: 6 t = (r_1 + r_2 + c)^(3/2) - (r_1 + r_2 -
+/// c)^(3/2).
 double parabolic_time(const LambertProblem& p) {
   const double r = p.from.norm() + p.to.norm(), c = (p.to - p.from).norm();
   return (std::pow(r + c, 1.5) - std::pow(r - c, 1.5)) / 6;
 }
 
-/// A problem at its least time for so many revolutions, times @p factor.
+/// Problem at @p factor times its least time for a number of revolutions.
 LambertProblem at_limit(int revolutions, double factor) {
   return plain(orbit::least_time(plain(1), false, revolutions) * factor);
 }
 
-/// The plain problem in units 2^length and 2^time times as small.
+/// The ordinary problem in units smaller by factors of 2^length and 2^time.
 LambertProblem in_units(int length, int time) {
   LambertProblem p = plain(7);
   const double unit = std::ldexp(1., length);
@@ -66,7 +67,7 @@ std::vector<Extreme> extremes() {
     all.push_back({std::move(label), p, arc, expected});
   };
   const LambertArc long_way{.long_way = true};
-  for (const double lacking : {1e-3, 1e-8, 1e-12}) {  // with all digits of that
+  for (const double lacking : {1e-3, 1e-8, 1e-12}) {  // computed without cancellation
     const LambertProblem p{{1, 0, 0}, {-1.5 * std::cos(lacking), 1.5 * std::sin(lacking), 0}, 4, 1};
     add(fmt::format("180 degrees less {:g} rad", lacking), p);
     add(fmt::format("180 degrees and {:g} rad", lacking), p, long_way);
@@ -101,14 +102,14 @@ std::vector<Extreme> extremes() {
   return all;
 }
 
-/// An end.
+/// Result of a problem.
 struct Trial {
   Extreme extreme;
   LambertSolution solution;
-  double miss = 0;    ///< of the orbit in 50 digits, over |r_2|
-  double scaled = 0;  ///< over kappa eps, the velocity's too if that is larger
+  double miss = 0;    ///< miss of the orbit propagated in 50 digits, relative to |r_2|
+  double scaled = 0;  ///< largest relative error of position and velocity, over kappa eps
 
-  /// Nothing if it is not solved.
+  /// The cell, or an empty one if the problem was not solved.
   [[nodiscard]] scene::Cell if_solved(const scene::Cell& cell) const {
     return solution.status.ok() ? cell : scene::Cell();
   }
@@ -132,7 +133,7 @@ Trial attempt(const Extreme& e) {
   return t;
 }
 
-/// |v_low - v_high| at the departure, so much above the least time.
+/// |v_low - v_high| at departure at the relative distance @p above from the least time.
 double gap(int revolutions, double above) {
   const LambertProblem p = at_limit(revolutions, 1 + above);
   return (solve_lambert(p, {false, revolutions, LambertBranch::low}).v1 -
@@ -140,7 +141,7 @@ double gap(int revolutions, double above) {
       .norm();
 }
 
-/// The largest relative difference of velocities in other units.
+/// Largest relative difference of velocities between systems of units.
 double worst_unit() {
   const Vector3<double> here = solve_lambert(in_units(0, 0)).v1;
   double worst = 0;

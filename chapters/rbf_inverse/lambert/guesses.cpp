@@ -13,13 +13,13 @@ namespace {
 using orbit::TransferBasis;
 using orbit::TransferGuess;
 
-/// What a number of starts of one kind lead to.
+/// Row of the table: numbers of starts of one kind by outcome.
 struct Row {
   std::string basis, start;
   int starts = 0, arc = 0, other = 0, spurious = 0, none = 0;
-  std::vector<double> iterations = {};  // of those that found the arc
+  std::vector<double> iterations = {};  // of the starts that found the arc
 
-  /// The arc of Table 5.4 is the short way without revolutions; within 1 m/s, a loss of digits may be.
+  /// The arc of Table 5.4 is the short way without revolutions; 1 m/s allows for the loss of digits.
   void count(const orbit::CollocatedTransfer& t) {
     ++starts;
     const bool found = t.status.ok() && velocity_error(t.v1) < 1;
@@ -35,7 +35,7 @@ std::vector<Row> try_all(bool quick) {
   struct Start {
     const char* name;
     TransferGuess guess;
-    double unit;  ///< of length and time; 0 canonical
+    double unit;  ///< unit of length and time; 0: canonical
   };
   std::vector<Row> all;
   for (const auto& [basis, basis_name] : {std::pair(TransferBasis::polynomial, "polynomials"),

@@ -20,11 +20,11 @@ using orbit::PorkchopProblem;
 
 constexpr double day = 86400, pi = std::numbers::pi;
 
-/// A body from mean elements as ephemerides print them: degrees, longitudes of the body and of its periapsis.
+/// Ephemeris from mean elements as commonly tabulated: degrees, longitudes of the body and of its periapsis.
 orbit::Ephemeris planet(double mu, double axis, double e, double i, double longitude, double periapsis,
                         double node) {
   constexpr double degree = pi / 180;
-  const double anomaly = (longitude - periapsis) * degree;  // mean
+  const double anomaly = (longitude - periapsis) * degree;  // mean anomaly
   double eccentric = anomaly;
   for (int k = 0; k < 60; ++k)
     eccentric -= (eccentric - e * std::sin(eccentric) - anomaly) / (1 - e * std::cos(eccentric));
@@ -34,8 +34,8 @@ orbit::Ephemeris planet(double mu, double axis, double e, double i, double longi
           0};
 }
 
-/// Earth and Mars on the conics of their mean elements at J2000, as E. M. Standish and J. G. Williams print
-/// them; times in seconds since then. The windows are those of summer 2003.
+/// Earth and Mars on Kepler orbits with their mean elements at J2000 (E. M. Standish and J. G. Williams);
+/// times in seconds since J2000. The windows are those of summer 2003.
 PorkchopProblem earth_to_mars(bool quick) {
   constexpr double mu = 1.32712440018e20, au = 1.495978707e11;
   PorkchopProblem p;
@@ -48,7 +48,7 @@ PorkchopProblem earth_to_mars(bool quick) {
   return p;
 }
 
-/// Tics with the date below the days since J2000, which is noon of the first of January 2000.
+/// Tics with the days since J2000 (noon of 1 January 2000) and the date below.
 std::string dated_tics(const std::vector<double>& times) {
   constexpr int every = 100;
   using std::chrono::days;
@@ -64,7 +64,7 @@ std::string dated_tics(const std::vector<double>& times) {
   return tics;
 }
 
-/// The cheapest cell by a measure.
+/// Row of the table: the cell of least speed by a measure.
 struct Row {
   const char* measure;
   double departure = 0, arrival = 0, value = HUGE_VAL;
@@ -83,7 +83,7 @@ Row cheapest(const Porkchop& grid, const char* name, const Measure& measure) {
   return best;
 }
 
-/// Least sum, least departure, least arrival, a row each.
+/// Rows of least sum, least departure speed and least arrival speed.
 std::vector<Row> put_minima(const Porkchop& grid, scene::Show& show) {
   using orbit::PorkchopCell;
   std::vector<Row> rows = {

@@ -17,8 +17,8 @@
 namespace nlmech::chapters::rbf_inverse {
 namespace {
 
-constexpr double ceiling = 4;                        ///< times the least speed: where the colours end
-constexpr double character = 0.034, height = 0.036;  ///< of a label, as shares of the template's maps
+constexpr double ceiling = 4;  ///< upper end of the colour scale, relative to the least speed
+constexpr double character = 0.034, height = 0.036;  ///< of a label, as fractions of the size of the maps
 
 /// 1, 2, 2.5 or 5 times a power of ten, at least @p least.
 double round_step(double least) {
@@ -30,7 +30,7 @@ double round_step(double least) {
 }
 
 /// Contour lines between the least speed and the ceiling.
-/// @param count of lines at most
+/// @param count largest number of lines
 std::vector<double> levels(double least, int count) {
   const double step = round_step((ceiling - 1) * least / count);
   std::vector<double> list;
@@ -40,7 +40,7 @@ std::vector<double> levels(double least, int count) {
   return list;
 }
 
-/// Labels of contour lines in the template's form, place and text of each: "1253 1452 3 1270 1500 4".
+/// Labels of contour lines in the format of the template, place and text of each: "1253 1452 3 1270 1500 4".
 std::string text(const std::vector<ContourLabel>& labels) {
   std::string list;
   for (const ContourLabel& label : labels)

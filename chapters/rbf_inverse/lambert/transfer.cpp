@@ -18,14 +18,14 @@ using orbit::CollocatedTransfer;
 using orbit::TransferBasis;
 using orbit::Vector3;
 
-/// A transfer at some times.
+/// State of a transfer at one time.
 struct Sample {
   double t;
   orbit::State state;
 };
 using Course = std::vector<Sample>;
 
-/// Lagrange's F and G: the orbit that leaves r_0 with a velocity, at a time.
+/// State at a time of the orbit with the initial velocity @p v1, by Lagrange's F and G.
 Sample on_orbit(const Vector3<double>& v1, double time) {
   const orbit::TransferProblem p = printed_transfer();
   return {time, orbit::propagate_kepler({p.from, v1}, time, p.gravity.mu).state};
@@ -42,16 +42,17 @@ Course nodes_of(const CollocatedTransfer& c) {
   return course;
 }
 
-/// What is drawn of a state.
+/// Plotted part of the state: positions or velocities.
 struct Part {
   Vector3<double> orbit::State::*of;
   std::string name, unit, axis;
   double axis_unit, low, high;  ///< of the axis
-  double least, most;           ///< differences that are drawn
-  double may_least, may_most;   ///< that nodes as printed may have
-  double claimed;               ///< millimetres
+  double least, most;           ///< range of the plotted differences
+  double may_least, may_most;   ///< bounds of the differences of the nodes as printed
+  double claimed;               ///< accuracy claimed in the text: millimetres
 };
-// A metre over 4320 s, where the orbit turns in some hundred seconds near its start, is 0.01 m/s at most.
+// One metre after 4320 s corresponds to at most 0.01 m/s, because the orbit turns within some hundred seconds
+// near its start.
 const Part positions{&orbit::State::position,
                      "positions",
                      "m",
@@ -67,7 +68,7 @@ const Part positions{&orbit::State::position,
 const Part velocities{
     &orbit::State::velocity, "velocities", "m/s", "velocity (km/s)", 1e3, -8, 8, 1e-14, 1e4, 1e-5, 1e2, 1e-6};
 
-/// How far a course is from the orbit that leaves with a velocity.
+/// Distance at one time between a course and the orbit of an initial velocity.
 struct Apart {
   double t, distance;
 };
@@ -78,7 +79,7 @@ std::vector<Apart> off_orbit(const Course& course, const Vector3<double>& v1, co
   return all;
 }
 
-/// Components on the left: F and G from the velocity that the printed collocation found, and its nodes.
+/// Draws the components: F and G from the initial velocity of the printed collocation, and its nodes.
 void draw_components(scene::Panel& panel, const CollocatedTransfer& printed, const Part& part) {
   panel.caption("Components; F and G from the velocity found").x_range(0, 4500).set("xtics 0,1000");
   panel.y_range(part.low, part.high).set("bmargin at screen 0.31");
@@ -94,7 +95,7 @@ void draw_components(scene::Panel& panel, const CollocatedTransfer& printed, con
                 scene::points(k + 1));
 }
 
-/// Position or velocity: the procedure of the text, and what Izzo's method and polynomials say of it.
+/// Figure of positions or velocities: the procedure of the text, compared with Izzo's method and polynomials.
 void put_history(const CollocatedTransfer& printed, const CollocatedTransfer& polynomial,
                  const orbit::Transfer& izzo, const Part& part, scene::Show& show) {
   const std::vector<Apart> own = off_orbit(nodes_of(printed), printed.v1, part),
@@ -106,12 +107,12 @@ void put_history(const CollocatedTransfer& printed, const CollocatedTransfer& po
       fmt::format("Nodes as printed are up to {:.1f} {} off their own orbit", largest(own).value, part.unit));
   plot.size(1000, 520).columns({"panel", "curve", "time_of_flight_s", "y"});
   draw_components(plot.panel("time (s)", part.axis), printed, part);
-  // Differences on the right, and over them what a better matrix does.
+  // Right panel: differences, with those of polynomial collocation.
   scene::Panel& right = plot.panel("time (s)", fmt::format("difference ({})", part.unit));
   right.caption("Differences").log_y(part.least, part.most).x_range(0, 4500).set("xtics 0,1000");
   right.set("bmargin at screen 0.31").key("at screen 0.78, screen 0.01 center bottom maxrows 3 samplen 3");
   const auto curve = [&](const char* name, const std::vector<Apart>& all, const scene::Look& look) {
-    const auto apart = [](const Apart& a) { return a.distance > 0; };  // the start is the same
+    const auto apart = [](const Apart& a) { return a.distance > 0; };  // omits the common start
     right.curve(name, all | std::views::filter(apart), &Apart::t, &Apart::distance, look);
   };
   curve("as printed, off F and G of its own velocity", own, scene::linespoints(1));
@@ -128,7 +129,7 @@ void put_history(const CollocatedTransfer& printed, const CollocatedTransfer& po
                "the section claims millimetres");
 }
 
-/// The plane of the transfer, drawn: x along r_0, in thousands of kilometres.
+/// Draws the transfer in its plane: x along r_0, in thousands of kilometres.
 void put_geometry(const orbit::Transfer& izzo, scene::Show& show) {
   const orbit::TransferProblem p = printed_transfer();
   const orbit::State start{p.from, izzo.v1};
@@ -152,7 +153,7 @@ void put_geometry(const orbit::Transfer& izzo, scene::Show& show) {
   curve("the rest of the ellipse", orbit_between(izzo.v1, p.time, period, 300), 8);
   curve("r_{0}  at t_{0}", {centre, {0, start}}, 2);
   curve("r_{F}  at t_{F}", {centre, {p.time, {p.to, izzo.v2}}}, 3);
-  // Velocities as what they cover in 300 s; heads on the radii.
+  // Velocities are drawn as the displacement in 300 s, radii by arrow heads at their ends.
   const auto arrow = [&](const Vector3<double>& from, const Vector3<double>& to, int style) {
     panel.set(
         fmt::format("arrow from {:.4f},{:.4f} to {:.4f},{:.4f} head filled size 0.35,18 front linestyle {} "
@@ -179,7 +180,7 @@ void put_geometry(const orbit::Transfer& izzo, scene::Show& show) {
   show.at_most("miss of the orbit drawn", {izzo.miss, "m"}, 1e-6, "rounding, some kappa eps |r_F|");
 }
 
-/// What a method errs at the ends.
+/// Row of the table: errors of a method at the ends.
 struct Row {
   std::string method;
   Vector3<double> miss;
@@ -187,12 +188,12 @@ struct Row {
 };
 Row row(const std::string& method, const orbit::Transfer& t, std::optional<double> condition = {}) {
   Row r{method, miss_vector(t.v1).cwiseAbs(), velocity_error(t.v1), {}, condition};
-  // Izzo's method has none of Newton's.
+  // Izzo's method counts no Newton iterations.
   if (const auto n = t.statistics.newton_iterations; n > 0) r.iterations = static_cast<double>(n);
   return r;
 }
 
-/// Median over the runs of a component of the miss, in m.
+/// Median over the runs of the modulus of a component of the miss, m.
 double median_of_component(const std::vector<CollocatedTransfer>& runs, int k) {
   std::vector<double> all;
   for (const CollocatedTransfer& run : runs) all.push_back(std::abs(miss_vector(run.v1)[k]));
@@ -204,7 +205,7 @@ void put_errors(std::vector<CollocatedTransfer> printed, const CollocatedTransfe
                 const orbit::Transfer& izzo, scene::Show& show) {
   const CollocatedTransfer in_seconds = printed.front();
   std::ranges::sort(printed, {}, &CollocatedTransfer::miss);
-  // Rounding decides, and with it the unit of time: the median of twelve.
+  // Rounding dominates and depends on the unit of time, so the median of twelve units is used.
   const CollocatedTransfer &least = printed.front(), &most = printed.back(),
                            &middle = printed[printed.size() / 2];
   std::vector<Row> rows = {{"printed", {}},
@@ -244,8 +245,10 @@ void put_errors(std::vector<CollocatedTransfer> printed, const CollocatedTransfe
                "twelve digits of tools/oracles/rbf_inverse_lambert.py");
 }
 
-/// The section's equations and its start. @param shape c T; 0 as printed @param unit of length, m, and of
-/// time, s; 0 canonical
+/// Solves the equations of the section from its start.
+/// @param shape c T; 0: as printed
+/// @param length_unit m; 0: canonical
+/// @param time_unit s; 0: canonical
 CollocatedTransfer collocate(TransferBasis basis, double shape, double length_unit, double time_unit) {
   return orbit::collocate(printed_transfer(),
                           {.basis = basis,

@@ -21,7 +21,7 @@ Start random_start(const Eigen::VectorXd& amplitudes, double t0, double t1, unsi
   Eigen::MatrixXd coefficients(amplitudes.size(), 4);
   for (Eigen::Index j = 0; j < 4; ++j) {
     for (Eigen::Index i = 0; i < amplitudes.size(); ++i) {
-      // The engine's numbers are the same everywhere; those of the library's distributions are not.
+      // The standard defines the numbers of the engine, but not those of std distributions.
       coefficients(i, j) = amplitudes[i] * (static_cast<double>(engine()) * 0x1p-31 - 1);
     }
   }

@@ -13,7 +13,7 @@ using Eigen::MatrixXd;
 using Eigen::RowVectorXd;
 using Eigen::VectorXd;
 
-/// What does not depend on the place of an interpolation.
+/// Sets the members that interpolation at every tau uses.
 void set_interpolation(Scheme& scheme) {
   scheme.barycentric = collocation::barycentric_weights(scheme.nodes);
   const int points = static_cast<int>(scheme.nodes.size() + 1) / 2;
@@ -32,7 +32,7 @@ RowVectorXd cardinal_row(const Scheme& scheme, double tau) {
   return row;
 }
 
-/// Integrals of the cardinal polynomials from 0 to tau, by the Gauss rule that is exact for them.
+/// Integrals of the cardinal polynomials from 0 to tau, by a Gauss rule of sufficient degree.
 RowVectorXd integral_row(const Scheme& scheme, double tau) {
   RowVectorXd sum = RowVectorXd::Zero(scheme.nodes.size());
   for (Index i = 0; i < scheme.gauss.size(); ++i)

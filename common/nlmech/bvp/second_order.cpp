@@ -15,10 +15,10 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr int substeps = 8;  // of the implicit midpoint rule, on each piece of the control
+constexpr int substeps = 8;  // of the implicit midpoint rule per piece of the control
 
-/// By the eigenvalues of the Hessian of the cost on the directions v with r v = 0 for every row r of @p held,
-/// which are linearly independent.
+/// Classifies by the eigenvalues of the Hessian of the cost on the directions v with r v = 0 for every row r
+/// of @p held. The rows must be linearly independent.
 SecondOrder classify(const MatrixXd& hessian, const std::vector<Eigen::RowVectorXd>& held) {
   const auto count = static_cast<Index>(held.size());
   MatrixXd reduced = hessian;
@@ -74,7 +74,7 @@ class Variation {
     const double t0 = points.front(), length = (points.back() - t0) / pieces_;
     const double stretch = (problem_.final_time(solution_.parameters()) - t0) / (points.back() - t0);
     for (int k = 0; k < pieces_; ++k) {
-      // A waypoint inside a piece divides it.
+      // A waypoint inside a piece splits its integration.
       const double from = t0 + k * length, to = k + 1 == pieces_ ? points.back() : t0 + (k + 1) * length;
       std::vector<double> cuts{from};
       for (std::size_t i = 1; i + 1 < points.size(); ++i) {
@@ -94,7 +94,8 @@ class Variation {
     const VectorXd z = solution_.at(t), u = control_at(problem_, solution_, t);
     const Constraints& c = problem_.task().constraints;
     const auto e = model_.expand(problem_.true_time(t, p), z.head(n_), u, z.tail(n_), problem_.task().mu, c);
-    // Later controls change nothing yet: only the first columns of S. v of this piece are rows of du.
+    // Later controls do not affect the state yet: only the first columns of S are nonzero. The rows of du are
+    // the variation of this piece.
     const Index live = static_cast<Index>(free_.size()) + Index{piece + 1} * q_;
     MatrixXd du = MatrixXd::Zero(q_, live);
     for (int i = 0; i < q_; ++i) {

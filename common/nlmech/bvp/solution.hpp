@@ -1,5 +1,5 @@
 /// @file
-/// What solve() gives back: the solution on its mesh, how good it is, and its values at any time.
+/// Result of solve(): the solution on its mesh, its error measures, and interpolation in time.
 #pragma once
 
 #include <memory>
@@ -11,25 +11,26 @@
 
 namespace nlmech::bvp {
 
-/// Which limit is meant at a point between two phases.
+/// Side of the limit at a point between two phases.
 enum class Side : std::uint8_t {
   before,  ///< from the left
   after    ///< from the right
 };
 
-/// A solution of a boundary value problem, or how far the iteration came.
+/// Solution of a boundary value problem, or the last iterate of a failed iteration.
 struct Solution {
-  Status status;          ///< success, or which failure, where, and what to change
-  Statistics statistics;  ///< work: newton_iterations, factorisations, right_hand_sides; steps: meshes
-  Unknowns unknowns;      ///< the mesh with all values; empty if nothing could be evaluated
-  std::shared_ptr<const Scheme> scheme;  ///< of every interval; null as long as unknowns is empty
+  Status status;          ///< success, or the failure, its place and a remedy
+  Statistics statistics;  ///< work: newton_iterations, factorisations, right_hand_sides; steps counts meshes
+  Unknowns unknowns;      ///< mesh with all values; empty if nothing could be evaluated
+  std::shared_ptr<const Scheme> scheme;  ///< scheme of every interval; null while unknowns is empty
   /// max over time and components of |u' - f(t, u)| / (1 + max |f|), measured between the nodes.
   double residual = 0;
-  /// max over the mesh of |x - integrated x| / (1 + max |x|), by component; see Integration. 0 if it was not
+  /// max over the mesh of |x - integrated x| / (1 + max |x|), by component; see Verification. 0 if not
   /// integrated.
   double integration_error = 0;
-  Eigen::VectorXd integrated_end;  ///< x at the end of the integration; empty if it was not integrated so far
-  /// Reciprocal condition of the end system of Newton's last matrix, roughly: digits of it are lost.
+  Eigen::VectorXd integrated_end;  ///< integrated x at the end; empty if the end was not reached
+  /// Rough reciprocal condition number of the reduced system of the last Newton matrix: its negative decimal
+  /// logarithm is the number of digits lost.
   double pivot_ratio = 0;
 
   /// The unknown constants.
@@ -42,22 +43,22 @@ struct Solution {
   [[nodiscard]] Eigen::VectorXd first() const { return unknowns.intervals.front().values.col(0); }
   /// x(t_K).
   [[nodiscard]] Eigen::VectorXd last() const { return unknowns.intervals.back().values.rightCols(1); }
-  /// x at the time @p t in [begin, end], in the accuracy of the interpolant.
+  /// x at the time @p t in [begin, end], with the accuracy of the interpolant.
   [[nodiscard]] Eigen::VectorXd at(double t, Side side = Side::after) const;
-  /// Ends of all intervals, ascending, each once.
+  /// Ends of all intervals, ascending, without duplicates.
   [[nodiscard]] std::vector<double> mesh() const;
-  /// All nodes in order of time; the right end of an interval is left out where the next one begins with the
-  /// same value.
+  /// Times of all nodes, ascending, without duplicates.
   [[nodiscard]] std::vector<double> node_times() const;
-  /// The states at node_times(), one a column. At a jump the value before it.
+  /// States at node_times(), one per column. At a jump the value before it.
   [[nodiscard]] Eigen::MatrixXd node_values() const;
-  /// The integral of g(t, x(t)) over the whole time, by the quadrature of the nodes: of the order of the
+  /// Integral of g(t, x(t)) over [begin, end] by the quadrature of the nodes, which has the order of the
   /// values at the ends of intervals.
   [[nodiscard]] double integral(const std::function<double(double, const Eigen::VectorXd&)>& g) const;
 };
 
-/// The solution as a start of another problem with the same states: on its own mesh, times mapped linearly to
-/// the new ends if these differ. @param solution is copied
+/// Start for another problem with the same states: the solution on its mesh, with times mapped linearly to
+/// the new ends if these differ.
+/// @param solution solution; copied
 [[nodiscard]] Start start_from(const Solution& solution);
 
 }  // namespace nlmech::bvp

@@ -27,8 +27,8 @@ void check_options(const Options& o) {
   require(o.verification_tolerance > 0, "verification_tolerance", o.verification_tolerance);
 }
 
-constexpr int most_meshes = 20, most_iterations = 100;  // iterations of Newton's method on each mesh
-constexpr double least_damping = 1e-6;  // a smaller fraction of Newton's step ends with newton_diverged
+constexpr int most_meshes = 20, most_iterations = 100;  // most_iterations: Newton iterations per mesh
+constexpr double least_damping = 1e-6;                  // a smaller damping factor ends with newton_diverged
 
 /// 1 + max |x_i| over the mesh, and 1 + |p_i|.
 struct Scales {
@@ -52,7 +52,7 @@ double length(const Unknowns& a, const Unknowns& b, double fraction, const Scale
     count += static_cast<double>(a.intervals[k].values.size());
   }
   if (a.parameters.size() > 0) {
-    // As heavy as all the states together: one number may be as important as a trajectory.
+    // The parameters have the weight of all states together: they may be as important as a trajectory.
     const VectorXd part = (a.parameters - fraction * b.parameters).cwiseQuotient(scales.parameters);
     sum += part.squaredNorm() / static_cast<double>(part.size()) * count;
     count += count;
@@ -101,7 +101,7 @@ Status not_finite(int iteration) {
       iteration);
 }
 
-/// One run of the iteration on a mesh.
+/// Damped Newton iteration on one mesh.
 class Run {
  public:
   Run(NewtonSystem& system, Unknowns& y, const Options& options, Statistics& statistics)
@@ -138,14 +138,14 @@ class Run {
   }
 
  private:
-  /// The last step, at full length; F there, so that the slopes belong to the values.
+  /// The last, undamped step; evaluates F to make the slopes consistent with the values.
   Status finish() {
     advance(y_, 1, step_, y_);
     done_ = true;
     return system_.residual(y_) ? Status() : not_finite(0);
   }
 
-  /// Damping from the curvature that the last step showed.
+  /// Predicts the damping factor from the curvature observed in the last step.
   void predict(int k, double update, const Scales& scales) {
     if (k == 1) {
       damping_ = 1;
@@ -156,7 +156,7 @@ class Run {
     damping_ = std::clamp(allowed, least_damping, 1.0);
   }
 
-  /// Shortens the step until the next simplified one is shorter than this.
+  /// Reduces the damping factor until the simplified Newton step is shorter than the Newton step.
   Status shorten(int k, double update, const Scales& scales) {
     for (;;) {
       advance(y_, damping_, step_, trial_);
@@ -169,7 +169,7 @@ class Run {
         if (bend > 0) next = std::min(next, update * damping_ * damping_ / (2 * bend));
       }
       if (theta <= 1 - damping_ / 4) break;
-      // At the level of rounding nothing falls any more.
+      // At the level of rounding the steps no longer decrease.
       if (update <= 100 * options_.newton_tolerance && damping_ == 1 && theta < 2) break;
       ++statistics_.rejected;
       if (damping_ <= least_damping) return diverged(k, damping_, update);
@@ -195,7 +195,7 @@ class Run {
   bool done_ = false;
 };
 
-/// Newton's iteration from @p y, which becomes the root or the last iterate.
+/// Newton's iteration from @p y, which is replaced by the root or the last iterate.
 Status iterate(NewtonSystem& system, Unknowns& y, const Options& options, Statistics& statistics,
                double& pivot_ratio) {
   const auto before = system.evaluations();
@@ -207,7 +207,8 @@ Status iterate(NewtonSystem& system, Unknowns& y, const Options& options, Statis
   return status;
 }
 
-/// The times of the start's mesh, mapped to the problem's ends, with its points among them; or equal ones.
+/// First mesh: the mesh of the start, mapped to the problem's interval, or equal intervals; includes all
+/// points of the problem.
 std::vector<double> first_mesh(const std::vector<double>& points, const Start& start, int intervals) {
   std::vector<double> times = points;
   if (start.mesh.size() > 1) {
@@ -222,7 +223,7 @@ std::vector<double> first_mesh(const std::vector<double>& points, const Start& s
     }
   }
   std::sort(times.begin(), times.end());
-  // Neighbours that differ by rounding are one; a point of the problem wins.
+  // Times that differ by rounding are merged; a point of the problem has priority.
   const double least = 1e-10 * (points.back() - points.front());
   std::vector<double> result;
   for (const double t : times) {
@@ -260,7 +261,7 @@ void fill(const Start& start, double from, double scale, const Scheme& scheme, U
   y.parameters = start.parameters;
 }
 
-/// The same piecewise polynomial on another mesh, which has the phases' ends in common.
+/// Interpolates the solution onto another mesh with the same phase ends.
 Unknowns transfer(const Solution& old, const std::vector<double>& mesh, const std::vector<double>& points) {
   const Scheme& scheme = *old.scheme;
   Unknowns y = on_mesh(mesh, points, scheme, static_cast<int>(old.unknowns.intervals.front().values.rows()));
@@ -275,7 +276,7 @@ Unknowns transfer(const Solution& old, const std::vector<double>& mesh, const st
   return y;
 }
 
-/// max |u' - f(t, u)| / (1 + max |f|) of each interval, between its nodes.
+/// max |u' - f(t, u)| / (1 + max |f|) between the nodes, for each interval.
 std::vector<double> residuals(const Problem& problem, const Solution& solution) {
   const auto& all = solution.unknowns.intervals;
   const Scheme& s = *solution.scheme;
@@ -299,7 +300,7 @@ std::vector<double> residuals(const Problem& problem, const Solution& solution) 
   return result;
 }
 
-/// Divides and joins intervals by their residuals.
+/// Next mesh: divides or joins intervals by their residuals.
 std::vector<double> next_mesh(const Solution& solution, const std::vector<double>& residual,
                               double tolerance) {
   const auto& all = solution.unknowns.intervals;
@@ -330,7 +331,7 @@ Status mesh_limit(const Options& options, const Solution& solution) {
                      options.most_intervals);
 }
 
-/// Solves on one mesh after the other.
+/// Solves on successively refined meshes.
 Status refine(const Problem& problem, const Options& options, Solution& solution) {
   const std::vector<double> points = problem.points();
   for (int k = 1;; ++k) {
@@ -357,7 +358,7 @@ Status spurious(double t, double error, const Options& options) {
                      error, t, options.verification_tolerance);
 }
 
-/// The right-hand side as integrators take it.
+/// Right-hand side for the integrators, with fixed parameters.
 struct WithParameters {
   static constexpr int dimension = Eigen::Dynamic;
   const Problem* problem;
@@ -383,7 +384,7 @@ Integration integrate_at(const Problem& problem, const Eigen::VectorXd& x0, cons
   }
   const ivp::System system(WithParameters{&problem, p});
   const ivp::AdaptiveCollocation method{.relative_tolerance = 1e-13, .absolute_tolerance = 1e-13};
-  // A trajectory that needs more steps between two times is not one that a mesh of collocation resolved.
+  // A trajectory that needs more steps between two times cannot have been resolved by the mesh.
   const ivp::Limits limits{.steps = 20'000};
   Integration result;
   result.states.resize(x0.size(), static_cast<Eigen::Index>(times.size()));

@@ -1,6 +1,6 @@
 /// @file
-/// Boundary value problems: damped Newton iteration, mesh refinement by the residual, verification by
-/// integration.
+/// Solver for boundary value problems: damped Newton iteration, mesh refinement by the residual, verification
+/// by integration.
 #pragma once
 
 #include <span>
@@ -9,63 +9,64 @@
 
 namespace nlmech::bvp {
 
-/// How a solution is verified by an integrator.
+/// Verification of a solution by an integrator.
 enum class Verification : std::uint8_t {
-  none,   ///< not at all
-  whole,  ///< from its initial values to the end; at a point between phases its own jump is added
-  pieces  ///< each interval from the solution's value at its start: for problems whose solutions grow too
-          ///< fast to be integrated over the whole time
+  none,   ///< no verification
+  whole,  ///< one integration from the initial values to the end; the solution's jumps between phases are
+          ///< added
+  pieces  ///< each interval is integrated from the solution at its start: for problems whose solutions grow
+          ///< too fast for one integration over all intervals
 };
 
-/// Options of solve(); the defaults give the states to 10 digits and more.
+/// Options of solve(); with the defaults the states have at least 10 digits.
 struct Options {
-  int nodes = 8;                    ///< N on an interval, both ends included; 3 to 200
-  int intervals = 10;               ///< of each phase on the first mesh, if the start brings none; >= 1
-  bool refine = true;               ///< refine the mesh by the residual
-  double tolerance = 1e-9;          ///< of Solution::residual, > 0
-  int most_intervals = 2000;        ///< in all
-  double newton_tolerance = 1e-10;  ///< of the last update, root mean square of |dx_i| / (1 + max |x_i|)
-  Verification verification = Verification::whole;  ///< by an integrator
-  double verification_tolerance = 1e-6;  ///< of Solution::integration_error; a root beyond it is spurious
+  int nodes = 8;                    ///< N per interval, including both ends; 3 to 200
+  int intervals = 10;               ///< intervals per phase of the first mesh, if the start has no mesh; >= 1
+  bool refine = true;               ///< whether to refine the mesh by the residual
+  double tolerance = 1e-9;          ///< bound of Solution::residual, > 0
+  int most_intervals = 2000;        ///< largest number of intervals in all phases; >= 1
+  double newton_tolerance = 1e-10;  ///< bound of the last update: rms of |dx_i| / (1 + max |x_i|), > 0
+  Verification verification = Verification::whole;  ///< kind of verification
+  double verification_tolerance = 1e-6;  ///< bound of Solution::integration_error, > 0; else spurious
 };
 
 /// Solves a boundary value problem.
 ///
-/// Newton's direction is damped by the natural monotonicity test (P. Deuflhard, Newton Methods for Nonlinear
-/// Problems, 2004, section 3.3), which does not depend on the scaling of the equations. Then each interval
-/// whose residual is above the tolerance is divided, by as much as the order of the scheme says, and pairs
-/// with far smaller ones are joined, until all are below.
+/// The Newton step is damped by the natural monotonicity test (P. Deuflhard, Newton Methods for Nonlinear
+/// Problems, 2004, section 3.3), which is invariant under scaling of the equations. Then intervals with a
+/// residual above the tolerance are divided, into a number of parts from the order of the scheme, and pairs
+/// of intervals with far smaller residuals are joined, until all residuals are below the tolerance.
 ///
 /// Outcomes besides success:
-///  - `infeasible`: conditions contradict each other, whatever the solution;
-///  - `singular_matrix`: conditions repeat each other, or the differential equation makes them dependent;
-///  - `newton_diverged`, `not_converged`: no root from this start;
+///  - `infeasible`: conditions contradict each other;
+///  - `singular_matrix`: conditions are redundant, or dependent through the differential equation;
+///  - `newton_diverged`, `not_converged`: no root was found from this start;
 ///  - `non_finite`: f or a condition is not finite at the start;
-///  - `step_limit`: meshes or intervals are used up with the residual above the tolerance;
-///  - `spurious_root`: integration from its initial values does not follow the solution.
-/// Unless the sentence says that nothing could be evaluated, the last iterate is in the solution.
+///  - `step_limit`: limit of meshes or intervals reached with the residual above the tolerance;
+///  - `spurious_root`: the integration from the initial values deviates from the solution.
+/// Unless nothing could be evaluated, the solution contains the last iterate.
 ///
 /// Tests compare both solutions of Bratu's problem with the closed form (1e-8), an eigenvalue (1e-12) and
 /// linear problems (1e-11), and measure the order 2N - 2.
-/// @throws std::invalid_argument for sizes that do not fit and options out of range
+/// @throws std::invalid_argument for inconsistent sizes and options out of range
 [[nodiscard]] Solution solve(const Problem& problem, const Start& start, const Options& options = {});
 
-/// Integrates from the initial values of a solution: sets integration_error, and status if it fails. solve()
-/// calls it.
+/// Integrates from the initial values of a solution; sets integration_error, and status on failure. Called by
+/// solve().
 void verify_by_integration(const Problem& problem, const Options& options, Solution& solution);
 
-/// States of an integration at the times asked for.
+/// States of an integration at given times.
 struct Integration {
-  Eigen::MatrixXd states;  ///< n by the number of times reached
+  Eigen::MatrixXd states;  ///< n rows, one column per time reached
   Status status;           ///< of the integrator
   Statistics statistics;   ///< of the integrator
 };
 
 /// Integrates x' = f(t, x, p) by `adaptive-collocation` at a tolerance of 1e-13, relative and absolute.
-/// @param problem whose right-hand side is integrated
+/// @param problem problem with the right-hand side f
 /// @param x0 state at times[0]
-/// @param p its parameters
-/// @param times in the order of travel, forwards or backwards; the first is where x0 holds
+/// @param p parameters p
+/// @param times monotonic, forwards or backwards; times[0] is the initial time
 /// @throws std::invalid_argument for wrong sizes
 [[nodiscard]] Integration integrate_at(const Problem& problem, const Eigen::VectorXd& x0,
                                        const Eigen::VectorXd& p, std::span<const double> times);

@@ -1,8 +1,8 @@
 /// @file
-/// The polynomial through the values at given nodes: where it is in between, and how it changes.
+/// Polynomial interpolation at given nodes: values and differentiation matrix.
 ///
-/// It is the limit c -> 0 of the radial functions (Driscoll & Fornberg 2002), and needs neither a shape nor
-/// the inverse of a matrix. Barycentric form: Berrut & Trefethen, SIAM Review 46 (2004).
+/// The interpolant is the limit c -> 0 of the radial functions (Driscoll & Fornberg 2002), without shape
+/// parameter and matrix inverse. Barycentric form: Berrut & Trefethen, SIAM Review 46 (2004).
 #pragma once
 
 #include <cmath>
@@ -12,13 +12,13 @@
 
 namespace nlmech::collocation {
 
-/// The barycentric weights w_j = 1/prod_{k != j} 4 (t_j - t_k)/L, where L is the distance of the first and
-/// the last node. The factor 4/L brings the interval to capacity 1: no weight over- or underflows.
+/// Barycentric weights w_j = 1/prod_{k != j} 4 (t_j - t_k)/L, where L is the distance between the first and
+/// the last node. The factor 4/L scales the interval to capacity 1, which avoids overflow and underflow.
 /// @param nodes times or points, ascending; 1 to max_nodes of them
-/// @throws std::invalid_argument if the nodes are too many, not finite, not ascending, or some so close to
-/// each other that a weight overflows all the same
+/// @throws std::invalid_argument if the nodes are too many, not finite, not ascending, or so close to each
+/// other that a weight overflows
 ///
-/// Accuracy: each is relatively within 2 n times 2.2e-16.
+/// Relative accuracy of each weight: 2 n times 2.2e-16.
 template <class T>
 [[nodiscard]] Vector<T> barycentric_weights(const Vector<T>& nodes) {
   require_nodes("barycentric_weights", nodes);
@@ -38,10 +38,11 @@ template <class T>
   return weights;
 }
 
-/// The matrix D that takes the values of a polynomial of degree < n at the nodes to those of its derivative.
+/// Differentiation matrix D: maps the values of a polynomial of degree < n at the nodes to those of its
+/// derivative.
 /// @param nodes times, ascending; 1 to max_nodes of them
-/// @return n by n, 1/time. Each row adds up to zero but for the rounding of the sum: constants have no
-/// derivative. For LGL nodes on an interval of length 1, |D 1| is below 8e-15 (n = 7) to 8e-12 (n = 100).
+/// @return n by n, 1/time. The sum of each row is zero up to its rounding, so constants have zero derivative.
+/// For LGL nodes on an interval of length 1, |D 1| is below 8e-15 (n = 7) to 8e-12 (n = 100).
 /// @throws std::invalid_argument as barycentric_weights, and if an entry overflows
 template <class T>
 [[nodiscard]] Matrix<T> polynomial_differentiation_matrix(const Vector<T>& nodes) {
@@ -64,16 +65,17 @@ template <class T>
   return D;
 }
 
-/// The row r with which r X is the value at @p t of the polynomial with the values X at the nodes.
-/// At a node it is exactly a row of the unit matrix.
+/// Interpolation row r: r X is the value at @p t of the polynomial with the values X at the nodes. At a node
+/// it is exactly a row of the unit matrix.
 /// @param nodes   as given to barycentric_weights
-/// @param weights what that returned
-/// @param t       any finite time; outside the interval of the nodes the polynomial is extrapolated
-/// @param row     the result; allocates nothing if it has n entries already
+/// @param weights result of barycentric_weights(nodes)
+/// @param t       finite time; outside the interval of the nodes the polynomial is extrapolated
+/// @param row     the result; no allocation if it has n entries
 /// @throws std::invalid_argument if @p t is not finite
 ///
-/// Accuracy, for the families of nodes.hpp: inside the interval, values of polynomials between -1 and 1 come
-/// out within 5 n times 2.2e-16; outside, each entry of the row is relatively within 4 n times that.
+/// Accuracy, for the families of nodes.hpp: inside the interval the error is at most 5 n times 2.2e-16 for
+/// polynomials with values between -1 and 1; outside, the relative error of each entry of the row is at most
+/// 4 n times 2.2e-16.
 template <class T>
 void polynomial_row(const Vector<T>& nodes, const Vector<T>& weights, const T& t, RowVector<T>& row) {
   using std::abs;
@@ -81,14 +83,14 @@ void polynomial_row(const Vector<T>& nodes, const Vector<T>& weights, const T& t
   const Eigen::Index n = nodes.size();
   row.resize(n);
   if (n > 1 && (t < nodes[0] || t > nodes[n - 1])) {
-    // r_k = w_k l(t)/(t - t_k), l(t) = prod (t - t_k): no cancellation, where the formula below has it.
+    // r_k = w_k l(t)/(t - t_k), l(t) = prod (t - t_k): without the cancellation of the formula below.
     const T unit = (nodes[n - 1] - nodes[0]) / 4;
     T product = 1;
     for (const T& node : nodes) product *= (t - node) / unit;
     for (Eigen::Index k = 0; k < n; ++k) row[k] = weights[k] * (product / ((t - nodes[k]) / unit));
     return;
   }
-  // r_k = w_k/(t - t_k)/sum, with the sum of all numerators: the same divided by 1 = sum r_k.
+  // r_k = w_k/(t - t_k)/sum, with the sum of all w_j/(t - t_j), because sum r_k = 1.
   T sum = 0;
   for (Eigen::Index k = 0; k < n; ++k) {
     const T distance = t - nodes[k];

@@ -19,7 +19,7 @@ Basis Basis::polynomial(NodeFamily family, int n) {
   Basis basis;
   basis.nodes_ = unit_nodes(family, n);
   basis.weights_ = barycentric_weights(basis.nodes_);
-  // Differences of nodes are formed on [-1, 1], where the nodes near both ends keep their digits.
+  // On [-1, 1] the differences of nodes are accurate near both ends.
   basis.derivative_ = 2 * polynomial_differentiation_matrix(collocation::nodes(family, n));
   return basis;
 }

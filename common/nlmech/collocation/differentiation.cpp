@@ -8,7 +8,8 @@
 namespace nlmech::collocation {
 namespace {
 
-/// "radial_differentiation: 7 gaussian functions of shape 1e-06 on an interval of 1 ", to be continued.
+/// "radial_differentiation: 7 gaussian functions of shape 1e-06 on an interval of 1 ", to which the finding
+/// is appended.
 std::string subject(const Eigen::VectorXd& times, Kernel kernel, double shape) {
   std::ostringstream text;
   text << "radial_differentiation: " << times.size() << ' ' << to_string(kernel) << " functions of shape "
@@ -17,10 +18,10 @@ std::string subject(const Eigen::VectorXd& times, Kernel kernel, double shape) {
 }
 
 void measure_condition(const Eigen::MatrixXd& Phi, Differentiation& result) {
-  // A symmetric matrix has the magnitudes of its eigenvalues for singular values.
+  // The singular values of a symmetric matrix are the magnitudes of its eigenvalues.
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(Phi, Eigen::EigenvaluesOnly);
   const Eigen::VectorXd sizes = solver.eigenvalues().cwiseAbs();
-  const double largest = sizes.maxCoeff();  // at least 1: the trace is n
+  const double largest = sizes.maxCoeff();  // at least 1, because the trace is n
   result.condition = largest / sizes.minCoeff();
   result.rank = static_cast<int>((sizes.array() > std::numeric_limits<double>::epsilon() * largest).count());
 }
@@ -30,7 +31,7 @@ double slope_error(const Eigen::MatrixXd& D, const Eigen::VectorXd& line) {
 }
 
 Status judge(const Eigen::VectorXd& times, Kernel kernel, double shape, const Differentiation& result) {
-  constexpr double ill_conditioned = 1e12;  // functions too narrow to overlap stay below 1e10
+  constexpr double ill_conditioned = 1e12;  // functions too narrow to overlap have conditions below 1e10
   const Eigen::Index n = times.size(), rank = result.rank;
   const bool alike = 2 * rank <= n + 1 && rank < n;
   const bool wrong = !(result.slope_error < 0.5);

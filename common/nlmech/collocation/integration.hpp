@@ -1,5 +1,5 @@
 /// @file
-/// From the values of a function at nodes to the values of its integral there.
+/// Integration matrices: from the values of a function at nodes to those of its integral.
 #pragma once
 
 #include "nlmech/collocation/barycentric.hpp"
@@ -7,16 +7,16 @@
 
 namespace nlmech::collocation {
 
-/// The matrix S with S_ij = integral of l_j from -1 to tau_i, where l_j is the polynomial of degree n - 1
-/// that is 1 at node j and 0 at the others. On an interval of length h it is to be multiplied by h/2.
+/// Integration matrix S_ij = integral of l_j from -1 to tau_i, where l_j is the polynomial of degree n - 1
+/// that is 1 at node j and 0 at the others. For an interval of length h multiply by h/2.
 ///
-/// From node to node each l_j is integrated by the Gauss rule that is exact for it. If the last node is 1,
-/// the last row holds the weights of the quadrature formula of the nodes.
-/// @param nodes ascending, 1 to max_nodes of them, within [-1, 1]; -1 need not be among them
+/// Between adjacent nodes the Gauss rule that is exact for l_j is used. If the last node is 1, the last row
+/// contains the quadrature weights of the nodes.
+/// @param nodes ascending, 1 to max_nodes of them, within [-1, 1]; -1 need not be a node
 /// @throws std::invalid_argument if the nodes are too many, not ascending or outside [-1, 1]
 ///
-/// Accuracy: 1e-15 for n up to max_nodes in all families of nodes.hpp. Polynomials that grow outside the
-/// nodes, as for many equidistant ones, lose as many digits as they grow.
+/// Accuracy: 1e-15 for n up to max_nodes in all families of nodes.hpp. If the l_j become large, as for many
+/// equidistant nodes, the error grows in proportion.
 template <class T>
 [[nodiscard]] Matrix<T> integration_matrix(const Vector<T>& nodes) {
   const Vector<T> weights = barycentric_weights(nodes);
@@ -46,19 +46,20 @@ template <class T>
 /// Throws std::invalid_argument unless 0 <= @p degree < @p n.
 void require_chebyshev_degree(int n, int degree);
 
-/// The matrix of modified Chebyshev-Picard iteration: it takes the values of g at the n CGL nodes to those of
-/// the integral from -1 of g's Chebyshev series, truncated to a degree. On an interval of length h it is to
-/// be multiplied by h/2, and then yields x - x_0.
+/// Integration matrix of modified Chebyshev-Picard iteration: maps the values of g at the n CGL nodes to
+/// those of the integral from -1 of the Chebyshev series of g, truncated to a degree. For an interval of
+/// length h multiply by h/2; the result is x - x_0.
 ///
 /// The coefficients of g follow from the discrete orthogonality of the T_k on N + 1 = n nodes,
-///     c_k = 2/N sum'' g(tau_j) T_k(tau_j),      both ends of the sum halved, c_0 and c_N halved as well,
+///     c_k = 2/N sum'' g(tau_j) T_k(tau_j),      with the first and last terms of the sum halved, and c_0 and
+///     c_N halved,
 /// and integral T_k = (T_{k+1}/(k+1) - T_{k-1}/(k-1))/2 + const for k > 1.
 ///
 /// A series of x of order M has M + 1 nodes and g of degree M - 1: chebyshev_picard_matrix(M + 1, M - 1).
 /// @param n      number of nodes, 2 to max_nodes
-/// @param degree highest degree of g that is kept, 0 to n - 1. With n - 1 nothing is cut off, and the matrix
-/// is integration_matrix(chebyshev_gauss_lobatto(n))
-/// @throws std::invalid_argument if a number lies outside these bounds
+/// @param degree highest degree of g after truncation, 0 to n - 1. For n - 1 the matrix is
+/// integration_matrix(chebyshev_gauss_lobatto(n))
+/// @throws std::invalid_argument if an argument is out of range
 ///
 /// Accuracy: 1e-15 for n up to max_nodes.
 template <class T = double>
@@ -66,7 +67,7 @@ template <class T = double>
   const Vector<T> nodes = chebyshev_gauss_lobatto<T>(n);
   require_chebyshev_degree(n, degree);
   const int N = n - 1;
-  // T_k(tau_j) = cos(k (N - j) pi/N) is the node N - m, where m is that multiple of pi/N, folded into 0..N.
+  // T_k(tau_j) = cos(k (N - j) pi/N) is the node N - m, where m = k (N - j), folded into 0..N.
   const auto chebyshev = [&nodes, N](int k, int j) -> const T& {
     const int m = k * (N - j) % (2 * N);
     return nodes[m <= N ? N - m : m - N];

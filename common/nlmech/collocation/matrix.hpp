@@ -1,12 +1,12 @@
 /// @file
-/// Names for the vectors and matrices of this component, and what every function asks of its nodes.
+/// Vector and matrix types of the component, and checks of nodes.
 #pragma once
 
 #include <Eigen/Core>
 
 namespace nlmech::collocation {
 
-/// Column of run-time length. T is double, or any real type that Eigen can hold, such as one of 50 digits.
+/// Column of run-time length. T is double or another real scalar type of Eigen, such as one with 50 digits.
 template <class T>
 using Vector = Eigen::Matrix<T, Eigen::Dynamic, 1>;
 
@@ -18,13 +18,13 @@ using RowVector = Eigen::Matrix<T, 1, Eigen::Dynamic>;
 template <class T>
 using Matrix = Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic>;
 
-/// The largest number of nodes on one interval. All accuracies that this component states hold up to here.
+/// Largest number of nodes on one interval. The accuracies stated in this component hold up to this number.
 inline constexpr int max_nodes = 200;
 
 /// Neither infinite nor NaN; for every real type.
 template <class T>
 [[nodiscard]] bool is_finite(const T& x) {
-  return x - x == T(0);  // NOLINT(misc-redundant-expression): infinity and NaN are no zero
+  return x - x == T(0);  // NOLINT(misc-redundant-expression): NaN for infinity and NaN
 }
 
 /// Throws std::invalid_argument unless @p least <= @p n <= max_nodes; the text names @p what and n.
@@ -36,8 +36,7 @@ void require_node_count(const char* what, Eigen::Index n, int least);
 /// Throws std::invalid_argument with a text that names @p what and the time @p t, which is not finite.
 [[noreturn]] void refuse_time(const char* what, double t);
 
-/// Throws std::invalid_argument unless there are 1 to max_nodes nodes, all finite and each larger than the
-/// one before it.
+/// Throws std::invalid_argument unless there are 1 to max_nodes nodes, finite and strictly ascending.
 template <class T>
 void require_nodes(const char* what, const Vector<T>& nodes) {
   require_node_count(what, nodes.size(), 1);

@@ -1,8 +1,8 @@
 /// @file
-/// Where on an interval the equations are collocated: families of nodes on [-1, 1].
+/// Families of collocation nodes on [-1, 1].
 ///
-/// All are ascending; symmetric families are so exactly, and ends are exact. In double every node is within
-/// 2e-16 of the true one, for all n up to max_nodes. With another real type T they have the digits of T.
+/// All are ascending; symmetric families are exactly symmetric, and ends are exact. In double the error of
+/// every node is at most 2e-16 for all n up to max_nodes. With another real type T they have the digits of T.
 #pragma once
 
 #include <cmath>
@@ -14,7 +14,7 @@
 
 namespace nlmech::collocation {
 
-/// P_m^(a,b) and its derivative at one point.
+/// Jacobi polynomial P_m^(a,b) and its derivative at one point.
 template <class T>
 struct JacobiValue {
   T value;       ///< P_m^(a,b)(x)
@@ -43,8 +43,8 @@ template <class T>
   return {value, slope};
 }
 
-/// All zeros of P_m^(a,b), ascending; for a = b exactly symmetric, with an exact zero in the middle of an odd
-/// number of them.
+/// All zeros of P_m^(a,b), ascending; for a = b exactly symmetric, with an exact zero in the middle if m is
+/// odd.
 ///
 /// Newton's iteration from the leading term of the asymptotic expansion for large m,
 ///     arccos x_j = (4 j + 2 a - 1)/(2 m + a + b + 1) pi/2.
@@ -55,9 +55,9 @@ template <class T>
 template <class T>
 [[nodiscard]] Vector<T> jacobi_zeros(int m, int a, int b) {
   using std::abs, std::acos, std::cos, std::sqrt;
-  // The error of an iterate is at most about m^2 times the square of the step that led to it.
+  // The error of an iterate is at most about m^2 times the square of the last step.
   const T pi = acos(T(-1)), last_step = sqrt(std::numeric_limits<T>::epsilon()) / T(m * m + 1);
-  constexpr int most_steps = 20;  // never taken: there are 3 in double, 5 with 50 digits
+  constexpr int most_steps = 20;  // never reached: double needs 3 steps, 50 digits need 5
   Vector<T> zeros(m);
   for (int j = 1; j <= m; ++j) {
     if (a == b && 2 * j > m) break;
@@ -94,13 +94,13 @@ template <class T = double>
   require_node_count("legendre_gauss_lobatto", n, 2);
   Vector<T> nodes(n);
   nodes[0] = -1;
-  nodes.segment(1, n - 2) = jacobi_zeros<T>(n - 2, 1, 1);  // P'_{n-1} is P_{n-2}^(1,1), but for a factor
+  nodes.segment(1, n - 2) = jacobi_zeros<T>(n - 2, 1, 1);  // P'_{n-1} is P_{n-2}^(1,1), up to a factor
   nodes[n - 1] = 1;
   return nodes;
 }
 
-/// The n Radau nodes that include the right end: zeros of P_n - P_{n-1}, as in the method Radau IIA of n
-/// stages. Their quadrature is exact up to degree 2n - 2.
+/// The n Radau nodes that include the right end: zeros of P_n - P_{n-1}, as in Radau IIA with n stages. Their
+/// quadrature is exact up to degree 2n - 2.
 /// @throws std::invalid_argument unless 1 <= @p n <= max_nodes
 template <class T = double>
 [[nodiscard]] Vector<T> radau_right(int n) {
@@ -111,8 +111,8 @@ template <class T = double>
   return nodes;
 }
 
-/// -1, followed by radau_right(n - 1). Collocation with the initial value at the first of them is Radau IIA
-/// of n - 1 stages.
+/// -1, followed by radau_right(n - 1). Collocation with the initial value at the first node is Radau IIA with
+/// n - 1 stages.
 /// @throws std::invalid_argument unless 2 <= @p n <= max_nodes
 template <class T = double>
 [[nodiscard]] Vector<T> left_end_and_radau(int n) {
@@ -132,14 +132,14 @@ template <class T = double>
   require_node_count("chebyshev_gauss_lobatto", n, 2);
   const T pi = acos(T(-1));
   Vector<T> nodes(n);
-  // As a sine the nodes are antisymmetric in floating point too.
+  // The sine makes the nodes exactly antisymmetric in floating point.
   for (int j = 0; j < n; ++j) nodes[j] = sin(T(2 * j - n + 1) * pi / T(2 * (n - 1)));
   nodes[0] = -1;
   nodes[n - 1] = 1;
   return nodes;
 }
 
-/// A choice among the families that include both ends of the interval.
+/// Families of nodes that include both ends of the interval.
 enum class NodeFamily {
   legendre_gauss_lobatto,  ///< as in the dissertation (Eq. 4.9)
   left_end_and_radau,      ///< order 2n - 3 and L-stable, where the others reach n - 1

@@ -1,5 +1,5 @@
 /// @file
-/// Non-negative numbers with the digits of a double and a wider range.
+/// Non-negative numbers with the precision of double and a larger exponent range.
 #pragma once
 
 #include <bit>
@@ -9,14 +9,13 @@
 
 namespace nlmech::collocation {
 
-/// m 2^e with 1/2 <= m < 1, or zero. Products of many differences of nodes and exponentials of squares leave
-/// the range of a double on the way to quotients that are within it. Each operation rounds once, as doubles
-/// do.
+/// m 2^e with 1/2 <= m < 1, or zero. For products of many node differences and exponentials of squares that
+/// exceed the range of double although their quotients do not. Each operation rounds once, as for double.
 class Wide {
  public:
   constexpr Wide() = default;
 
-  /// @param x not negative, finite
+  /// @param x non-negative, finite
   Wide(double x) {  // NOLINT(google-explicit-constructor): a double is one
     if (x == 0) return;
     int e = 0;
@@ -26,7 +25,7 @@ class Wide {
 
   /// exp(x) for |x| < 1e9; its relative error is 2.2e-16 plus the absolute error of x.
   [[nodiscard]] static Wide exp(double x) {
-    // ln 2 in two parts, of which the first has trailing zeros enough for k times it to be exact.
+    // ln 2 in two parts; the first has enough trailing zeros to make its product with k exact.
     constexpr double ln2_high = 6.93147180369123816490e-01, ln2_low = 1.90821492927058770002e-10;
     const double k = std::nearbyint(x / (ln2_high + ln2_low));
     Wide result(std::exp((x - k * ln2_high) - k * ln2_low));
@@ -34,7 +33,7 @@ class Wide {
     return result;
   }
 
-  /// As a double: infinite above its range, zero below.
+  /// Conversion to double: infinite above its range, zero below.
   [[nodiscard]] double value() const {
     constexpr std::int64_t bound = 4000;  // beyond every exponent of a double
     return std::ldexp(m_, static_cast<int>(e_ > bound ? bound : (e_ < -bound ? -bound : e_)));
@@ -71,7 +70,7 @@ class Wide {
     return result;
   }
 
-  /// m 2^e for e <= 0; zero where that is below the last digit of 1/2.
+  /// m 2^e for e <= 0; zero if below the last digit of 1/2.
   [[nodiscard]] static double scaled(double m, std::int64_t e) {
     constexpr std::int64_t bias = 1023, digits = 64;
     constexpr int fraction = 52;

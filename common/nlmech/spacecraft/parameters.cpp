@@ -45,7 +45,7 @@ void require_physical(const Parameters& p) {
   require("second_moment", p.second_moment, false);
   require("tip_mass", p.tip_mass, true);
   require("tip_inertia", p.tip_inertia, true);
-  // Squares and products of these have to stay numbers.
+  // Squares and products of these must neither overflow nor underflow.
   const auto within = [](const char* what, double value, double least, double largest) {
     if (!(value >= least && value <= largest))
       throw invalid_argument(

@@ -19,19 +19,19 @@ Complex power(Complex p, int order) {
   return result;
 }
 
-/// The fastest oscillation, or decay, of a sum: what a sampling must resolve.
+/// The largest modulus of a pole, which the sampling must resolve.
 double fastest(const ExponentialSum& f) {
   double rate = 0;
   for (const Complex p : f.poles()) rate = std::max(rate, std::abs(p));
   return rate;
 }
 
-/// The root of f^(order) between @p a and @p b, where it has different signs; by halving, which cannot fail.
+/// The root of f^(order) - @p offset between @p a and @p b, where it has opposite signs, by bracketing.
 double halve(const ExponentialSum& f, int order, double offset, double a, double b) {
   return sign_change([&](double t) { return f.value(t, order) - offset; }, a, b);
 }
 
-/// The largest value of sign * f in [a, b], whose shape a few points show.
+/// The largest value of sign * f in [a, b], an interval short enough for four samples to resolve f.
 Extreme local_maximum(const ExponentialSum& f, double sign, double a, double b) {
   constexpr int parts = 4;
   Extreme best{a, f.value(a)};
@@ -49,11 +49,11 @@ Extreme local_maximum(const ExponentialSum& f, double sign, double a, double b) 
   return best;
 }
 
-/// Samples of a sum without its smallest terms, a quarter of a radian of its fastest term apart.
+/// Samples of a sum without its smallest terms, a quarter of a radian of the fastest term apart.
 struct Sampled {
   double from, step;
   std::vector<double> values;
-  double slack;  ///< by how much f can exceed a sample next to it
+  double slack;  ///< largest excess of f over an adjacent sample
 };
 
 Sampled sampled(const ExponentialSum& f, double remainder, double from, double until, double most) {
@@ -71,9 +71,9 @@ double largest_of(const std::vector<double>& values, double sign) {
   return largest;
 }
 
-/// The largest value of sign * f in an interval: the terms that matter say near which samples it lies, terms
-/// down to 1e-7 which of those, and the whole sum where.
-/// @param coarse samples of the terms that matter
+/// The largest value of sign * f in an interval: samples of the dominant terms select candidates, samples
+/// with all terms down to 1e-7 reduce them, and the complete sum refines them.
+/// @param coarse samples of the dominant terms
 Extreme maximum(const ExponentialSum& f, const Sampled& coarse, double sign, double from, double until) {
   const double size = f.envelope(from);
   const double enough = largest_of(coarse.values, sign) - 2 * coarse.slack;
@@ -83,7 +83,7 @@ Extreme maximum(const ExponentialSum& f, const Sampled& coarse, double sign, dou
   const std::size_t count = coarse.values.size();
   for (std::size_t i = 0; i < count && samples < 2'000'000; ++i) {
     if (sign * coarse.values[i] < enough) continue;
-    // Neighbours that qualify are looked at together.
+    // Adjacent candidates form one interval.
     std::size_t last = i;
     while (last + 1 < count && sign * coarse.values[last + 1] >= enough) ++last;
     const double a = std::max(from, from + (static_cast<double>(i) - 0.5) * coarse.step);
@@ -97,7 +97,7 @@ Extreme maximum(const ExponentialSum& f, const Sampled& coarse, double sign, dou
     width = std::max(width, fine.step);
     i = last;
   }
-  // With terms of the order 1e-7 the bound by the curvature is a wild overestimate.
+  // With terms down to 1e-7 the curvature bound overestimates by far.
   slack = std::min(slack, 1e-5 * size);
   Extreme best = sign * candidates[0].value >= sign * candidates[1].value ? candidates[0] : candidates[1];
   int refined = 0;
@@ -110,13 +110,13 @@ Extreme maximum(const ExponentialSum& f, const Sampled& coarse, double sign, dou
   return best;
 }
 
-/// The last crossing of the band's edge in [a, b], on the whole sum; negative if it stays within.
+/// The last crossing of the edge of the band in [a, b] by the complete sum; negative if there is none.
 double last_crossing(const ExponentialSum& f, double centre, double band, double a, double b) {
   constexpr int parts = 48;
   double right = b, slope = f.value(b, 1);
   for (int i = parts; i-- > 0;) {
     const double left = a + (b - a) * i / parts, before = f.value(left, 1);
-    // The largest distance of this part: at its left end, or where the slope changes its sign.
+    // The largest distance in this part is at its left end, or where the slope changes sign.
     double far = left;
     if (before * slope < 0) {
       const double top = halve(f, 1, 0, left, right);
@@ -148,7 +148,7 @@ ExponentialSum::ExponentialSum(const std::array<double, 3>& polynomial, std::vec
 
 double ExponentialSum::value(double time, int order) const {
   double sum = 0;
-  // Fast terms are mostly small: added up first.
+  // Fast terms are mostly small; adding them first reduces rounding.
   for (std::size_t k = poles_.size(); k-- > 0;)
     sum += (weights_[k] * power(poles_[k], order) * std::exp(poles_[k] * time)).real();
   const auto [c0, c1, c2] = polynomial_;
@@ -159,7 +159,7 @@ double ExponentialSum::value(double time, int order) const {
 }
 
 std::vector<double> ExponentialSum::samples(double first, double step, std::size_t count) const {
-  constexpr std::size_t block = 64;  // a turn's rounding grows no further
+  constexpr std::size_t block = 64;  // limits the rounding of repeated multiplication
   std::vector<double> values(count);
   for (std::size_t i = 0; i < count; ++i) {
     const double t = first + static_cast<double>(i) * step;
@@ -173,7 +173,7 @@ std::vector<double> ExponentialSum::samples(double first, double step, std::size
       double re = term.real(), im = term.imag();
       for (std::size_t i = begin; i < std::min(begin + block, count); ++i) {
         values[i] += re;
-        // Written out: the library's product looks for infinities.
+        // Written out because std::complex's product checks for infinities.
         const double real = re * turn.real() - im * turn.imag();
         im = re * turn.imag() + im * turn.real();
         re = real;
@@ -262,7 +262,7 @@ Settling settling_time(const ExponentialSum& f, double final_value, double band,
                                    band, final_value, sought)};
   };
   if (offset >= band || f.polynomial()[1] != 0 || f.polynomial()[2] != 0) return late(latest);
-  // After `end` no term can lead out of the band.
+  // After `end` the sum of the moduli keeps f within the band.
   double begin = 0, end = latest;
   if (offset + f.envelope(end) > band) return late(latest);
   for (int i = 0; i < 100 && end - begin > 1e-3 * end; ++i) {
@@ -283,8 +283,8 @@ Settling settling_time(const ExponentialSum& f, double final_value, double band,
     for (std::size_t i = count; i-- > 0;) {
       const double time = left + static_cast<double>(i) * actual,
                    distance = std::abs(samples[i] - final_value);
-      // A sample that could hide an exceedance: near the band, on the whole sum. Samples a quarter of a
-      // radian apart miss 1 % of a crest, and 2 % are left out of them.
+      // Samples a quarter of a radian apart miss 1 % of a crest, and their sum truncates 2 % of the band. So
+      // the complete sum is evaluated next to every sample above 96 % of the band.
       if (distance < 0.96 * band) continue;
       const double crossing = last_crossing(f, final_value, band, std::max(0., time - actual), time + actual);
       if (crossing >= 0) return {crossing, {}};

@@ -19,20 +19,20 @@ namespace {
 /// Weights of all signals for one exponential: theta, torque, then y at each place.
 using Weights = std::vector<Complex>;
 
-/// Exponentials common to all signals, of poles with Im >= 0.
+/// Exponentials common to all signals, for poles with Im >= 0.
 struct ResidueTerms {
-  /// What one pole, or poles that nearly coincide, add to the signals at t = 0.
+  /// Contribution of one pole, or of nearly coincident poles, to the signals at t = 0.
   struct Group {
-    double frequency = 0;  ///< the imaginary part, 1/s
-    Weights value;         ///< of each signal
-    Weights rate;          ///< of its derivative
+    double frequency = 0;  ///< imaginary part, 1/s
+    Weights value;         ///< contribution to each signal
+    Weights rate;          ///< contribution to its time derivative
   };
   std::vector<Complex> poles;    ///< p of e^(pt)
-  std::vector<Weights> weights;  ///< one a pole; half the residue for a real one
+  std::vector<Weights> weights;  ///< one per pole; half the residue for a real pole
   std::vector<Group> groups;     ///< rising in frequency
-  double modes = 0;  ///< below the fastest decay: so many lie before residues begin to fall for good
+  double modes = 0;  ///< number of modes slower than the fastest decay: the residues of later modes decrease
 
-  /// Adds a pole that stands alone.
+  /// Adds a simple pole.
   void add(Complex pole, Weights weight) {
     Group group{pole.imag(), weight, weight};
     for (Complex& w : group.rate) w *= pole;
@@ -44,7 +44,7 @@ struct ResidueTerms {
 
 constexpr std::size_t most_together = 8;
 
-/// A pole of the whole plane, or several that nearly coincide.
+/// One pole of the complex plane, or several that nearly coincide.
 struct Cluster {
   std::vector<Complex> poles;
   [[nodiscard]] Complex centre() const {
@@ -54,16 +54,17 @@ struct Cluster {
   }
 };
 
-/// How near another pole disturbs. Between high modes lie 2 pi |beta|^(1/4) L of the appendage's unit of
-/// time. Next to a double pole in a distance d, as a share of its size, the residue of a simple one has some
-/// ten eps/d^3 of rounding: 2e-12 for a tenth.
+/// Distance within which another pole makes the residue inaccurate. High modes are 2 pi |beta|^(1/4) L apart,
+/// in the inverse of the appendage's unit of time. At the relative distance d from a double pole, the residue
+/// of a simple pole has a rounding error of about 10 eps/d^3: 2e-12 for d = 0.1.
 double neighbourhood(const ClosedLoop& loop, Complex p) {
   const double unit = std::sqrt(loop.plant().appendage().beta_unit());
   const double modes = 2 * std::numbers::pi * std::sqrt(std::abs(p.imag()) / unit);
   return 0.1 * std::min(std::abs(p), std::max(modes, std::abs(p.real())));
 }
 
-/// Poles nearer to each other than their neighbourhoods, and conjugates, joined.
+/// Clusters of the poles and their conjugates; poles nearer to each other than neighbourhood() share a
+/// cluster.
 std::vector<Cluster> joined(const ClosedLoop& loop, const std::vector<Complex>& upper) {
   struct Member {
     Complex p;
@@ -97,7 +98,7 @@ std::vector<Cluster> joined(const ClosedLoop& loop, const std::vector<Complex>& 
   return clusters;
 }
 
-/// Distances from a cluster's centre: of its farthest pole, and of the nearest other cluster's nearest.
+/// Distances from the centre of a cluster to its farthest pole and to the nearest pole of another cluster.
 struct Distances {
   double within = 0, outside = std::numeric_limits<double>::infinity();
   std::size_t nearest = 0;
@@ -119,7 +120,8 @@ Distances distances(const std::vector<Cluster>& all, std::size_t k) {
   return d;
 }
 
-/// Joins clusters until each of more than one pole is four times as far from others as it is wide.
+/// Joins clusters until the distance of each multiple cluster from the others is at least four times its
+/// radius.
 void separate(std::vector<Cluster>& all) {
   for (std::size_t k = 0; k < all.size();) {
     if (all[k].poles.size() > 1 && all[k].poles.size() <= most_together) {
@@ -144,8 +146,8 @@ Weights at_pole(const ClosedLoop& loop, Complex p, std::span<const double> place
   return w;
 }
 
-/// The transforms of all signals at s. Of theta - theta_f instead of theta if 0 is in the circle: the same
-/// residues elsewhere.
+/// Transforms of all signals at s. With @p error, theta - theta_f in place of theta, which has no pole at 0
+/// and the same residues elsewhere: for a circle that contains 0.
 Weights transforms(const ClosedLoop& loop, Complex s, std::span<const double> places, double scale,
                    bool error) {
   const LoopTerms t = loop.terms(s, places);
@@ -165,7 +167,7 @@ Status not_separated(const Cluster& cluster, const std::string& why) {
       cluster.poles.size(), c.real(), c.imag(), why);
 }
 
-/// Several poles that nearly coincide.
+/// Adds the terms of cluster @p k, whose poles nearly coincide.
 Status add_cluster(const ClosedLoop& loop, const std::vector<Cluster>& all, std::size_t k,
                    std::span<const double> places, double scale, ResidueTerms& terms) {
   const Cluster& cluster = all[k];
@@ -212,15 +214,14 @@ Status add_cluster(const ClosedLoop& loop, const std::vector<Cluster>& all, std:
   return {};
 }
 
-/// All terms of the first @p pairs poles and of those that decay faster, for a step of the target to @p
+/// Terms of the first @p pairs poles and of those that decay faster, for a step of the target angle to @p
 /// scale.
 ///
-/// Poles nearer to each other than a tenth of their own size and of the distance between modes have
-/// residues that cancel, and none at all where they coincide: sums over a circle take their place,
-/// exponentials at the poles or next to them that give the same motion. What s = 0 leaves, the constant
-/// theta_f, is no term.
-/// @param[out] status success; that of the poles; or not_converged where more than eight poles nearly
-/// coincide
+/// The residues of poles nearer to each other than neighbourhood() cancel, and do not exist where the poles
+/// coincide. They are replaced by exponentials at or near the poles with the same sum, from integrals over a
+/// circle. The constant theta_f, from s = 0, is not included.
+/// @param[out] status success; the status of the poles; or not_converged if poles of a cluster cannot be
+/// separated, as for more than eight nearly coincident poles
 ResidueTerms loop_residues(const ClosedLoop& loop, int pairs, double scale, std::span<const double> places,
                            Status& status) {
   const LoopPoles found = loop.poles(pairs, PoleOrder::frequency);
@@ -231,7 +232,7 @@ ResidueTerms loop_residues(const ClosedLoop& loop, int pairs, double scale, std:
   for (std::size_t k = 0; k < clusters.size() && status.ok(); ++k) {
     const Cluster& c = clusters[k];
     if (c.poles.size() > 1) {
-      // Of two mirror images the upper one.
+      // Only the upper one of two conjugate clusters.
       double within = 0;
       for (const Complex p : c.poles) within = std::max(within, std::abs(p - c.centre()));
       if (c.centre().imag() >= -within) status = add_cluster(loop, clusters, k, places, scale, terms);
@@ -259,8 +260,8 @@ void require_places(const Plant& plant, std::span<const double> places, double a
     throw invalid_argument("residues: the amplitude {:g} is not finite", amplitude);
 }
 
-/// Bound of what the terms after the last leave out, if moduli fall like a power of their number that is at
-/// least 1.5 and at most @p order; if they do not fall yet, they may stay up to number @p modes.
+/// Truncation error bound, if the moduli fall like a power of their number between 1.5 and @p order. If they
+/// do not fall yet, the bound assumes that they stay constant up to number @p modes.
 double remainder(const std::vector<double>& moduli, double order, double modes) {
   const std::size_t n = moduli.size();
   if (n < 8) {
@@ -274,16 +275,16 @@ double remainder(const std::vector<double>& moduli, double order, double modes) 
   };
   const double earlier = largest(n / 2, 3 * n / 4), later = largest(3 * n / 4, n);
   if (later == 0) return 0;
-  // From the middle of one quarter to that of the next: 7/5 times the number.
+  // From the middle of the third quarter to that of the fourth the number grows by 7/5.
   const double seen = std::log(std::max(earlier, later) / later) / std::log(1.4);
   const double power = std::clamp(seen, 1.5, order);
-  // later * (3n/4)^power is at least the law's constant.
+  // later * (3n/4)^power is at least the constant of the power law.
   const double last = later * std::pow(0.75, power);
   const double falling = 2 * 2 * last * static_cast<double>(n) / (power - 1);
   return seen < 1.5 ? falling + 2 * 2 * later * modes : falling;
 }
 
-/// What each pole, or group of nearly coincident ones, adds to one signal at t = 0, or to its rate.
+/// Moduli of the contributions of all groups of poles to one signal at t = 0, or to its time derivative.
 std::vector<double> moduli(const ResidueTerms& terms, std::size_t signal, bool rate = false) {
   std::vector<double> m;
   for (const ResidueTerms::Group& g : terms.groups) m.push_back(std::abs((rate ? g.rate : g.value)[signal]));
@@ -310,7 +311,7 @@ ExponentialSum sum_of(const ResidueTerms& terms, std::size_t signal,
   return {polynomial, terms.poles, std::move(weights)};
 }
 
-/// Is what is left out of theta and of every y small enough, and of their rates?
+/// Whether the truncation errors of theta, every y and their time derivatives are within the tolerances.
 bool enough(const ResidueBounds& bounds, const ResidueTerms& terms, double tolerance, double of_rates) {
   const auto small = [&](double bound, std::size_t signal, bool rate) {
     const std::vector<double> m = moduli(terms, signal, rate);
@@ -322,8 +323,9 @@ bool enough(const ResidueBounds& bounds, const ResidueTerms& terms, double toler
   return all;
 }
 
-/// Do the rates start within a hundredth of 0, as from rest? At t = 0 a sum is off by just what is left out,
-/// which the bounds of theta and y do not tell: fast modes that hardly move theta may hold much of theta'.
+/// Whether the rates at t = 0 are 0 to a hundredth of their largest term. Their values at t = 0 are their
+/// truncation errors. The bounds of theta and y do not cover these: fast modes with small theta may
+/// contribute much to theta'.
 bool starts_at_rest(const ResidueTerms& terms, std::size_t places) {
   const auto small = [&](std::size_t signal) {
     double start = 0, largest = 0;
@@ -340,7 +342,7 @@ bool starts_at_rest(const ResidueTerms& terms, std::size_t places) {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// Of sums that end with the most terms that are allowed: fewer digits than asked for, but some.
+/// Status of sums with the largest number of terms: success if they meet a reduced accuracy.
 Status few_digits(const ResidueTerms& terms, const TimeResponse& response, double tolerance) {
   if (enough(response.bounds, terms, std::max(tolerance, 1e-6), 1e-2)) return {};
   return failed_with(
@@ -350,7 +352,7 @@ Status few_digits(const ResidueTerms& terms, const TimeResponse& response, doubl
       terms.groups.size(), response.bounds.theta, response.bounds.theta_dot);
 }
 
-/// Terms for more and more pairs until the bounds are met.
+/// Doubles the number of pairs until the bounds are met.
 template <class Make>
 ResidueTerms enough_terms(const ResidueOptions& options, std::size_t places, TimeResponse& response,
                           const Make& make) {
@@ -384,8 +386,8 @@ ResidueTerms plant_terms(const Plant& plant, int pairs, double torque, std::span
   return terms;
 }
 
-/// Is a signal that begins with 0 right at the start? What is left out there is within the bound, and the
-/// rest the rounding of its terms. A pole that is missing, or counts twice, shows here.
+/// Checks a signal with initial value 0: its sum at t = 0 must vanish to within the truncation bound and
+/// rounding. A missing or twice counted pole violates this.
 Status closes(const char* what, const ExponentialSum& sum, double bound) {
   const double start = sum.value(0), allowed = bound + 1e-9 * sum.envelope(0);
   if (std::abs(start) <= allowed) return {};
@@ -395,7 +397,7 @@ Status closes(const char* what, const ExponentialSum& sum, double bound) {
                      what, start, allowed);
 }
 
-/// All signals that begin with 0.
+/// Checks the initial values of theta, y and their time derivatives.
 Status closed_at_start(const TimeResponse& r) {
   Status status = closes("theta", r.theta, r.bounds.theta);
   if (status.ok()) status = closes("theta'", r.theta_dot, r.bounds.theta_dot);
@@ -469,7 +471,7 @@ Status certain_at(const TimeResponse& response, double time) {
     if (!std::isfinite(smooth))
       return failed_with(Outcome::non_finite, "step: {} is not finite at t = {:g} s; ask for an earlier time",
                          what, time);
-    // Below a phase of 1e12 no sum of them can be off by as much.
+    // Below a phase of 1e10 rad no sum has an error of a thousandth.
     if (fastest * time < 1e10 || f.uncertainty(time) <= 1e-3 * largest) return {};
     return failed_with(Outcome::outside_validity,
                        "step: at t = {:g} s rounding leaves the phase of the oscillations of {} open, {:g} "
@@ -490,7 +492,8 @@ Statics statics(const Parameters& p, double x) {
   require_physical(p);
   if (!(x >= 0 && x <= p.length))
     throw invalid_argument("statics: x = {:g} is outside 0 to {:g}", x, p.length);
-  using Rule = boost::math::quadrature::gauss<double, 7>;  // polynomials, of degree 6 at most
+  using Rule =
+      boost::math::quadrature::gauss<double, 7>;  // exact for the polynomials here, of degree at most 6
   const double ei = p.bending_stiffness();
   const auto moment = [&](double at) {
     const double load = Rule::integrate(

@@ -1,6 +1,5 @@
 /// @file
-/// Motion in time by exact residues: the closed loop's answer to a step of the target angle, the open loop's
-/// to a step of torque.
+/// Time response by exact residues: closed loop to a step of the target angle, open loop to a step of torque.
 #pragma once
 
 #include <cstddef>
@@ -12,72 +11,74 @@
 
 namespace nlmech::spacecraft {
 
-/// How many residues are summed.
+/// Truncation of the sum of residues.
 struct ResidueOptions {
-  int pairs = 0;            ///< poles of Im >= 0 that are used; 0: as many as the tolerance needs
-  double tolerance = 1e-9;  ///< with pairs = 0: bound of what is left out of theta and y, relative to the
+  int pairs = 0;            ///< number of poles with Im >= 0; 0: as many as the tolerance needs
+  double tolerance = 1e-9;  ///< with pairs = 0: bound of the truncation error of theta and y, relative to the
                             ///< largest residue of each
-  int most = 800;           ///< with pairs = 0: no more than so many; 1 to 5000
+  int most = 800;           ///< with pairs = 0: largest number of poles; 1 to 5000
 };
 
-/// What the residues that are left out can add up to: from the decay of the last quarter's moduli, twice the
-/// integral of the power law. Larger than the true remainder (tests/spacecraft, against 8 times the pairs).
+/// Bounds of the truncation error: twice the integral of a power law fitted to the decay of the last quarter
+/// of the moduli. Larger than the exact remainder (tests/spacecraft, against 8 times the pairs).
 struct ResidueBounds {
   double theta = 0;                    ///< rad
   double theta_dot = 0;                ///< rad/s
-  std::vector<double> deflection;      ///< ft, one a place
+  std::vector<double> deflection;      ///< ft, one per place
   std::vector<double> deflection_dot;  ///< ft/s
   double torque = 0;                   ///< lb ft
 };
 
-/// Motion from rest. All sums share their poles.
+/// Time response from rest. All sums have the same poles.
 struct TimeResponse {
   ExponentialSum theta;                        ///< rad
   ExponentialSum theta_dot;                    ///< rad/s
   std::vector<double> places;                  ///< x, ft
-  std::vector<ExponentialSum> deflection;      ///< y(x), ft, one a place
-  std::vector<ExponentialSum> deflection_dot;  ///< y'(x) by time, ft/s
+  std::vector<ExponentialSum> deflection;      ///< y(x), ft, one per place
+  std::vector<ExponentialSum> deflection_dot;  ///< dy(x)/dt, ft/s
   ExponentialSum torque;                       ///< u, lb ft; closed loop only
-  ResidueBounds bounds;                        ///< of what is left out
-  Status status;                               ///< success, or why the sums are not the motion
+  ResidueBounds bounds;                        ///< of the truncation error
+  Status status;                               ///< success, or why the sums are not reliable
 };
 
-/// The closed loop from rest, the target being theta_f = @p final_angle from t = 0 on.
+/// Closed-loop response from rest to a step of the target angle to theta_f = @p final_angle at t = 0.
 ///
-/// theta and y are sums of terms that fall like n^-6 and n^-5; theta' n^-4; y' n^-3; u n^-4 for k2 = 0 and
-/// n^-2 else (slowly and not near t = 0). Poles that coincide or nearly do, as at critical damping, are taken
-/// together (loop_residues()), so that nothing cancels; fast poles are among them, however far to the left.
-/// With k1 = 0 nothing moves.
+/// The terms fall like n^-6 for theta, n^-5 for y, n^-4 for theta', n^-3 for y', and for u like n^-4 if k2 =
+/// 0 and else n^-2 (u converges slowly, and not near t = 0). Coincident and nearly coincident poles, as at
+/// critical damping, are summed together (loop_residues()), which avoids cancellation. Fast poles are
+/// included, however large their decay. With k1 = 0 the response is 0.
 ///
-/// theta, theta' and each y and y' have to begin with 0 within their bounds: else a pole is missing or
-/// counted twice, and the status is `not_converged`. So it is if pairs are chosen by the tolerance and the
-/// most that are allowed leave out more than 1e-6 of theta or a y, or a hundredth of theta' or a y' at t = 0.
+/// The status is `not_converged` if theta, theta', a y or a y' differs from 0 at t = 0 by more than its
+/// bound, because a pole is missing or counted twice. It is also `not_converged` if the tolerance chooses the
+/// number of pairs and the largest number truncates more than 1e-6 of theta or a y, or a hundredth of theta'
+/// or a y' at t = 0.
 ///
-/// Rounding is that of the largest terms: an angle that is still far below theta_f is right to eps theta_f.
+/// Rounding errors are relative to the largest terms: an angle far below theta_f has an error of eps theta_f.
 ///
-/// Tests hold it to an independent sum of 25 pairs of poles (1e-9), to a numerical inverse of the exact
-/// transform (2e-9), with double and triple poles too, and to finite elements for gains of ten decades.
+/// Tests compare it with an independent sum of 25 pairs of poles (1e-9), with a numerical inverse of the
+/// exact transform (2e-9; also for double and triple poles), and with finite elements for gains over ten
+/// decades.
 /// @throws std::invalid_argument if a place is outside 0 to L, the angle is not finite, or an option is out
 /// of range
 [[nodiscard]] TimeResponse step_response(const ClosedLoop& loop, double final_angle,
                                          std::span<const double> places, const ResidueOptions& options = {});
 
-/// The open loop from rest, with constant torque @p torque from t = 0 on: theta = u [t^2/(2J) + c + sum], the
-/// constant from the appendages' static strain energy.
+/// Open-loop response from rest to the constant torque u = @p torque from t = 0 on: theta = u [t^2/(2J) + c +
+/// sum], with c from the static strain energy of the appendages.
 /// @throws std::invalid_argument as step_response()
 [[nodiscard]] TimeResponse torque_response(const Plant& plant, double torque, std::span<const double> places,
                                            const ResidueOptions& options = {});
 
-/// May the sums be taken at @p time? Not where they are not finite, and not where rounding of the poles
-/// leaves a thousandth of the largest term open, as the phase of an undamped oscillation some 1e12 radians
-/// on: then the status is `outside_validity`, naming the signal.
+/// Whether the sums are accurate at @p time. Returns `non_finite` if a sum is not finite, and
+/// `outside_validity`, naming the signal, if rounding of the poles can change it by more than a thousandth of
+/// its largest term, as for the phase of an undamped oscillation after some 1e12 radians.
 /// @throws std::invalid_argument if the time is negative or not finite
 [[nodiscard]] Status certain_at(const TimeResponse& response, double time);
 
-/// Static data of one appendage on a locked hub, in closed form.
+/// Static coefficients of one appendage on a locked hub, in closed form.
 struct Statics {
   double strain;  ///< int M(x)^2/EI dx for theta'' = 1: B(s) = B(0) - strain s^2 + ..., slug ft^2 s^2
-  double green;   ///< G(x, x) = x^3/(3 EI): deflection at x by a unit force there, ft/lb
+  double green;   ///< G(x, x) = x^3/(3 EI): deflection at x under a unit force at x, ft/lb
   double square;  ///< C(x) = [rho int G(x, xi)^2 dxi + m G(x, L)^2 + I_tip (dG/dxi(x, L))^2]/2, ft^2 s^2/lb
 };
 

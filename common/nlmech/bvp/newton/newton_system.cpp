@@ -12,7 +12,7 @@ using Eigen::VectorXd;
 MatrixXd Unknowns::ends(int phases) const {
   MatrixXd result(intervals.front().values.rows(), 2 * phases);
   for (const Interval& interval : intervals) {
-    // The first interval of a phase comes first, the last one last.
+    // Intervals are in order of time: the last one of a phase sets its end.
     const Index begin = 2L * interval.phase;
     const bool first = &interval == &intervals.front() || (&interval)[-1].phase != interval.phase;
     if (first) result.col(begin) = interval.values.col(0);
@@ -101,7 +101,8 @@ void NewtonSystem::chain() {
       so_far = c.bottom;
       continue;
     }
-    // Rows of the phase up to here: begin, here, parameters; rows of the interval: here, its end, parameters.
+    // Columns of the phase so far: its start, left end of the interval, parameters; columns of the interval:
+    // left end, right end, parameters.
     MatrixXd here(2 * n_, n_), others = MatrixXd::Zero(2L * n_, 2L * n_ + m_);
     here.topRows(n_) = so_far.middleCols(n_, n_);
     here.bottomRows(n_) = c.bottom.leftCols(n_);

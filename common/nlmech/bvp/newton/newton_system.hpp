@@ -1,5 +1,5 @@
 /// @file
-/// The linear system of Newton's iteration for collocation on a mesh, solved block by block.
+/// Linear system of Newton's iteration for collocation on a mesh, with block elimination.
 #pragma once
 
 #include <Eigen/QR>
@@ -10,69 +10,69 @@
 
 namespace nlmech::bvp {
 
-/// One interval of a mesh with its unknowns. Values at the ends are those of the neighbours too.
+/// One interval of a mesh with its unknowns. Adjacent intervals share the values at their common end.
 struct Interval {
   double t0 = 0;           ///< start
   double h = 0;            ///< length
-  int phase = 0;           ///< from 0
+  int phase = 0;           ///< number of the phase, from 0
   Eigen::MatrixXd values;  ///< n by N: x at the nodes
   Eigen::MatrixXd slopes;  ///< n by N: f at the nodes
 };
 
-/// All unknowns, or a change of them.
+/// All unknowns, or a Newton step.
 struct Unknowns {
   std::vector<Interval> intervals;  ///< phase by phase, in order of time
-  Eigen::VectorXd parameters;       ///< m of them
+  Eigen::VectorXd parameters;       ///< the m unknown constants
 
-  /// The states at both ends of each phase, as Problem::conditions() takes them.
+  /// States at both ends of each phase, in the layout of Problem::conditions().
   [[nodiscard]] Eigen::MatrixXd ends(int phases) const;
 };
 
-/// F(y) = 0 of the mesh, its derivative, and the solution of linear systems with it.
+/// Collocation equations F(y) = 0 on a mesh: residual, derivative, and solution of the linear system.
 ///
-/// Sparse by structure: inside an interval the nodes between its ends are eliminated by Householder's QR,
-/// then the points of the mesh one after the other, again by orthogonal transformations (S. J. Wright, Stable
-/// parallel algorithms for two-point boundary value problems, SIAM J. Sci. Stat. Comput. 13 (1992) 742-764),
-/// so that neither growing nor decaying solutions lose digits. What remains are the ends of the phases and
-/// the parameters, a system of 2 n K + m equations, solved by QR with pivots. Work: K_intervals (n N)^3.
+/// Block elimination: the interior nodes of each interval are eliminated by Householder QR, then the points
+/// of the mesh in sequence, also by orthogonal transformations (S. J. Wright, Stable parallel algorithms for
+/// two-point boundary value problems, SIAM J. Sci. Stat. Comput. 13 (1992) 742-764), which is stable for
+/// growing and decaying solutions. The reduced system of 2 n K + m equations for the phase ends and the
+/// parameters is solved by QR with column pivoting. Work: K_intervals (n N)^3.
 class NewtonSystem {
  public:
-  /// Both outlive the system.
+  /// Stores references: both arguments must outlive the system.
   NewtonSystem(const Problem& problem, const Scheme& scheme);
 
-  /// Evaluates F at y; fills the slopes of the intervals. False if F is not finite.
+  /// Evaluates F at y; sets the slopes of the intervals. False if F is not finite.
   [[nodiscard]] bool residual(Unknowns& y);
-  /// Factorises dF/dy at y, whose residual was evaluated last. False if the matrix is not finite.
+  /// Factorises dF/dy at y, the argument of the last residual(). False if the matrix is not finite.
   [[nodiscard]] bool factorise(const Unknowns& y);
-  /// step = -(dF/dy)^-1 F with the factors at hand and the residual evaluated last. The mesh of @p step is
-  /// that of y.
+  /// Sets step = -(dF/dy)^-1 F with the last factorisation and the last residual. @p step must have the mesh
+  /// of y.
   void solve(Unknowns& step);
 
-  /// Smallest over largest pivot of the remaining system, its rows and columns scaled to 1: of the order of
-  /// the reciprocal condition.
+  /// Ratio of the smallest to the largest pivot of the reduced system with rows and columns scaled to 1: of
+  /// the order of its reciprocal condition number.
   [[nodiscard]] double pivot_ratio() const { return pivot_ratio_; }
-  /// How many of the conditions are independent of each other, by their derivatives alone.
+  /// Number of linearly independent conditions: rank of their derivatives.
   [[nodiscard]] Eigen::Index independent_conditions() const { return independent_; }
-  /// The part of the conditions' residual that no change of ends and parameters can remove, to first order;
-  /// relative to the largest of the residuals. 0 if they are independent.
+  /// Part of the residual of the conditions that no change of ends and parameters can remove to first order,
+  /// relative to the largest residual; 0 if the conditions are independent.
   [[nodiscard]] double contradiction() const { return contradiction_; }
-  /// Evaluations of f so far, one a node.
+  /// Number of evaluations of f, one per node.
   [[nodiscard]] std::int64_t evaluations() const { return evaluations_; }
 
  private:
   struct Condensed {
-    Eigen::HouseholderQR<Eigen::MatrixXd> inner;  // of the columns of the nodes between
+    Eigen::HouseholderQR<Eigen::MatrixXd> inner;  // of the columns of the interior nodes
     Eigen::MatrixXd top, bottom;                  // after Q^T: columns start, end, parameters
     Eigen::VectorXd r;                            // residual of the interval's equations
     Eigen::VectorXd r_top, r_bottom;
-    // Elimination of the interval's left end, unless it begins a phase.
+    // Elimination of the left end of the interval, unless that is the start of a phase.
     Eigen::HouseholderQR<Eigen::MatrixXd> left;
     Eigen::MatrixXd left_top;  // columns start of phase, right end, parameters
     Eigen::VectorXd r_left;
     bool has_inner = false, has_left = false;
   };
-  // With several phases f may jump between them, and is the limit from the right there: at the end of an
-  // interval it is asked for one double before.
+  // Time at which f is evaluated. With several phases f may jump between them, and rhs() is then the limit
+  // from the right; so at the end of an interval f is evaluated at the previous double.
   [[nodiscard]] double node_time(const Interval& interval, Eigen::Index node) const;
   void condense(const Interval& interval, Condensed& c);
   void chain();

@@ -13,7 +13,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// A value to be reached at a step of the grid, with its multiplier.
+/// Prescribed value at a step of the grid, with its multiplier.
 struct Target {
   Index step;
   int component;
@@ -21,7 +21,7 @@ struct Target {
   double multiplier;
 };
 
-/// One trajectory on the grid.
+/// Trajectory on the grid.
 struct Trajectory {
   MatrixXd x, u;     // n by M + 1, q by M
   double merit = 0;  // cost with penalties and multipliers
@@ -101,7 +101,7 @@ class Descent {
     return x + h_ / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
   }
 
-  /// The cost's rate with the penalties; second derivatives are not made where there are none.
+  /// Running cost with penalties; without penalties the derivatives are not computed.
   [[nodiscard]] double rate(Index k, const VectorXd& x, const VectorXd& u) const {
     if (task_.constraints.penalty_weight > 0) {
       return model_.expand(time(k), x, u, VectorXd::Zero(n_), task_.mu, task_.constraints).value;
@@ -110,7 +110,7 @@ class Descent {
     return model_.dynamics(time(k), x, u, task_.mu, g);
   }
 
-  /// Derivatives of next() by x and u, stage by stage.
+  /// Derivatives of next() with respect to x and u, by stages.
   void linearise(Index k, MatrixXd& a, MatrixXd& b) const {
     const double t = time(k);
     const VectorXd u = now_.u.col(k);
@@ -131,7 +131,7 @@ class Descent {
     }
   }
 
-  /// phi and the targets of one step of the grid.
+  /// End cost and penalties of the prescribed values.
   [[nodiscard]] double target_cost(const Trajectory& trajectory) const {
     double sum = model_.end_cost(trajectory.x.col(0), trajectory.x.col(steps_), task_.final_time).value;
     for (const Target& target : targets_) {
@@ -141,7 +141,7 @@ class Descent {
     return sum;
   }
 
-  /// Follows x from its first column under u; false if it is not finite.
+  /// Integrates x from its first column with the control u; false if it is not finite.
   bool integrate(Trajectory& trajectory) const {
     double running = 0;
     for (Index k = 0; k < steps_; ++k) {
@@ -162,7 +162,7 @@ class Descent {
     }
   }
 
-  /// Riccati's recursion along now_; false if a matrix is not positive.
+  /// Riccati recursion along now_; false if a matrix is not positive definite.
   bool sweep_back() {
     const EndCost phi = model_.end_cost(now_.x.col(0), now_.x.col(steps_), task_.final_time);
     VectorXd vx = phi.gradient.segment(n_, n_);
@@ -196,7 +196,7 @@ class Descent {
     return begin_change(phi, vx, vxx);
   }
 
-  /// Newton's change of the free initial values.
+  /// Newton step of the free initial values.
   bool begin_change(const EndCost& phi, const VectorXd& vx, const MatrixXd& vxx) {
     const auto count = static_cast<Index>(free_.size());
     begin_change_ = VectorXd::Zero(n_);
@@ -220,7 +220,7 @@ class Descent {
     return true;
   }
 
-  /// The trajectory a fraction of the step ahead.
+  /// Trajectory after a fraction of the step; false if it is not finite.
   bool attempt(double fraction, Trajectory& trial) const {
     trial.x = now_.x;
     trial.u = now_.u;
@@ -242,7 +242,7 @@ class Descent {
     return std::isfinite(trial.merit);
   }
 
-  /// Descends until nothing is gained any more at this weight.
+  /// Descends at the present weight until the cost decreases by less than the tolerance.
   void descend() {
     damping_ = 1e-3;
     (void)integrate(now_);

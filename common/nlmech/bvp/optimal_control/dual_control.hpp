@@ -1,5 +1,5 @@
 /// @file
-/// A control problem from functions written once: the Euler-Lagrange equations by nested dual numbers.
+/// Control model from function templates: Euler-Lagrange equations by nested dual numbers.
 #pragma once
 
 #include <Eigen/LU>
@@ -12,22 +12,22 @@
 
 namespace nlmech::bvp {
 
-/// Makes a ControlModel of an aggregate with
+/// ControlModel from an aggregate P with
 ///  - `static constexpr int states` n and `static constexpr int controls` q;
 ///  - `dynamics(t, x, u, mu, g)`, which sets g = dx/dt;
 ///  - `running_cost(t, x, u, mu)`;
 ///  - `end_cost(x0, xF, tF)`,
 ///
-/// three const templates on the type of their numbers, in which x and g have n, u has q components.
-/// H must be strictly convex in u. The control is eliminated pointwise by Newton's iteration, at once where H
-/// is quadratic in u; its derivatives follow by one more step in dual numbers. Exact to rounding.
+/// three const function templates on the number type; x and g have n components, u has q. H must be strictly
+/// convex in u. Newton's iteration eliminates the control pointwise (one step if H is quadratic in u), and
+/// one more step in dual numbers yields its derivatives. Exact to rounding.
 template <class P>
 class DualControl final : public ControlModel {
  public:
   static constexpr int n = P::states;    ///< states
   static constexpr int q = P::controls;  ///< controls
 
-  /// Takes a copy.
+  /// Stores the functions.
   explicit DualControl(P problem) : problem_(std::move(problem)) {}
 
   /// The functions.
@@ -136,7 +136,7 @@ class DualControl final : public ControlModel {
   }
 
  private:
-  /// @param g of i: the i-th component of the dynamics with its derivatives by x, then u
+  /// @param g g(i): i-th component of the dynamics with its derivatives with respect to x, then u
   template <class Component>
   static void read_off(const Component& g, LinearDynamics& linear) {
     linear.g.resize(n);
@@ -151,7 +151,7 @@ class DualControl final : public ControlModel {
     }
   }
 
-  /// L with the penalties on the states.
+  /// L with the penalties on states.
   template <class T>
   T cost(const T& t, const Vector<T, n>& x, const Vector<T, q>& u, const T& mu, const Constraints& c) const {
     using std::sqrt;
@@ -169,7 +169,7 @@ class DualControl final : public ControlModel {
     return sum;
   }
 
-  /// dH/du in T, at a control without derivatives of its own.
+  /// dH/du in T, at a control @p u.
   template <class T>
   Vector<T, q> stationarity(const T& t, const Vector<T, n>& x, const Vector<T, q>& u,
                             const Vector<T, n>& lambda, const T& mu, const Constraints& c) const {
@@ -186,7 +186,7 @@ class DualControl final : public ControlModel {
     return result;
   }
 
-  /// The root of dH/du in double, and d2H/du2 there.
+  /// Root of dH/du in double precision, and d2H/du2 at it.
   Vector<double, q> unconstrained(double t, const Vector<double, n>& x, const Vector<double, n>& lambda,
                                   double mu, const Constraints& c, Matrix<double, q>& curvature) const {
     using D = Dual<double, q>;
@@ -262,7 +262,7 @@ class DualControl final : public ControlModel {
     return h.value;
   }
 
-  /// The flow with its derivatives by z, and by t if there is a variable more.
+  /// flow() with derivatives with respect to z, and to t if variables = 2 n + 1.
   template <int variables>
   Dual<double, variables> dual_flow(double t, const Eigen::VectorXd& z, double mu, const Constraints& c,
                                     Vector<Dual<double, variables>, 2 * n>& f) const {

@@ -1,5 +1,5 @@
 /// @file
-/// A boundary value problem from equations written once: all derivatives by dual numbers.
+/// Boundary value problem from function templates, with all derivatives by dual numbers.
 #pragma once
 
 #include <array>
@@ -10,13 +10,13 @@
 
 namespace nlmech::bvp {
 
-/// Equations as a problem. Equations are an aggregate with
+/// Problem from equations E, an aggregate with
 ///  - `static constexpr int states` n and `static constexpr int parameters` m (which may be 0);
 ///  - `std::vector<double> points() const`: see Problem;
 ///  - `template <class T> void rhs(const T& t, const Vector<T, n>& x, const Vector<T, m>& p, Vector<T, n>&
 ///    dxdt) const`;
 ///  - `template <class T> void conditions(const Matrix<T, n, Eigen::Dynamic>& ends, const Vector<T, m>& p,
-///    Vector<T, Eigen::Dynamic>& r) const`, where r has its size already.
+///    Vector<T, Eigen::Dynamic>& r) const`, where the size of r is set by the caller.
 /// Derivatives are exact to rounding.
 template <class E>
 class DualProblem final : public Problem {
@@ -24,7 +24,7 @@ class DualProblem final : public Problem {
   static constexpr int n = E::states;      ///< states
   static constexpr int m = E::parameters;  ///< unknown constants
 
-  /// Takes a copy.
+  /// Stores the equations.
   explicit DualProblem(E equations) : equations_(std::move(equations)) {}
 
   /// The equations.
@@ -60,7 +60,7 @@ class DualProblem final : public Problem {
     equations_.conditions(Matrix<double, n, Eigen::Dynamic>(ends), Vector<double, m>(p), r);
   }
 
-  /// See Problem. Takes the derivatives by fours.
+  /// See Problem. Computes four derivatives per evaluation.
   void condition_jacobian(const Eigen::MatrixXd& ends, const Eigen::VectorXd& p, Eigen::MatrixXd& by_ends,
                           Eigen::MatrixXd& by_parameter) const override {
     constexpr int lanes = 4;

@@ -1,5 +1,5 @@
 /// @file
-/// The Duffing oscillator under an unknown force: the optimal control problems of section 5.3.
+/// Optimal control problems of the Duffing oscillator (section 5.3).
 #pragma once
 
 #include <string_view>
@@ -10,8 +10,8 @@
 
 namespace nlmech::bvp {
 
-/// x1' = x2, x2' = -omega^2 x1 - beta x1^3 + f with J = (x(T) - x_F)^T S (x(T) - x_F)/2 + integral f^2/2
-/// (Eqs 5.18 to 5.20; L is the integrand alone, against the print of 5.19). mu is beta.
+/// x1' = x2, x2' = -omega^2 x1 - beta x1^3 + f with J = (x(T) - x_F)^T S (x(T) - x_F)/2 + integral f^2/2 (Eqs
+/// 5.18 to 5.20; L is the integrand alone, unlike the printed Eq. 5.19). mu is beta.
 struct ControlledDuffing {
   static constexpr int states = 2;    ///< position, velocity
   static constexpr int controls = 1;  ///< f
@@ -41,7 +41,8 @@ struct ControlledDuffing {
   }
 };
 
-/// What is prescribed. The dissertation solves all but x2x2 and final_only, which stand in its Table 5.1.
+/// Prescribed end values. The dissertation solves all cases except x2x2 and final_only, which Table 5.1
+/// lists.
 enum class DuffingCase : std::uint8_t {
   free,        ///< x(0); free final state (Eqs 5.23 to 5.25)
   fixed,       ///< x(0), x(T) (Eqs 5.26 to 5.28)
@@ -56,16 +57,17 @@ enum class DuffingCase : std::uint8_t {
 /// "x1x2", "final-only".
 [[nodiscard]] std::string_view to_string(DuffingCase which);
 
-/// All of them in the order of the enumeration.
+/// All cases in the order of the enumeration.
 [[nodiscard]] std::vector<DuffingCase> duffing_cases();
 
-/// beta that the dissertation states for a case: 0.9, x1x1 and x1x2 0.94, x2x1 0.97; 0.9 for those that it
-/// does not solve.
+/// beta of the dissertation for a case: 0.94 for x1x1 and x1x2, 0.97 for x2x1, else 0.9; also 0.9 for the
+/// cases that it does not solve.
 [[nodiscard]] double printed_beta(DuffingCase which);
 
-/// One problem with the values of Table 5.2; T = 2 and S = I are readings.
+/// Settings of one problem, with the values of Table 5.2 as defaults; T = 2 and S = I are assumptions, not
+/// printed.
 struct DuffingSettings {
-  DuffingCase which = DuffingCase::free;  ///< what is prescribed
+  DuffingCase which = DuffingCase::free;  ///< prescribed end values
   double final_time = 2;                  ///< T
   double beta = 0.9;                      ///< nonlinearity
   double frequency = 1;                   ///< omega_n
@@ -75,46 +77,47 @@ struct DuffingSettings {
   Eigen::Vector3d amplitudes{1.5, 2, 3};  ///< a_1, a_2, a_3 of the harmonic state
   double harmonic_frequency = 3;          ///< omega of the harmonic state
   Constraints constraints = {};           ///< bounds, see solve_bounded
-  std::vector<Waypoint> waypoints = {};   ///< prescribed states between
-  bool free_final_time = false;           ///< T is a first guess only
+  std::vector<Waypoint> waypoints = {};   ///< prescribed states at interior times
+  bool free_final_time = false;           ///< whether T is unknown, with final_time as initial guess
 };
 
-/// x_F; for the harmonic case by Eq. 5.34.
+/// Target x_F; for the harmonic case by Eq. 5.34.
 [[nodiscard]] Eigen::Vector2d duffing_target(const DuffingSettings& settings);
 
-/// The problem of extremals.
+/// Boundary value problem of the extremals.
 [[nodiscard]] ExtremalProblem duffing_problem(const DuffingSettings& settings);
 
-/// Trajectory under the cheapest force that raises the energy E over many swings: f = g x2/sqrt(m(E)), m the
-/// mean of x2^2 over a swing, so that the integral of dE/sqrt(m) grows linearly in time. (The mean of E' is
-/// p m for f = p x2, at a cost of p^2 m/2; least for E'/sqrt(m) constant.) Integrated backward from the
-/// target, with lambda2 = -f and lambda1 = -dlambda2/dt. It costs (integral of dE/sqrt(m))^2/(2 T), about 3
-/// E/(2 T).
-/// @param strength g over the one that reaches the start's energy by that mean; 1.02 is best, 0.9 to 1.2 lead
-/// to neighbouring extremals
+/// Initial guess for many oscillations: trajectory under the cheapest force that raises the energy E, f = g
+/// x2/sqrt(m(E)), with the mean m of x2^2 over one oscillation. The integral of dE/sqrt(m) then grows
+/// linearly in time. (For f = p x2 the mean of E' is p m, at a cost of p^2 m/2, which is least for constant
+/// E'/sqrt(m).) Integrated backward from the target, with lambda2 = -f and lambda1 = -dlambda2/dt. The cost
+/// is (integral of dE/sqrt(m))^2/(2 T), about 3 E/(2 T).
+/// @param strength g relative to the value that reaches the energy of the initial state in the mean; 1.02 is
+/// best, 0.9 to 1.2 lead to adjacent extremals
 [[nodiscard]] Start pump_start(const DuffingSettings& settings, double strength);
 
-/// The unforced trajectory, lambda = 0, from x(0); or backward from x(T).
+/// Initial guess from the unforced trajectory with lambda = 0, forward from x(0) or backward from x(T).
 [[nodiscard]] Start unforced_start(const DuffingSettings& settings, const Eigen::Vector2d& x,
                                    bool from_the_end);
 
-/// How many starts of each kind, see duffing_starts().
+/// Number of starts of each kind for duffing_starts().
 struct DuffingStarts {
-  bool constants = true;  ///< zeros and ones
-  int unforced = 12;      ///< trajectories without force, over the free values of the start
-  int pumps = 6;          ///< pump_start of strengths 0.9 to 1.2
-  int direct = 12;        ///< direct_start from zero, constant, pumping and unforced guesses
+  bool constants = true;  ///< whether to include the constants 0 and 1
+  int unforced = 12;      ///< unforced trajectories over the free initial values
+  int pumps = 6;          ///< pump_start with strengths 0.9 to 1.2
+  int direct = 12;        ///< direct_start: zero, constant, harmonic forces; or over free initial values
   int random = 12;        ///< random_start
-  unsigned seed = 1;      ///< of the random ones
-  /// direct_start from pump_start of strengths 1 to 1.08, where T holds four swings or more; 20 ms a swing.
+  unsigned seed = 1;      ///< seed of the random starts
+  /// direct_start from pump_start with strengths 1 to 1.08, if T is at least four oscillations; 20 ms per
+  /// oscillation.
   int driven = 6;
 };
 
-/// The program's own starts: nothing but the settings goes in.
+/// Automatic starts, computed from the settings alone.
 [[nodiscard]] std::vector<Start> duffing_starts(const DuffingSettings& settings,
                                                 const DuffingStarts& which = {});
 
-/// All extremals that the own starts lead to, cheapest first, with their kind.
+/// All extremals from the automatic starts, in order of cost, with their kind.
 [[nodiscard]] Multistart duffing_extremals(const DuffingSettings& settings, const DuffingStarts& which = {},
                                            const Options& options = {},
                                            const MultistartOptions& many = {.second_order_pieces = 80});

@@ -20,13 +20,13 @@ double energy(const DuffingSettings& s, const Vector2d& x) {
   return (x[1] * x[1] + s.frequency * s.frequency * square) / 2 + s.beta / 4 * square * square;
 }
 
-/// The begin as far as it is prescribed, at rest at zero else.
+/// Initial state: prescribed components, else 0.
 Vector2d known_begin(const DuffingSettings& s) {
   const ExtremalProblem problem = duffing_problem(s);
   return {problem.task().begin[0].value_or(0), problem.task().begin[1].value_or(0)};
 }
 
-/// Angular frequency of the oscillation through the target, roughly.
+/// Approximate angular frequency of the oscillation through the target.
 double fast_frequency(const DuffingSettings& s) {
   const Vector2d target = duffing_target(s);
   const double w2 = s.frequency * s.frequency, e = std::max(energy(s, target), energy(s, known_begin(s)));
@@ -34,13 +34,13 @@ double fast_frequency(const DuffingSettings& s) {
   return std::sqrt(w2 + 0.75 * std::max(s.beta, 0.0) * amplitude2);
 }
 
-/// From so many swings on, starts that know of none lead to expensive extremals or to none.
+/// Number of oscillations from which starts without oscillations lead to expensive extremals or to none.
 constexpr double many_swings = 4;
 
-/// Oscillations within T at the target's energy.
+/// Number of oscillations within T at the energy of the target.
 double swings(const DuffingSettings& s) { return fast_frequency(s) * s.final_time / (2 * std::numbers::pi); }
 
-/// Steps of a table of a trajectory.
+/// Number of steps of a tabulated trajectory.
 int table_steps(const DuffingSettings& s) {
   const double cycles = swings(s);
   return std::clamp(static_cast<int>(std::lround(200 * cycles)), 400, 20000);
@@ -54,7 +54,7 @@ std::vector<double> mesh_for(const DuffingSettings& s) {
   return mesh;
 }
 
-/// A table of states and co-states as a start; each column a time, equally spaced.
+/// Start from a table of states and co-states, with one column per time, equally spaced.
 Start tabled(const DuffingSettings& s, MatrixXd table) {
   const double h = s.final_time / static_cast<double>(table.cols() - 1);
   auto states = [table = std::move(table), h](double t, VectorXd& z) {
@@ -68,7 +68,7 @@ Start tabled(const DuffingSettings& s, MatrixXd table) {
 
 using Force = std::function<double(const Vector2d&)>;
 
-/// Columns of x along a trajectory under a force, by the classical Runge-Kutta method; backward if asked.
+/// Table of x along a trajectory under a force, by the classical Runge-Kutta method, forward or backward.
 MatrixXd table_of(const DuffingSettings& s, Vector2d x, bool from_the_end, const Force& force) {
   const int steps = table_steps(s);
   const double h = (from_the_end ? -1 : 1) * s.final_time / steps;
@@ -81,14 +81,14 @@ MatrixXd table_of(const DuffingSettings& s, Vector2d x, bool from_the_end, const
     const Vector2d k1 = slope(x), k2 = slope(x + h / 2 * k1), k3 = slope(x + h / 2 * k2),
                    k4 = slope(x + h * k3);
     x += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
-    // A start that leaves all bounds is none; the table stays finite.
+    // Keeps the table finite if the trajectory diverges.
     if (!x.allFinite() || x.norm() > 1e6) x.setZero();
   }
   return table;
 }
 
-/// m(E): the mean of x2^2 over an unforced swing of energy E. With x1 = a sin(phi) the speed is a cos(phi) g,
-/// g smooth, and the midpoint rule over a quarter is exact to rounding but for the last digits.
+/// m(E): mean of x2^2 over an unforced oscillation of energy E. With x1 = a sin(phi) the velocity is a
+/// cos(phi) g with a smooth g, and the midpoint rule over a quarter period is nearly exact to rounding.
 double mean_square_velocity(const DuffingSettings& s, double e) {
   const double w2 = s.frequency * s.frequency, beta = std::max(s.beta, 0.0);
   const double amplitude2 = 4 * e / (w2 + std::sqrt(w2 * w2 + 4 * beta * e));
@@ -129,7 +129,7 @@ Force pump(const DuffingSettings& s, double strength) {
   };
 }
 
-/// Guesses of a force in time, for the direct method.
+/// Forces as functions of time, as guesses for the direct method.
 std::vector<std::function<double(double)>> forces_in_time(const DuffingSettings& s, int count) {
   std::vector<std::function<double(double)>> forces;
   const double scale = std::sqrt(2 * energy(s, duffing_target(s))) / s.final_time;
@@ -146,7 +146,8 @@ std::vector<std::function<double(double)>> forces_in_time(const DuffingSettings&
   return forces;
 }
 
-/// Values of the start: the prescribed ones, and for free ones a spread up to the target's energy and beyond.
+/// Initial states: prescribed components, and for the free ones a range up to and beyond the energy of the
+/// target.
 std::vector<Vector2d> begins(const DuffingSettings& s, int count) {
   const ExtremalProblem problem = duffing_problem(s);
   const bool free1 = !problem.task().begin[0], free2 = !problem.task().begin[1];
@@ -155,7 +156,7 @@ std::vector<Vector2d> begins(const DuffingSettings& s, int count) {
   const double w = fast_frequency(s);
   std::vector<Vector2d> result;
   for (int k = 0; k < count; ++k) {
-    // From -1.6 to 1.6 times the target's speed, the middle ones first.
+    // From -1.6 to 1.6 times the speed of the target, the smallest first.
     const int step = k / 2 + 1, steps = (count + 1) / 2;
     const double place = (k % 2 == 0 ? 1 : -1) * 1.6 * step / steps;
     Vector2d x = known;
@@ -168,7 +169,7 @@ std::vector<Vector2d> begins(const DuffingSettings& s, int count) {
 
 void add_direct(const DuffingSettings& s, const DuffingStarts& which, std::vector<Start>& starts) {
   const ExtremalProblem problem = duffing_problem(s);
-  // The neighbourhood of a minimum is enough.
+  // Newton's iteration follows, so a low accuracy suffices.
   const DirectOptions options{.pieces = std::clamp(static_cast<int>(std::lround(60 * swings(s))), 80, 2000),
                               .weight_growth = 40,
                               .rounds = 4,
@@ -187,8 +188,8 @@ void add_direct(const DuffingSettings& s, const DuffingStarts& which, std::vecto
   }
 }
 
-/// Starts for many swings: descent from pumps. Each is left after one round with a penalty that outweighs the
-/// cost, because it is Newton's iteration that meets the end.
+/// Starts for many oscillations: direct method from pump_start(). One round, with a penalty that outweighs
+/// the cost, suffices because Newton's iteration satisfies the end conditions.
 void add_driven(const DuffingSettings& s, const DuffingStarts& which, std::vector<Start>& starts) {
   const ExtremalProblem problem = duffing_problem(s);
   const double cycles = swings(s);

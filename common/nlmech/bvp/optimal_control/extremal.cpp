@@ -239,8 +239,8 @@ ExtremalProblem with_constraints(const ExtremalProblem& problem, const Constrain
 Extremal tighten(const ExtremalProblem& problem, const Start& start, const ConstraintPath& path,
                  const Options& given) {
   Options options = given;
-  // Along a bounded arc a penalty of weight w makes solutions grow like exp(sqrt(w) t): not to be integrated
-  // through.
+  // Along a bounded arc a penalty of weight w makes solutions grow like exp(sqrt(w) t), too fast for one
+  // integration over all intervals.
   if (path(1).penalty_weight > 0 && options.verification == Verification::whole)
     options.verification = Verification::pieces;
   Extremal last = solve_extremal(with_constraints(problem, path(0)), start, options);

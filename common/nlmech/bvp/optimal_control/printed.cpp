@@ -203,7 +203,7 @@ CondensedCollocation::CondensedCollocation(const Problem& problem, GlobalColloca
     if (!unknown_gone[static_cast<std::size_t>(i)]) kept_.push_back(i);
     if (!row_gone[static_cast<std::size_t>(i)]) rows_.push_back(i);
   }
-  // The eliminated row is (D x_k)_j - a x_m,j; no other eliminated unknown is in it unless x_k is one.
+  // The eliminated row is (D x_k)_j - a x_m,j; it contains another eliminated unknown only if x_k is one.
   MatrixXd b;
   equations_.linearise(VectorXd::Zero(all));
   equations_.matrix(b);
@@ -245,7 +245,8 @@ std::vector<ReplacedRow> printed_rows(const ExtremalProblem& problem) {
   }
   const auto& begin = problem.task().begin;
   const auto& end = problem.task().end;
-  // Components are x1, x2, lambda1, lambda2. Eq. 5.28, and by analogy x1x1, keep the rows of x1 and lambda2.
+  // Components are x1, x2, lambda1, lambda2. Eq. 5.28, and by analogy x1x1, do not replace the rows of x1 and
+  // lambda2.
   if (begin[0] && end[0]) return {{0, 1, false}, {1, 2, false}, {2, 1, true}, {3, 2, true}};
   return {{0, begin[0] ? 0 : 2, false},
           {1, begin[1] ? 1 : 3, false},
@@ -255,7 +256,7 @@ std::vector<ReplacedRow> printed_rows(const ExtremalProblem& problem) {
 
 namespace {
 
-/// The root as a solution: one interval, the polynomial through the values.
+/// Converts the root to a solution on one interval, with the polynomial through the values.
 Solution as_solution(const Problem& problem, const GlobalCollocation& equations, const VectorXd& root) {
   const auto nodes = static_cast<int>(equations.times().size());
   Solution s;
@@ -281,7 +282,7 @@ void judge(const Problem& problem, const GlobalCollocation& equations, double to
   MatrixXd& integrated = result.integrated;
   integrated = values.col(0);
   double worst = 0;
-  // In pieces: what is no solution mostly swings fast, and need not be integrated to the end.
+  // In pieces: spurious roots mostly oscillate fast, and are rejected before the end of the integration.
   constexpr Index piece = 6;
   while (integrated.cols() < t.size() && worst <= tolerance) {
     const Index done = integrated.cols(), next = std::min(done + piece, static_cast<Index>(t.size()));
@@ -307,7 +308,7 @@ void judge(const Problem& problem, const GlobalCollocation& equations, double to
 }
 
 algebraic::Report iterate(algebraic::Equations& equations, VectorXd& x, bool damped, int iterations) {
-  // Rounding in D of condition 1e17 leaves updates of about 1e-9.
+  // With a condition number of 1e17 the rounding of D causes updates of about 1e-9.
   constexpr double tolerance = 1e-9, noise = 1e-7;
   if (!damped) {
     return find_root(algebraic::Newton{.tolerance = tolerance, .noise = noise, .iterations = iterations},

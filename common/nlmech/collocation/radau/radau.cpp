@@ -27,7 +27,7 @@ Radau<s> make() {
   r.nodes = ((x.array() + 1) / 2).matrix().template cast<double>();
   r.integral = a.template cast<double>();
   r.twice = (a * a).eval().template cast<double>();
-  // The quadrature is exact to degree 2s - 2, and so is the discrete orthogonality of the P_k.
+  // The quadrature is exact to degree 2s - 2, so the P_k are orthogonal in the discrete inner product.
   Eigen::Matrix<long double, s, s> values, legendre;
   for (int j = 0; j < s; ++j) values.col(j) = legendre_values<s>(x[j]);
   for (int k = 0; k < s; ++k) legendre.row(k) = (2 * k + 1) * values.row(k).cwiseProduct(a.row(s - 1));

@@ -11,11 +11,11 @@
 namespace nlmech::collocation {
 namespace {
 
-/// Real vectors and the parts of complex ones as columns: the real eigenvalue first, then the pairs by
-/// growing imaginary part.
+/// Columns of T: the real eigenvector, then the real and imaginary parts of the complex ones, by increasing
+/// imaginary part of the eigenvalue.
 template <int s>
 RadauTransform<s> make_transform() {
-  // Of dynamic size: one eigenvalue solver is compiled for all s.
+  // Dynamic size, so that one eigenvalue solver is compiled for all s.
   using Square = Matrix<long double>;
   const Square inverse = (integration_matrix(radau_right<long double>(s)) / 2).inverse();
   const Eigen::EigenSolver<Square> eigen(inverse);
@@ -37,7 +37,7 @@ RadauTransform<s> make_transform() {
       continue;
     }
     // For the vector u + iv of alpha + i beta, A^-1 (a u - b v) = (alpha a - beta b) u - (beta a + alpha b)
-    // v: the pair (a, b) is multiplied as a + ib.
+    // v: the pair (a, b) transforms as a + ib.
     for (int row = 0; row < s; ++row) t(row, column + 1) = -vectors(row, i).imag();
     r.complex[static_cast<std::size_t>((column - 1) / 2)] = {static_cast<double>(values[i].real()),
                                                              static_cast<double>(values[i].imag())};
@@ -65,7 +65,7 @@ namespace {
 using Real = long double;
 using Complex = std::complex<Real>;
 
-/// The eigenvalues of A^-1: the real one, then one of each pair by growing imaginary part, as in
+/// Eigenvalues of A^-1: the real one, then one of each pair by increasing imaginary part, as in
 /// RadauTransform.
 template <int s>
 std::vector<Complex> upper_eigenvalues() {
@@ -92,7 +92,7 @@ std::array<Real, 2> cardinal(const Vector<Real>& nodes, Eigen::Index j, Real t) 
   return {value, slope};
 }
 
-/// Integral of (1 - c)^k/k! p(c) over the unit interval for polynomials of a degree below @p degree.
+/// Integral of (1 - c)^k/k! p(c) over the unit interval by the Radau quadrature with @p degree nodes.
 template <class P>
 Real moment(int k, int degree, P p) {
   const Vector<Real> tau = radau_right<Real>(degree);
@@ -127,12 +127,13 @@ typename RadauDefect<s>::Weights fractions(const std::vector<Complex>& upper, P 
   return weights;
 }
 
-// The usual estimate, of order s + 1 and compared with a power of the tolerance because the end is of order
-// 2 s - 1, fails where stiffness reduces the order: a fast vibration far above the tolerance passes it.
+// The usual error estimate, of order s + 1 and compared with a power of the tolerance because the order at
+// the end is 2 s - 1, fails if stiffness reduces the order: it accepts a fast vibration far above the
+// tolerance.
 template <int s>
 RadauDefect<s> make_defect() {
   const Vector<Real> nodes = (radau_right<Real>(s).array() + 1) / 2;
-  // The node polynomial is large enough there to be divided by, and the end is near.
+  // A point near the end at which the node polynomial is large enough for a division.
   const Real inner = (nodes[s - 3] + nodes[s - 2]) / 2;
   RadauDefect<s> r;
   r.inner_time = static_cast<double>(inner);

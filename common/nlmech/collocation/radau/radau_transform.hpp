@@ -1,6 +1,6 @@
 /// @file
-/// The method Radau IIA in the coordinates in which its stages decouple, and the error of a step from its
-/// defect at two times.
+/// Radau IIA in coordinates that decouple its stages, and an error estimate of a step from its defect at two
+/// times.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,23 +11,23 @@
 
 namespace nlmech::collocation {
 
-/// T^-1 A^-1 T = Lambda for the A of s Radau nodes, s odd: one real eigenvalue and pairs of complex ones. In
-/// w = T^-1 z the linear equations of all stages fall apart into one real system and (s - 1)/2 complex ones
-/// of the size of the state (E. Hairer and G. Wanner, Solving Ordinary Differential Equations II, section
-/// IV.8). A pair of rows of T^-1 z is the real and the imaginary part of one complex component.
+/// T^-1 A^-1 T = Lambda for the matrix A of s Radau nodes, s odd: one real eigenvalue and pairs of complex
+/// ones. In w = T^-1 z the linear equations of all stages decouple into one real system and (s - 1)/2 complex
+/// systems of the size of the state (E. Hairer and G. Wanner, Solving Ordinary Differential Equations II,
+/// section IV.8). A pair of rows of T^-1 z contains the real and the imaginary part of one complex component.
 template <int s>
 struct RadauTransform {
   static_assert(s % 2 == 1, "an even number of stages has no real eigenvalue");
-  static constexpr int pairs = (s - 1) / 2;  ///< of complex eigenvalues
+  static constexpr int pairs = (s - 1) / 2;  ///< number of pairs of complex eigenvalues
 
   double real;                                      ///< the real eigenvalue of A^-1
-  std::array<std::complex<double>, pairs> complex;  ///< one of each pair, with positive imaginary part
-  typename Radau<s>::Square to;                     ///< T^-1: row 0 real; rows 2p + 1 and 2p + 2 the parts
-  typename Radau<s>::Square from;                   ///< T
+  std::array<std::complex<double>, pairs> complex;  ///< one per pair, with Im > 0
+  typename Radau<s>::Square to;    ///< T^-1: row 0 real; rows 2p + 1, 2p + 2: Re, Im of pair p
+  typename Radau<s>::Square from;  ///< T
 };
 
-/// The tables, made at the first call, with an error of a few ulps times the condition of T. @tparam s 3, 5
-/// or 7
+/// The tables, computed at the first call, with an error of a few ulps times the condition number of T.
+/// @tparam s 3, 5 or 7
 template <int s>
 [[nodiscard]] const RadauTransform<s>& radau_transform();
 
@@ -37,37 +37,37 @@ extern template const RadauTransform<5>& radau_transform<5>();
 extern template const RadauTransform<7>& radau_transform<7>();
 /// @endcond
 
-/// The polynomial u of a step of s Radau nodes fails the equation by the defect r = f(t, u) - u', which is 0
-/// at the nodes. To first order the solution differs from u by e with e' = J e + r, e = 0 at the start, so
+/// Error estimate from the defect. The collocation polynomial u of a step has the defect r = f(t, u) - u',
+/// which is 0 at the nodes. To first order the error e of u satisfies e' = J e + r, e = 0 at the start, so
 ///
 ///     e(h) = h int_0^1 exp((1 - c) h J) r(c) dc.
 ///
-/// Here r is the node polynomial M(c) times a linear function, which its values at the start and at one inner
-/// time determine, and the function of z = h J that stands before each of the two values is replaced by
-/// N(z)/Q(z): Q(z) is the common denominator of the method, N has degree s - 1 and is chosen so that the
-/// powers of z up to s - 1 agree (the integral is O(z^(s-2)), since M is orthogonal to the degrees below s -
-/// 1). In partial fractions these have the matrices eigenvalue/h - J of the method's own linear equations:
+/// The defect r is approximated by the node polynomial M(c) times a linear function, determined by the values
+/// of r at the start and at one inner time. The coefficient of each value, a function of z = h J, is replaced
+/// by N(z)/Q(z): Q(z) is the denominator of the stability function, N has degree s - 1 and makes the powers
+/// of z up to s - 1 agree (the integral is O(z^(s-2)), since M is orthogonal to the degrees below s - 1). The
+/// partial fractions contain the matrices eigenvalue/h - J of the linear equations of the method:
 ///
 ///     e(h) = sum over all eigenvalues of (eigenvalue/h - J)^-1 (begin r(0) + inner r(inner_time)).
 ///
-/// For r = M and r = c M and z in the left half of the plane N/Q is never below a quarter of the integral,
-/// nor above it by more than a factor of 2 for |z| < 10 and of |z|/5 beyond: there it falls like 1/z, the
-/// integral like 1/z or 1/z^2.
+/// For r = M and r = c M and z in the left half-plane N/Q is at least a quarter of the integral, and at most
+/// 2 times the integral for |z| < 10 and |z|/5 times beyond: there N/Q decreases like 1/z, the integral like
+/// 1/z or 1/z^2.
 template <int s>
 struct RadauDefect {
-  using Column = typename Radau<s>::Column;                     ///< a number for each node
-  using Weights = std::array<std::complex<double>, s / 2 + 1>;  ///< a number for the real eigenvalue, for
-                                                                ///< one of each pair, twice what it has there
+  using Column = typename Radau<s>::Column;  ///< one number per node
+  using Weights =
+      std::array<std::complex<double>, s / 2 + 1>;  ///< for the real eigenvalue, then one per pair, doubled
 
-  double inner_time;   ///< the second time, as a share of the step
-  Column begin_slope;  ///< from increments at the nodes to the slope of u at the start, times h
-  Column inner_value;  ///< from increments at the nodes to that of u at the inner time
-  Column inner_slope;  ///< the same to the slope there, times h
-  Weights begin;       ///< of r at the start
-  Weights inner;       ///< of r at the inner time
+  double inner_time;   ///< the inner time, as a fraction of the step
+  Column begin_slope;  ///< maps increments at the nodes to the slope of u at the start, times h
+  Column inner_value;  ///< maps increments at the nodes to the increment of u at the inner time
+  Column inner_slope;  ///< maps increments at the nodes to the slope of u at the inner time, times h
+  Weights begin;       ///< weights of r at the start
+  Weights inner;       ///< weights of r at the inner time
 };
 
-/// The tables, made at the first call. @tparam s 3, 5 or 7
+/// The tables, computed at the first call. @tparam s 3, 5 or 7
 template <int s>
 [[nodiscard]] const RadauDefect<s>& radau_defect();
 

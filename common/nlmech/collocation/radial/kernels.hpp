@@ -1,5 +1,5 @@
 /// @file
-/// The four radial functions of Eq. 4.8 and their derivatives in time.
+/// The four radial functions of Eq. 4.8 and their time derivatives.
 #pragma once
 
 #include <cmath>
@@ -8,7 +8,7 @@
 
 namespace nlmech::collocation {
 
-/// A radial function phi(r) of the distance r from its source, with a shape parameter c > 0 (Eq. 4.8).
+/// Radial function phi(r) of the distance r from its centre, with a shape parameter c > 0 (Eq. 4.8).
 enum class Kernel {
   gaussian,             ///< exp(-(c r)^2)
   inverse_quadratic,    ///< 1/(1 + (c r)^2)
@@ -16,7 +16,7 @@ enum class Kernel {
   inverse_multiquadric  ///< 1/sqrt(1 + (c r)^2)
 };
 
-/// phi at r = t - t_k.
+/// Value phi at r = t - t_k.
 /// @param c shape, 1/time
 /// @param r time since the source t_k, of either sign
 ///
@@ -34,10 +34,10 @@ template <class T>
   throw std::invalid_argument("phi: no such kernel");
 }
 
-/// d phi/dt at r = t - t_k; 1/time.
+/// Derivative d phi/dt at r = t - t_k; 1/time.
 /// @param c     shape, 1/time
 /// @param r     time since the source t_k, of either sign
-/// @param value phi(kernel, c, r), where it is known: that of the Gaussian is used again
+/// @param value phi(kernel, c, r); used for the Gaussian only
 ///
 /// Accuracy: 8 units in the last place in double, times 1 + (c r)^2 for the Gaussian.
 template <class T>
@@ -53,7 +53,7 @@ template <class T>
   throw std::invalid_argument("phi_dot: no such kernel");
 }
 
-/// The same without a known value.
+/// phi_dot() that evaluates phi itself.
 template <class T>
 [[nodiscard]] T phi_dot(Kernel kernel, const T& c, const T& r) {
   return phi_dot(kernel, c, r, kernel == Kernel::gaussian ? phi(kernel, c, r) : T(0));

@@ -1,5 +1,5 @@
 /// @file
-/// Interpolation by radial functions, one at each node, and its derivative (Eqs 4.12 to 4.15).
+/// Interpolation by radial functions centred at the nodes, and its derivative (Eqs 4.12 to 4.15).
 #pragma once
 
 #include <Eigen/LU>
@@ -12,25 +12,25 @@
 
 namespace nlmech::collocation {
 
-/// How D = Phi' Phi^-1 is formed.
+/// Computation of D = Phi' Phi^-1.
 enum class Inversion {
-  solve,   ///< by solving D Phi = Phi', with the LU factors of Phi
-  inverse  ///< by multiplying with the inverse matrix: loses all digits from a condition of about 1e13 on
+  solve,   ///< solution of D Phi = Phi' with the LU factors of Phi
+  inverse  ///< multiplication by the inverse matrix: loses all digits at condition numbers above about 1e13
 };
 
 /// Throws std::invalid_argument unless @p shape is positive and finite; the text names @p what and the value.
 void require_shape(const char* what, double shape);
 
-/// The n functions phi(t - t_k) at the nodes t_k of an interval, and the interpolants that they span.
+/// Interpolation on an interval by the n functions phi(t - t_k) centred at its nodes t_k.
 ///
-/// Nothing of a result is lost in silence, but much of it may be to rounding: the matrix Phi is
-/// ill-conditioned for wide functions. See Differentiation for measures of that.
+/// The matrix Phi is ill-conditioned for wide functions, and rounding may dominate the result.
+/// Differentiation measures this.
 template <class T = double>
 class RadialBasis {
  public:
   /// Factorises Phi.
   /// @param times  nodes, ascending; 1 to max_nodes of them
-  /// @param kernel which radial function
+  /// @param kernel radial function
   /// @param shape  c of Eq. 4.8, 1/time; > 0
   /// @throws std::invalid_argument if the times are too many, not finite or not ascending, or the shape is
   /// not positive and finite
@@ -47,7 +47,7 @@ class RadialBasis {
     factorise();
   }
 
-  /// Success; singular_matrix if Phi has no inverse in T, or non_finite if an entry of it overflows.
+  /// Success; singular_matrix if Phi has no inverse in T; non_finite if an entry overflows.
   [[nodiscard]] const Status& status() const noexcept { return status_; }
 
   /// The nodes.
@@ -74,27 +74,26 @@ class RadialBasis {
     return lu_.inverse();
   }
 
-  /// D = Phi' Phi^-1, which takes values at the nodes to derivatives there (Eq. 4.15); 1/time.
+  /// D = Phi' Phi^-1, which maps values at the nodes to derivatives at the nodes (Eq. 4.15); 1/time.
   /// @throws std::logic_error if status() is no success
   [[nodiscard]] Matrix<T> differentiation_matrix(Inversion inversion = Inversion::solve) const {
     require_factors();
     if (inversion == Inversion::inverse) return derivatives() * lu_.inverse();
-    // Phi is symmetric: D Phi = Phi' is Phi D^T = Phi'^T.
+    // Because Phi is symmetric, D Phi = Phi' is equivalent to Phi D^T = Phi'^T.
     const Matrix<T> right = derivatives().transpose();
     return lu_.solve(right).transpose();
   }
 
-  /// The row r = phi(t) Phi^-1 with which r X is the interpolant's value at @p t to the values X at the
-  /// nodes.
-  /// @param t   any finite time; the interpolant is meant for the interval of the nodes
-  /// @param row the result; allocates nothing if it has n entries already
+  /// Interpolation row r = phi(t) Phi^-1: r X is the interpolant at @p t of the values X at the nodes.
+  /// @param t   finite time; the interpolant is intended for the interval of the nodes
+  /// @param row the result; no allocation if it has n entries
   /// @throws std::logic_error if status() is no success, std::invalid_argument if @p t is not finite
   void row(const T& t, RowVector<T>& row) const {
     require_factors();
     require_time("RadialBasis::row", t);
     const Eigen::Index n = times_.size();
     row.resize(n);
-    // The right-hand side is written in the order of the pivots, so that the triangular solves work in place.
+    // The right-hand side is stored in pivot order, for triangular solves in place.
     const auto& place = lu_.permutationP().indices();
     for (Eigen::Index k = 0; k < n; ++k) row[place[k]] = phi(kernel_, shape_, T(t - times_[k]));
     auto column = row.transpose();

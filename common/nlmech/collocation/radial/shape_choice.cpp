@@ -34,13 +34,13 @@ double error_of(const Sampled& sampled, double shape) {
   return (basis.differentiation_matrix() * sampled.values - sampled.slopes).cwiseAbs().maxCoeff();
 }
 
-/// Narrows [low, high] in log c around a minimum.
+/// Golden-section search for a minimum in [low, high], in log c.
 ShapeChoice refine(const Sampled& sampled, double low, double high) {
   const double ratio = (std::sqrt(5.0) - 1) / 2;
   const auto at = [&](double x) { return ShapeChoice{std::exp(x), error_of(sampled, std::exp(x))}; };
   double a = std::log(low), b = std::log(high), x = b - ratio * (b - a), y = a + ratio * (b - a);
   ShapeChoice left = at(x), right = at(y);
-  constexpr double enough = 1e-3;  // of c; the error is flat, or a kink of height zero, at the minimum
+  constexpr double enough = 1e-3;  // relative accuracy of c; at a minimum the error is flat or 0 with a kink
   while (b - a > enough) {
     if (left.error < right.error) {
       b = y;
@@ -92,7 +92,7 @@ double exact_leave_one_out_cost(const Eigen::VectorXd& times, double shape) {
   const StableGaussian basis(times, shape);
   const Eigen::MatrixXd& D = basis.differentiation_matrix();
   const std::vector<Wide> pivots = basis.last_pivots();
-  if (pivots.empty()) return 0;  // wider than 1e10 times the interval
+  if (pivots.empty()) return 0;  // c times the interval is below 1e-10
   Wide sum;
   for (Eigen::Index i = 0; i < times.size(); ++i) {
     const Wide pivot = pivots[static_cast<std::size_t>(i)];

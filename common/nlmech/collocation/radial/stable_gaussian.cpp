@@ -12,12 +12,13 @@
 namespace nlmech::collocation {
 namespace {
 
-/// Passes the lower bidiagonal matrix with diagonal b and the entries x below it, from column m on, through
-/// the upper bidiagonal one with unit diagonal and superdiagonal w: lower upper = upper' lower'. Calls
-/// changed(k, w') for each entry that changes; b becomes that of lower'. Indices from 0; x stays.
+/// Passes the lower bidiagonal matrix with diagonal b and subdiagonal entries x, from column m on, through
+/// the upper bidiagonal matrix with unit diagonal and superdiagonal w: lower upper = upper' lower'. Calls
+/// changed(k, w') for each modified entry of w; replaces b by the diagonal of lower'. Indices from 0; x does
+/// not change.
 template <class Changed>
 void pass(std::vector<Wide>& b, Wide x, std::size_t m, const std::vector<Wide>& w, Changed&& changed) {
-  Wide rest = b.back();  // b'_k less x w_{k-1}
+  Wide rest = b.back();  // b'_k - x w_{k-1}
   for (std::size_t k = b.size() - 1; k > 0 && k >= m; --k) {
     const Wide next = k > m ? rest + x * w[k - 1] : rest;  // b'_k
     const Wide share = b[k - 1] / next;
@@ -33,7 +34,7 @@ void pass(std::vector<Wide>& b, Wide x, std::size_t m, const std::vector<Wide>& 
 PositiveKernel::PositiveKernel(std::vector<Wide> nodes, std::vector<Wide> ratios)
     : nodes_(std::move(nodes)), ratios_(std::move(ratios)) {
   factors_.assign(nodes_.size(), std::vector<Wide>(terms()));
-  std::vector<Wide> gamma = ratios_;  // quotients of neighbours in the diagonal matrix Gamma
+  std::vector<Wide> gamma = ratios_;  // ratios of adjacent entries of the diagonal matrix Gamma
   for (std::size_t m = 0; m < nodes_.size(); ++m) absorb(m, gamma);
 }
 
@@ -45,9 +46,9 @@ void PositiveKernel::absorb(std::size_t m, std::vector<Wide>& gamma) {
     std::vector<Wide>& w = factors_[f];
     pass(b, x, m, w, [&w](std::size_t k, Wide changed) { w[k] = changed; });
   }
-  // lower Gamma lower^T = upper Gamma' upper^T, which gives the new factor of W.
+  // lower Gamma lower^T = upper Gamma' upper^T, and upper is the new factor of W.
   std::vector<Wide> quotients(terms());  // Gamma'_k/Gamma_{k-1}
-  Wide rest = b[last] * b[last];         // (Gamma'_k less x^2 Gamma_{k-1})/Gamma_k
+  Wide rest = b[last] * b[last];         // (Gamma'_k - x^2 Gamma_{k-1})/Gamma_k
   for (std::size_t k = last; k > m; --k) {
     const Wide part = gamma[k - 1] * rest;
     quotients[k] = x * x + part;
@@ -64,7 +65,8 @@ void PositiveKernel::absorb(std::size_t m, std::vector<Wide>& gamma) {
 
 std::vector<Wide> PositiveKernel::excess(Wide x) const {
   const std::size_t n = nodes_.size();
-  // The point as node n + 1: what it changes in the leading n + 1 rows of W is the last entry of each factor.
+  // The point is treated as node n + 1: in the leading n + 1 rows of W it changes only the last entry of each
+  // factor.
   std::vector<Wide> b(terms(), 1.0), ends(n);
   for (std::size_t f = 0; f < n; ++f) {
     pass(b, x, n, factors_[f], [&ends, f, n](std::size_t k, Wide changed) {
@@ -87,10 +89,11 @@ constexpr double pi = std::numbers::pi, ln10 = std::numbers::ln10;
 
 std::size_t at(Index k) { return static_cast<std::size_t>(k); }
 
-/// How many powers of the exponential series matter to n functions of width c times the interval = @p width.
+/// Number of powers of the exponential series needed for n functions, with c times the interval = @p width.
 Index powers(Index n, double width) {
-  // Squares of the complete symmetric polynomials of n numbers up to 1 grow by ((n + j)/j)^2 a degree, and
-  // the coefficients a^k/k!, a = 2 width^2, fall: the terms beyond n + j are below exp(-40) of the first one.
+  // Squares of the complete symmetric polynomials of n numbers up to 1 grow by ((n + j)/j)^2 per degree, and
+  // the coefficients a^k/k!, a = 2 width^2, decrease: the terms beyond n + j are below exp(-40) times the
+  // first one.
   const double a = 2 * width * width, N = static_cast<double>(n);
   double exponent = 0, j = 0, growth = 0;
   do {
@@ -104,8 +107,8 @@ Index powers(Index n, double width) {
 }  // namespace
 
 GaussianCardinals::Series GaussianCardinals::choose(Index n, double width, double digits) {
-  // The rule's step and how far it reaches beyond the ends, in units of 1/c, for a relative error of
-  // 10^-digits. Multiples of 2^-12: the exponents below are then exact.
+  // Step of the trapezoidal rule and its extent beyond the ends, in units of 1/c, for a relative error of
+  // 10^-digits. Multiples of 2^-12 make the exponents below exact.
   const auto grid = [](double x) { return std::ldexp(std::floor(std::ldexp(x, 12)), -12); };
   const double exponent = digits * ln10;
   const double step = grid(pi / 2 / std::sqrt(exponent)),
@@ -140,7 +143,7 @@ GaussianCardinals::GaussianCardinals(Eigen::VectorXd times, double shape)
 }
 
 PositiveKernel GaussianCardinals::factorised() {
-  constexpr double margin = 25;  // digits of the smallest pivot, and what other pivots may be smaller by
+  constexpr double margin = 25;  // digits of the smallest pivot, and allowance for other orders
   const Index n = times_.size();
   const double width = shape_ * (times_[n - 1] - times_[0]);
   for (double digits = 60;;) {
@@ -154,7 +157,7 @@ PositiveKernel GaussianCardinals::factorised() {
   }
 }
 
-/// Relative to the diagonal entry, which is 1 in Phi; of a kernel with node @p last in the last place.
+/// Last pivot of a kernel whose last node is @p last, relative to the diagonal entry, which is 1 in Phi.
 Wide GaussianCardinals::last_pivot(const PositiveKernel& kernel, Index last) const {
   const Wide x = coordinate(times_[last]);
   Wide diagonal = 1.0, term = 1.0, product = 1.0;
@@ -224,10 +227,10 @@ void require_width(double shape, double length) {
 
 StableGaussian::StableGaussian(const Eigen::VectorXd& times, double shape) : times_(times) {
   require_node_count("StableGaussian", times.size(), 2);
-  static_cast<void>(barycentric_weights(times));  // refuses nodes that are too close to each other
+  static_cast<void>(barycentric_weights(times));  // throws if nodes are too close to each other
   const double length = times[times.size() - 1] - times[0];
   require_width(shape, length);
-  constexpr double negligible = 1e-10;  // D differs from that of polynomials by the square of this
+  constexpr double negligible = 1e-10;  // D differs from that of polynomials by its square
   if (shape * length < negligible) {
     derivative_ = polynomial_differentiation_matrix(times);
     return;
@@ -243,7 +246,7 @@ void StableGaussian::differentiate(double shape) {
   derivative_.resize(n, n);
   for (Eigen::Index i = 0; i < n; ++i) {
     derivative_.row(i).head(i) = sides_[0].derivatives(i).transpose();
-    // Seen from the other end time runs backwards.
+    // In reversed time the derivative changes sign.
     derivative_.row(i).tail(n - 1 - i) = -sides_[1].derivatives(n - 1 - i).reverse().transpose();
     const Eigen::ArrayXd u = shape * (times_.array() - times_[i]);
     derivative_(i, i) = 0;

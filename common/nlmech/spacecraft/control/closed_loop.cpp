@@ -10,7 +10,7 @@
 namespace nlmech::spacecraft {
 namespace {
 
-/// How far beyond the poles' bounds a band reaches to both sides, in units of its height.
+/// Margin of a band beyond the bounds of the poles' real parts, relative to its height.
 constexpr double band_margin = 0.3;
 
 void require(bool right, const char* name, const char* range, double value) {
@@ -23,11 +23,11 @@ void require_finite(const Gains& g) {
   require(std::isfinite(g.k3), "k3", "finite", g.k3);
 }
 
-/// Zeros of I_hub + kappa B, the closed loop's frequencies without k1 and k3: between them its bands are cut.
-/// They are the poles of a spacecraft whose hub weighs 2/kappa of the real one.
+/// Zeros of I_hub + kappa B: frequencies of the closed loop for k1 = k3 = 0. The bands end midway between
+/// them. They are the poles of a spacecraft with 2/kappa of the hub inertia.
 Frequencies undamped(const Parameters& parameters, double kappa, int count) {
   Parameters p = parameters;
-  // A hub that is heavier still does not move at all in double precision.
+  // A larger hub inertia does not change the frequencies in double precision.
   const double beam = p.mass_per_length * p.length * p.length * p.length;
   p.hub_inertia = std::min(p.hub_inertia * (2 / kappa), std::max(p.hub_inertia, 1e60 * beam));
   return poles(Plant(p), count);
@@ -50,7 +50,7 @@ LoopResponse ClosedLoop::response(Complex s, double x) const {
   const Complex inner = (gains_.k3 * s + gains_.k1) * determinant;
   const Complex outer = s * s * plant_.effective_inertia(motion, kappa());
   const Complex q = inner + outer;
-  // Near the axis the sum of two complex terms vanishes as their real and imaginary parts do.
+  // Rounding of the sum is relative to the moduli of its two terms.
   const double size = std::abs(inner) + std::abs(outer);
   if (std::abs(q) <= 1e-15 * size || size == 0) return {{}, {}, Outcome::at_pole};
   const Complex theta = gains_.k1 * determinant / q;
@@ -81,9 +81,9 @@ LoopTerms ClosedLoop::terms(Complex s, std::span<const double> x) const {
 }
 
 // With z = -s, Re z = a > 0: Re[z B(z)] = sum c^2 omega^2 a (|z|^2 + omega^2)/|z^2 + omega^2|^2 >= a B(|z|),
-// B being positive and falling on the real axis. A pole with |Im| <= top thus has a [I_hub + kappa B(|(a,
-// top)|)] <= k3. Farther to the left than the second bound no wave comes back from the tip: exp(-2 q) is
-// below rounding for both wave numbers, and fast_poles() has them.
+// because B is positive and decreasing on the real axis. So a pole with |Im| <= top satisfies a [I_hub +
+// kappa B(|(a, top)|)] <= k3. To the left of the second bound waves from the tip are negligible (exp(-2 q) is
+// below rounding for both wave numbers); fast_poles() finds these poles.
 double ClosedLoop::least_real_part(double top) const {
   const double hub = parameters().hub_inertia;
   const double scale = 1 / std::sqrt(plant_.appendage().beta_unit());
@@ -92,14 +92,14 @@ double ClosedLoop::least_real_part(double top) const {
   double reach = 0;
   for (double a = 1e-6 * scale; a < 1.5 * largest; a *= 1.5) {
     const double inertia = plant_.appendage().inertia(Complex(std::hypot(a, top))).real();
-    // Between two points of the grid the left side changes by a factor of 1.5 at most.
+    // Between two grid points the left side of the inequality changes by a factor of at most 1.5.
     if (a * (hub + kappa() * inertia) <= 1.5 * gains_.k3) reach = a;
   }
   return -std::min(1.5 * reach, 1.01 * largest);
 }
 
-// With waves from the root alone, s = -y^2 in the appendage's unit of time, |arg y| <= pi/4, and eta = r/L,
-// B = rho L^3 sqrt 2 (eta^2 y^2 + sqrt 2 eta y + 1)/y^3 up to signs, and P is a polynomial of y.
+// With waves from the root alone, s = -y^2 in the appendage's unit of time, |arg y| <= pi/4, and eta = r/L, B
+// = rho L^3 sqrt 2 (eta^2 y^2 + sqrt 2 eta y + 1)/y^3 up to signs, and P is a polynomial in y.
 std::vector<Complex> ClosedLoop::fast_poles() const {
   const double unit = plant_.appendage().beta_unit(), root2 = std::sqrt(2.);
   const double eta = plant_.appendage().ratios().hub, length = parameters().length;
@@ -108,7 +108,7 @@ std::vector<Complex> ClosedLoop::fast_poles() const {
                            root2 * beam * eta * eta, parameters().hub_inertia / unit};
   while (p.size() > 2 && p.back() == 0) p.pop_back();
   const std::size_t degree = p.size() - 1;
-  // In units in which first and last coefficient are alike, the others have their natural size.
+  // Scales y so that the first and last coefficients have the same size.
   const double y_unit = std::pow(std::max(p[0], 1e-300) / p.back(), 1 / static_cast<double>(degree));
   std::vector<Complex> scaled;
   for (std::size_t i = 0; i < degree; ++i)
@@ -117,7 +117,7 @@ std::vector<Complex> ClosedLoop::fast_poles() const {
   if (!std::ranges::all_of(scaled, is_finite)) return poles;
   for (const Complex& zero : polynomial_zeros(scaled)) {
     const Complex y = y_unit * zero;
-    // One of two conjugates: Im s >= 0.
+    // Only the conjugate with Im s >= 0.
     if (!(y.real() > 0 && y.imag() <= 0 && -y.imag() <= y.real())) continue;
     const Complex s = -y * y / std::sqrt(unit);
     const Root exact = refine_root([this](Complex z) { return characteristic(z); }, s);
@@ -126,7 +126,8 @@ std::vector<Complex> ClosedLoop::fast_poles() const {
   return poles;
 }
 
-/// The poles between two heights. The upper one is moved towards @p next if a pole lies on it.
+/// Poles with imaginary parts between @p bottom and @p top. If a pole lies at @p top, that is moved by a
+/// fraction of its distance from @p next.
 Roots ClosedLoop::band(double bottom, double& top, double next, double& left) const {
   const double first = top;
   const AnalyticFunction f = [this](Complex s) { return characteristic(s); };
@@ -141,8 +142,8 @@ Roots ClosedLoop::band(double bottom, double& top, double next, double& left) co
   return roots;
 }
 
-// A real pole comes with an imaginary part of rounding's size. From its real part Newton's iteration then
-// finds it again; the poles of a pair it does not find.
+// A real pole is found with an imaginary part from rounding. Newton's iteration from its real part converges
+// to it again, but not to a pole of a conjugate pair.
 Complex ClosedLoop::on_real_axis(Complex s) const {
   if (std::abs(s.imag()) > 1e-6 * std::abs(s)) return s;
   const Root real = refine_root([this](Complex z) { return characteristic(z); }, s.real());
@@ -151,8 +152,8 @@ Complex ClosedLoop::on_real_axis(Complex s) const {
   return same ? Complex(real.s.real()) : s;
 }
 
-/// The roots of a band: those next to the real axis on it, or as conjugate pairs. Two that nearly coincide
-/// there are known to the root of rounding, so that which of both they are is decided together.
+/// Roots of a band, with those next to the real axis made real or conjugate pairs. Two nearly coincident
+/// roots are accurate only to the square root of rounding; so they are classified together.
 std::vector<Complex> ClosedLoop::settled(const std::vector<Complex>& roots) const {
   std::vector<Complex> all;
   std::vector<bool> done(roots.size(), false);

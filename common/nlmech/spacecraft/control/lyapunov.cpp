@@ -94,7 +94,7 @@ double DiscreteLoop::deflection_dot(double x) const {
   return shape_(x).dot(q.tail(q.size() - 1));
 }
 
-// (a, b) = sum_i v_i e^(p_i t): each pair leaves -v_i^T W v_j/(p_i + p_j).
+// (a, b) = sum_i v_i e^(p_i t): each pair contributes -v_i^T W v_j/(p_i + p_j).
 double DiscreteLoop::integral(const MatrixXd& p, const MatrixXd& q) const {
   const Index n = displacements_.cols();
   MatrixXd weight = MatrixXd::Zero(2 * n, 2 * n);
@@ -136,7 +136,7 @@ LyapunovHistory lyapunov_history(const Parameters& parameters, const Gains& gain
   const auto sample = [&](double balance) {
     const VectorXd x = loop.displacement(), v = loop.velocity();
     const VectorXd q = x.tail(x.size() - 1);
-    // Of both appendages; the printed function counts one.
+    // Energy of both appendages; the printed function contains one.
     const double beams = (v.dot(mass * v) + q.dot(model.stiffness * q)) / 2, error = x[0] - 1;
     const double hub = (parameters.hub_inertia * v[0] * v[0] + gains.k1 * error * error) / 2;
     return LyapunovSample{loop.time(), x[0], loop.lyapunov(), hub + (1 + gains.k2) * beams / 2, balance};

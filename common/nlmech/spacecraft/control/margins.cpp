@@ -37,7 +37,7 @@ Parts parts(const ClosedLoop& loop, double omega) {
           -square * (loop.parameters().hub_inertia * d0 + 2 * load)};
 }
 
-/// (|N|^2 - |D|^2)/(|N|^2 + |D|^2): its sign says which is larger.
+/// (|N|^2 - |D|^2)/(|N|^2 + |D|^2): positive if |L| > 1.
 double excess(const ClosedLoop& loop, double omega) {
   const Parts p = parts(loop, omega);
   const double n = std::norm(p.numerator), d = p.denominator * p.denominator;
@@ -51,7 +51,7 @@ Crossover crossover(const ClosedLoop& loop, double a, double b) {
   return {omega, phase, (phase > 0 ? phase : phase + 2 * pi) / omega};
 }
 
-/// Points of [a, b] that accumulate at both ends down to 1e-13 of b, as |L| changes there.
+/// Points of [a, b], graded towards both ends down to 1e-13 of b, where |L| changes rapidly.
 std::vector<double> graded(double a, double b) {
   std::vector<double> points;
   const double half = (b - a) / 2;
@@ -83,7 +83,7 @@ double sensitivity(const ClosedLoop& loop, double omega) {
 Margins margins(const ClosedLoop& loop, int modes) {
   require_modes(loop, modes);
   Margins m;
-  // |L| can pass 1 next to its poles, the open loop's, and next to its zeros and hub-locked resonances.
+  // |L| can cross 1 near its poles, those of the open loop, and near its zeros and the hub-locked resonances.
   const Frequencies open = poles(loop.plant(), modes), locked = hub_zeros(loop.plant(), modes);
   m.status = open.status.ok() ? locked.status : open.status;
   if (!m.status.ok()) return m;
@@ -108,7 +108,7 @@ Margins margins(const ClosedLoop& loop, int modes) {
     m.phase_margin = std::min(m.phase_margin, std::abs(c.phase_margin));
     m.delay_margin = std::min(m.delay_margin, c.delay);
   }
-  // With all gains times g the loop is stable for g k2 > -2.
+  // With all gains multiplied by g the loop is stable for g k2 > -2.
   m.gain_margin = loop.gains().k2 < 0 ? -2 / loop.gains().k2 : std::numeric_limits<double>::infinity();
   return m;
 }
@@ -123,7 +123,7 @@ std::vector<SensitivityPeak> sensitivity_peaks(const ClosedLoop& loop, int modes
     const double above = (poles.s[k + 1].imag() - p.imag()) / 2;
     const double a = p.imag() - std::min(8 * std::abs(p.real()), below);
     const double b = p.imag() + std::min(8 * std::abs(p.real()), above);
-    // A coarse look, then Brent's method about the best.
+    // Coarse sampling, then Brent's method around the best sample.
     constexpr int parts = 64;
     const double step = (b - a) / parts;
     double best = std::max(a, step);
@@ -131,7 +131,8 @@ std::vector<SensitivityPeak> sensitivity_peaks(const ClosedLoop& loop, int modes
       const double omega = a + i * step;
       if (omega > 0 && sensitivity(loop, omega) > sensitivity(loop, best)) best = omega;
     }
-    // In steps from there: a peak is narrower than the square root of a rounding of omega.
+    // The argument is the offset from there: relative to omega a peak can be narrower than the square root of
+    // rounding.
     const auto negative = [&](double steps) { return -sensitivity(loop, best + steps * step); };
     const auto [at, value] = boost::math::tools::brent_find_minima(
         negative, best - step < a ? 0. : -1., best + step > b ? 0. : 1., std::numeric_limits<double>::digits);
@@ -147,7 +148,7 @@ DelayedPoles delayed_poles(const ClosedLoop& loop, double delay, int modes) {
   const LoopPoles start = loop.poles(modes);
   DelayedPoles result{{}, 0, start.status};
   const Gains g = loop.gains();
-  // D_0 times numerator and denominator of L: Q_tau = D + N e^(-s tau).
+  // Q_tau = D + N e^(-s tau), with N and D the numerator and denominator of L times D_0.
   const auto characteristic = [&](Complex s, double tau, Complex& by_delay) {
     const Motion<Jet> motion = loop.plant().appendage().motion_with_slope(s);
     const Jet z = Jet::variable(s), d = z * z * loop.plant().effective_inertia(motion);
@@ -158,10 +159,10 @@ DelayedPoles delayed_poles(const ClosedLoop& loop, double delay, int modes) {
     return d + late;
   };
   for (const Complex first : start.s) {
-    // Predicted along ds/dtau = -(dQ/dtau)/(dQ/ds), in steps short against a period, and corrected.
+    // Predictor along ds/dtau = -(dQ/dtau)/(dQ/ds), in steps short against a period; Newton corrector.
     Complex s = first;
     double tau = 0, step = delay;
-    // Each step is at most a twentieth of a radian of this pole, which moves little compared to it.
+    // Steps of at most a twentieth of a radian of this pole limit the delay.
     bool followed = 20 * std::abs(first) * delay < 1e5;
     if (!followed) {
       result.status = failed_with(Outcome::step_limit,
@@ -183,7 +184,7 @@ DelayedPoles delayed_poles(const ClosedLoop& loop, double delay, int modes) {
               return characteristic(z, next, unused);
             },
             predicted);
-        // Corrections small against the step keep to one branch.
+        // Corrections small against the predictor step do not jump to another branch.
         const double limit = 0.2 * std::abs(predicted - s) + 1e-9 * std::abs(s);
         if (root.status.ok() && std::abs(root.s - predicted) <= limit) {
           s = root.s;

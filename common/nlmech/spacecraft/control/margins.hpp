@@ -9,34 +9,35 @@
 
 namespace nlmech::spacecraft {
 
-/// The loop cut at the torque, L(s) = (k1 + k3 s + k2 s^2 B)/(s^2 (I_hub + 2B)), with 1 + L = P/(s^2 (I_hub +
-/// 2B)), at s = j omega.
+/// Loop gain, with the loop opened at the torque, L(s) = (k1 + k3 s + k2 s^2 B)/(s^2 (I_hub + 2B)), with 1 +
+/// L = P/(s^2 (I_hub + 2B)), at s = j omega.
 /// @return L; infinite on an open-loop pole
 [[nodiscard]] Complex loop_gain(const ClosedLoop& loop, double omega);
 
-/// |S(j omega)| = |1/(1 + L)|: how much the loop enlarges a disturbance torque.
+/// |S(j omega)| = |1/(1 + L)|: sensitivity, the amplification of a disturbance torque by the loop.
 [[nodiscard]] double sensitivity(const ClosedLoop& loop, double omega);
 
 /// A frequency at which |L| = 1.
 struct Crossover {
   double omega;         ///< rad/s
-  double phase_margin;  ///< arg(-L) in (-pi, pi], rad: of a lag if positive
+  double phase_margin;  ///< arg(-L) in (-pi, pi], rad; positive: a lag destabilises
   double delay;         ///< the smallest delay that makes L e^(-j omega tau) = -1, s
 };
 
-/// What the loop bears.
+/// Stability margins.
 struct Margins {
-  std::vector<Crossover> crossovers;  ///< rising in omega
-  double phase_margin = 0;            ///< the smallest modulus of all, rad
-  double delay_margin = 0;  ///< the smallest delay that puts a pole on the axis, of all modes looked at, s
-  double gain_margin = 0;   ///< all gains may grow by factors below this: infinite for k2 >= 0, else -2/k2
-  Status status;            ///< success, or what the poles' was
+  std::vector<Crossover> crossovers;  ///< in increasing order of omega
+  double phase_margin = 0;            ///< smallest modulus over all crossovers, rad
+  double delay_margin = 0;  ///< smallest delay that puts a pole of these modes on the imaginary axis, s
+  double gain_margin = 0;   ///< the loop is stable with all gains multiplied by factors below this: infinite
+                            ///< for k2 >= 0, else -2/k2
+  Status status;            ///< success, or the status of the poles
 };
 
-/// Margins over the rigid mode and the first @p modes - 1 flexible ones. There is no smallest delay over all
-/// of them: with k2 = 0 that of a high mode is pi/(2 omega), with k2 != 0 of the order 1/omega^2.
+/// Margins over the rigid mode and the first @p modes - 1 flexible modes. Over all modes there is no positive
+/// delay margin: that of a high mode is pi/(2 omega) for k2 = 0, and of the order 1/omega^2 for k2 != 0.
 ///
-/// Tests hold the loop gain at every crossover to 1 and the delayed loop to a pole there, to 1e-7.
+/// Tests check that the loop gain is 1 at every crossover and that the delayed loop has a pole there (1e-7).
 /// @param loop stable (k1, k3 > 0)
 /// @param modes at least 1, at most 1000
 /// @throws std::invalid_argument naming what is out of range
@@ -48,20 +49,20 @@ struct SensitivityPeak {
   double value;  ///< |S|
 };
 
-/// The maximum of |S| next to each of the first @p modes poles: within 8 times its damping to both sides, no
-/// further than half-way to the next pole.
+/// The maximum of |S| near each of the first @p modes poles: within 8 times the pole's decay rate to both
+/// sides, but at most half the distance to the adjacent pole.
 /// @throws std::invalid_argument as margins()
 [[nodiscard]] std::vector<SensitivityPeak> sensitivity_peaks(const ClosedLoop& loop, int modes);
 
-/// Poles of P(s) + (e^(-s tau) - 1) (k1 + k3 s + k2 s^2 B) = 0, each followed from that of tau = 0.
+/// Poles of P(s) + (e^(-s tau) - 1) (k1 + k3 s + k2 s^2 B) = 0, each continued from a pole at tau = 0.
 struct DelayedPoles {
-  std::vector<Complex> s;  ///< one a pole of tau = 0, in its order
-  int unstable = 0;        ///< how many of them have a positive real part
-  Status status;           ///< success, or which pole could not be followed
+  std::vector<Complex> s;  ///< one per pole at tau = 0, in the same order
+  int unstable = 0;        ///< number of poles with a positive real part
+  Status status;           ///< success, or the pole whose continuation failed
 };
 
-/// The first @p modes poles under a loop delay. A delay also brings in infinitely many new ones from far
-/// left, which are not looked at.
+/// The first @p modes poles under a loop delay. A delay also adds infinitely many poles from Re s =
+/// -infinity, which are not computed.
 /// @param delay tau >= 0, s
 /// @throws std::invalid_argument naming what is out of range
 [[nodiscard]] DelayedPoles delayed_poles(const ClosedLoop& loop, double delay, int modes);

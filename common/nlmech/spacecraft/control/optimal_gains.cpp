@@ -23,7 +23,7 @@ void require_weights(const CostWeights& w) {
         w.torque);
 }
 
-/// Weights and data whose optimum is beyond the range of double.
+/// Returns @p best. Throws if it is outside the range of double.
 OptimalGains finite(const OptimalGains& best, const CostWeights& w) {
   const Gains& g = best.gains;
   const bool inside = std::isfinite(g.k1) && std::isfinite(g.k2) && std::isfinite(g.k3) &&
@@ -65,7 +65,7 @@ OptimalGains optimal_gains(const Parameters& parameters, const CostWeights& weig
   require_weights(weights);
   const double deflection = weights.deflection * statics(parameters, parameters.length).square;
   const double inertia = parameters.appendage_inertia(), r = weights.torque;
-  // W C/(2 B_0): what the deflection adds to the price of the torque.
+  // W C/(2 B_0): increase of the effective weight of the torque by the deflection.
   const double added = deflection / (2 * inertia);
   OptimalGains best{};
   best.cost = std::sqrt(2 * parameters.hub_inertia * std::sqrt(r) + 4 * inertia * std::sqrt(r + added));

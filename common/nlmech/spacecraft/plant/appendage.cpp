@@ -10,7 +10,7 @@
 namespace nlmech::spacecraft {
 namespace {
 
-/// (4k + n - 4)!/(4k + n)! for n = 0 to 5: a term by the one before.
+/// (4k + n - 4)!/(4k + n)! for n = 0 to 5: ratio of successive terms.
 inline constexpr auto term_ratios = [] {
   std::array<std::array<double, 8>, 6> all{};
   for (std::size_t n = 0; n < all.size(); ++n) {
@@ -22,7 +22,7 @@ inline constexpr auto term_ratios = [] {
   return all;
 }();
 
-/// sum over k of t^k/(4k + n)!, eight terms: for |t| <= series_limit the ninth is below 3e-23.
+/// sum over k of t^k/(4k + n)!, eight terms; for |t| <= series_limit the ninth is below 3e-23.
 template <class T>
 [[nodiscard]] T krylov(const T& t, int n) {
   static constexpr std::array<double, 6> factorials = {1, 1, 2, 6, 24, 120};
@@ -32,7 +32,7 @@ template <class T>
   return T(sum / factorials[row]);
 }
 
-/// xi^n sum over k of (-b xi^4)^k/(4k + n)!, and what it is the derivative of for n = -1.
+/// xi^n sum over k of (-b xi^4)^k/(4k + n)!; for n = -1 the derivative of the function n = 0.
 template <class T>
 [[nodiscard]] T krylov_at(const T& b, double xi, int n) {
   const double square = xi * xi;
@@ -73,11 +73,11 @@ template <class T>
   return std::hypot(real_part(z), imaginary_part(z));
 }
 
-/// What the tip sends back of the waves that reach it: C = R A, both counted at the tip.
+/// Reflection matrix of the tip: C = R A, with the amplitudes of incident and reflected waves at the tip.
 template <class T>
 struct Reflection {
   T r11, r12, r21, r22;
-  T determinant;  ///< of the two conditions at the tip
+  T determinant;  ///< of the two tip conditions
 };
 
 /// @param i wave2/wave1, i or -i
@@ -137,7 +137,7 @@ Motion<T> motion_by_waves(const Ratios& ratios, const T& b) {
   const T unit = imaginary_unit<T>(), i = imaginary_part(p) > 0 ? T(-unit) : unit;
   const T q = i * p, e1 = exp(T(-p)), e2 = exp(T(-q));
   const Reflection<T> r = reflect(ratios, p, i);
-  // C = R A counted at the tip is C = R (e A) counted with amplitudes at the root, and arrives as e C.
+  // With amplitudes A at the root, C = R (e A) at the tip, and e C at the root.
   const T g11 = e1 * r.r11 * e1, g12 = e1 * r.r12 * e2, g21 = e2 * r.r21 * e1, g22 = e2 * r.r22 * e2;
   // w = eta and w'/p = 1/p at the root.
   const T m11 = 1. + g11 + g21, m12 = 1. + g12 + g22;
@@ -152,8 +152,8 @@ Motion<T> motion_by_waves(const Ratios& ratios, const T& b) {
   motion.wave2 = q;
   motion.wave_number = std::sqrt(std::sqrt(size_of(b)));
   motion.exponent = real_part(T(p + q));
-  // The Wronskian of the four waves is -16 i p^6 e1 e2; three and two powers of p are in the tip's conditions
-  // and one in the root's. So D_0 keeps its phase, which counts of zeros rely on.
+  // The Wronskian of the four waves is -16 i p^6 e1 e2; the tip conditions contain p^3 and p^2, the root
+  // conditions p. Dividing by it preserves the phase of D_0, which the argument principle needs.
   const T factor = r.determinant * exp(T(p + q - motion.exponent)) / (-16. * i);
   motion.determinant = factor * (m11 * m22 - m12 * m21);
   motion.from_root1 = factor * (eta * m22 - m12 * target);
@@ -173,7 +173,7 @@ Motion<T> motion_by_waves(const Ratios& ratios, const T& b) {
 
 namespace {
 
-/// The derivative of w number @p order, times D_0 exp(-exponent).
+/// Derivative of w of order @p order, times D_0 exp(-exponent).
 template <class T>
 [[nodiscard]] T wave_sum(const Motion<T>& m, double xi, int order) {
   if constexpr (std::is_same_v<T, double>) {
@@ -222,13 +222,13 @@ template double relative_deflection(const Motion<double>&, const Ratios&, double
 template Complex relative_deflection(const Motion<Complex>&, const Ratios&, double, int);
 template Jet relative_deflection(const Motion<Jet>&, const Ratios&, double, int);
 
-// w = A exp(-q xi) + C exp(-q (1 - xi)) + F cos(q xi) + G sin(q xi); the root gives F = eta - A - E C and G =
-// 1/q + A - E C, the tip the two equations for A and C.
+// w = A exp(-q xi) + C exp(-q (1 - xi)) + F cos(q xi) + G sin(q xi); the root conditions give F = eta - A - E
+// C and G = 1/q + A - E C; the tip conditions give A and C.
 template <>
 Motion<double> motion_by_waves(const Ratios& ratios, const double& b) {
   const double root = std::sqrt(-b), q = std::sqrt(root), e = std::exp(-q), eta = ratios.hub;
   const double c = std::cos(q), s = std::sin(q), inverse = 1 / q;
-  // Columns at the tip of A exp(q), C, F and G.
+  // Columns of the tip conditions for A exp(q), C, F and G.
   double a1 = 1, c1 = 1, f1 = -c, g1 = -s, a2 = -1, c2 = 1, f2 = s, g2 = -c;
   if (ratios.tip) {
     const double turn = q * root * ratios.inertia, move = q * ratios.mass;
@@ -249,7 +249,7 @@ Motion<double> motion_by_waves(const Ratios& ratios, const double& b) {
   motion.b = b;
   motion.waves = true;
   motion.wave1 = motion.wave2 = motion.wave_number = motion.exponent = q;
-  // The Wronskian of the four functions and the powers of q divided out leave D_0 = 1/8 of the determinant.
+  // Divided by the Wronskian of the four functions and the powers of q, D_0 is 1/8 of the determinant.
   motion.determinant = (m11 * m22 - m12 * m21) / 8;
   motion.from_root1 = (h1 * m22 - m12 * h2) / 8;
   motion.from_tip1 = (m11 * h2 - h1 * m21) / 8;

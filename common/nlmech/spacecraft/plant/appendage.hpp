@@ -1,15 +1,15 @@
 /// @file
-/// One appendage moved by its root: the exact solution of Eqs. 3.15-3.16 at any complex s, without truncation
-/// and without overflow or cancellation, small s and large.
+/// Appendage with prescribed root motion: exact solution of Eqs. 3.15-3.16 at any complex s, without
+/// truncation, overflow or cancellation for small and large s.
 ///
 /// With w = y + (r + x) theta, sigma^4 = -beta = -s^2 rho/EI and theta = 1 the field equation is w'''' =
 /// sigma^4 w with w(0) = r, w'(0) = 1, EI w''(L) = -s^2 I_tip w'(L), EI w'''(L) = s^2 m w(L). All results are
-/// quotients with one denominator, the entire function D_0 of s^2 that vanishes where the hub-locked
-/// appendage resonates: D_0 = f^2 + f' f'''/beta at L without tip (Eq. 3.37). Numerators and denominator are
-/// kept apart, so that nothing is lost at such a resonance, and share a factor exp(-exponent), so that
-/// nothing overflows.
+/// quotients with the denominator D_0, an entire function of s^2 that vanishes at the resonances of the
+/// hub-locked appendage: D_0 = f^2 + f' f'''/beta at L without tip (Eq. 3.37). Numerators and denominator are
+/// stored separately to avoid loss of digits at a resonance, and share a factor exp(-exponent) to avoid
+/// overflow.
 ///
-/// Without dimensions: w'''' = -b w on 0 to 1 with w(0) = eta, w'(0) = 1 and a tip body, w'' = -b j w' and
+/// Dimensionless form: w'''' = -b w on 0 to 1 with w(0) = eta, w'(0) = 1 and a tip body, w'' = -b j w' and
 /// w''' = b mu w at 1, solved by series in b and by decaying waves.
 #pragma once
 
@@ -20,16 +20,16 @@
 
 namespace nlmech::spacecraft {
 
-/// The appendage's shape in ratios.
+/// Dimensionless parameters of the appendage.
 struct Ratios {
   double hub;      ///< eta = r/L
   double mass;     ///< mu = m/(rho L)
   double inertia;  ///< j = I_tip/(rho L^3)
-  bool tip;        ///< is there a tip body? If not, no term of it is evaluated
+  bool tip;        ///< whether there is a tip body; without one its terms are not evaluated
 };
 
-/// The motion: every quantity below that says so is multiplied by D_0 exp(-exponent).
-/// @tparam T double for s = j omega, where b < 0 and everything is real; else Complex, Jet or wider
+/// Motion of the appendage for theta = 1. Members marked "times D_0 exp(-exponent)" contain this factor.
+/// @tparam T double for s = j omega, where b < 0 and all members are real; else Complex, Jet or a wider type
 template <class T>
 struct Motion {
   T b;                     ///< beta L^4 = s^2 rho L^4/EI
@@ -37,33 +37,33 @@ struct Motion {
   T inertia;               ///< B/(rho L^3), times D_0 exp(-exponent): entire
   T curvature;             ///< w''(0)/b, times D_0 exp(-exponent): entire
   T jerk;                  ///< w'''(0)/b, times D_0 exp(-exponent): entire
-  double exponent = 0;     ///< real: 0 by series
+  double exponent = 0;     ///< real; 0 for the series
   double wave_number = 0;  ///< |b|^(1/4)
 
-  bool waves = false;  ///< by waves? Else by series, and what follows is not used
+  bool waves = false;  ///< whether computed by waves; else by series, and the members below are not used
   T wave1{};           ///< p: b = -p^4, |arg p| <= pi/4
-  T wave2{};           ///< i p or -i p, whichever does not grow from the root; for double the same as wave1
-  T from_root1{};      ///< of exp(-wave1 xi), times D_0 exp(-exponent)
-  T from_root2{};      ///< of exp(-wave2 xi); for double of cos(p xi)
-  T from_tip1{};       ///< of exp(-wave1 (1 - xi))
-  T from_tip2{};       ///< of exp(-wave2 (1 - xi)); for double of sin(p xi)
+  T wave2{};           ///< i p or -i p, the one that does not grow from the root; for double equal to wave1
+  T from_root1{};      ///< amplitude of exp(-wave1 xi), times D_0 exp(-exponent); so are the next three
+  T from_root2{};      ///< amplitude of exp(-wave2 xi); for double of cos(p xi)
+  T from_tip1{};       ///< amplitude of exp(-wave1 (1 - xi))
+  T from_tip2{};       ///< amplitude of exp(-wave2 (1 - xi)); for double of sin(p xi)
 };
 
-/// Below this |b| series are used, above it waves: |b|^(1/4) = 2.5.
+/// |b| below which the series is used, and above which waves: |b|^(1/4) = 2.5.
 inline constexpr double series_limit = 39.0625;
 
-/// By Krylov's functions K_n = sum (-b)^k/(4k + n)!, with the factor b taken out of every difference. Cancels
-/// more the larger |b|: for |b| up to series_limit 2 digits at most.
+/// Motion by the Krylov functions K_n = sum (-b)^k/(4k + n)!, with the factor b divided out of every
+/// difference. Cancellation grows with |b|: at most 2 digits for |b| up to series_limit.
 template <class T>
 [[nodiscard]] Motion<T> motion_by_series(const Ratios& ratios, const T& b);
 
-/// By waves that decay from the root and from the tip: nothing overflows. Cancels the more the smaller |b|.
-/// For double b < 0.
+/// Motion by waves that decay from root and tip, which cannot overflow. Cancellation grows as |b| decreases.
+/// For double, b < 0.
 template <class T>
 [[nodiscard]] Motion<T> motion_by_waves(const Ratios& ratios, const T& b);
 
-/// The derivative number @p order (0 to 3) by xi of (w - eta - xi)/b, times D_0 exp(-exponent): by waves, or
-/// by series from the root where |b|^(1/4) xi < 2.5, whichever way the motion was found.
+/// Derivative of order @p order (0 to 3) with respect to xi of (w - eta - xi)/b, times D_0 exp(-exponent).
+/// Uses waves if the motion was computed by waves and |b|^(1/4) xi >= 2.5, else the series from the root.
 /// @param xi 0 to 1
 template <class T>
 [[nodiscard]] T relative_deflection(const Motion<T>& motion, const Ratios& ratios, double xi, int order = 0);
@@ -78,46 +78,46 @@ extern template double relative_deflection(const Motion<double>&, const Ratios&,
 extern template Complex relative_deflection(const Motion<Complex>&, const Ratios&, double, int);
 extern template Jet relative_deflection(const Motion<Jet>&, const Ratios&, double, int);
 
-// In real arithmetic, by sines and cosines.
+// Real arithmetic, with sine and cosine.
 template <>
 [[nodiscard]] Motion<double> motion_by_waves(const Ratios& ratios, const double& b);
 /// @endcond
 
-/// How the appendage is evaluated.
+/// Method of evaluation.
 enum class Evaluation : std::uint8_t {
   automatic,  ///< krylov for |beta|^(1/4) L < 2.5, waves above
-  krylov,     ///< power series in beta, without cancellation at small s
-  waves       ///< exponentials that decay from root and tip, without overflow at large s
+  krylov,     ///< power series in beta; no cancellation at small s
+  waves       ///< exponentials that decay from root and tip; no overflow at large s
 };
 
-/// Exact appendage, Euler and Bernoulli's beam. Immutable; every function may be called from many threads.
+/// Exact solution of one appendage as an Euler-Bernoulli beam. Immutable; all functions are thread-safe.
 ///
-/// Accuracy (tests/spacecraft, against 110 digits, with and without tip): B(s), g_3(x) and the
-/// transfer functions within 1e-14 max(1, |s G'/G|) of themselves on the imaginary axis for |s| from 1e-8 to
-/// 1e8, for real s of both signs, and in the plane.
+/// Accuracy (tests/spacecraft, against 110 digits, with and without tip): relative errors of B(s), g_3(x) and
+/// the transfer functions below 1e-14 max(1, |s G'/G|) on the imaginary axis for |s| from 1e-8 to 1e8, for
+/// real s of both signs, and in the complex plane.
 class Appendage {
  public:
   /// @throws std::invalid_argument as require_physical()
   explicit Appendage(const Parameters& parameters);
 
-  /// What it was made of.
+  /// The parameters given to the constructor.
   [[nodiscard]] const Parameters& parameters() const { return parameters_; }
 
   /// The motion for theta = 1 at @p s. Finite for every finite s with |s|^2 rho L^4/EI below 1e200, even on a
   /// hub-locked resonance, where its determinant is 0.
   [[nodiscard]] Motion<Complex> motion(Complex s, Evaluation evaluation = Evaluation::automatic) const;
-  /// The same with derivatives by s (the common factor exp(-exponent) held fixed).
+  /// motion() with derivatives with respect to s; the common factor exp(-exponent) is held constant.
   [[nodiscard]] Motion<Jet> motion_with_slope(Complex s) const;
-  /// The same at s = j omega, in real arithmetic: faster.
+  /// motion() at s = j omega, in faster real arithmetic.
   [[nodiscard]] Motion<double> motion_at_frequency(double omega) const;
 
-  /// B D_0, with B = (r S_0 - M_0)/(s^2 theta), slug ft^2: torque on the root by one appendage, divided by
-  /// the angular acceleration. At s = 0 it is D_0 times the inertia of the appendage.
+  /// B D_0, with B = (r S_0 - M_0)/(s^2 theta), slug ft^2: torque of one appendage on the root, divided by
+  /// the angular acceleration. At s = 0 it is D_0 times the moment of inertia of the appendage.
   template <class T>
   [[nodiscard]] T inertia(const Motion<T>& motion) const {
     return inertia_unit_ * motion.inertia;
   }
-  /// g_3(x) D_0/s^2 with g_3 = y(x)/theta (Eq. 3.35), ft s^2. Divided by s^2, for g_3 ~ s^2 at small s.
+  /// g_3(x) D_0/s^2 with g_3 = y(x)/theta (Eq. 3.35), ft s^2. Divided by s^2 because g_3 ~ s^2 at small s.
   /// @param motion of this appendage
   /// @param x 0 to L, ft; not checked
   template <class T>
@@ -142,7 +142,7 @@ class Appendage {
 
   /// @throws std::invalid_argument naming x, if it is outside 0 to L
   void require_place(double x) const;
-  /// beta L^4 = s^2 rho L^4/EI: s^2 times this.
+  /// rho L^4/EI, s^2: beta L^4 = s^2 beta_unit().
   [[nodiscard]] double beta_unit() const { return beta_unit_; }
   /// r/L, m/(rho L), I_tip/(rho L^3).
   [[nodiscard]] const Ratios& ratios() const { return ratios_; }

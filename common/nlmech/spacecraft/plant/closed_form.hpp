@@ -1,7 +1,7 @@
 /// @file
-/// The generalised state space solution in the closed form of the source (Elgohary 2015, Eqs. 3.24-3.42),
-/// corrected, in any complex type of number. Exact on paper; in doubles it loses digits at both ends of the
-/// spectrum and overflows, which is what it is kept for. Parts of it can be taken as printed.
+/// Generalised state space solution in the closed form of the source (Elgohary 2015, Eqs. 3.24-3.42),
+/// corrected, for any complex number type. In double precision it loses digits at small and large s and
+/// overflows; it serves for comparison with class Appendage. Options select the formulas as printed.
 #pragma once
 
 #include <array>
@@ -12,16 +12,15 @@
 
 namespace nlmech::spacecraft {
 
-/// What is taken as printed. The default is the corrected solution.
+/// Formulas taken as printed; the default is the corrected solution.
 struct AsPrinted {
-  bool cosine = false;  ///< cos(sigma x) in place of f, with the constants of Eq. 3.33 (Eqs. 3.32-3.34): true
-                        ///< f is the mean of cos and cosh
-  bool literal_x =
-      false;  ///< (r + x) g_2(x) - g_1(x) in Eqs. 3.38-3.42 with x the place looked at: true x = L
-  bool minus_in_z1 = false;  ///< the sign before z_6 in the first row of Eq. 3.28: true is plus
+  bool cosine = false;       ///< cos(sigma x) in place of f, with the constants of Eq. 3.33 (Eqs. 3.32-3.34);
+                             ///< correct: f is the mean of cos and cosh
+  bool literal_x = false;    ///< (r + x) g_2(x) - g_1(x) in Eqs. 3.38-3.42 at x; correct: at L
+  bool minus_in_z1 = false;  ///< minus before z_6 in the first row of Eq. 3.28; correct: plus
 };
 
-/// f and three derivatives by x.
+/// f and its first three derivatives with respect to x.
 template <class C>
 struct CharacteristicFunction {
   C f;   ///< (cos(sigma x) + cosh(sigma x))/2, sigma^4 = -beta: Eq. 3.30
@@ -30,11 +29,11 @@ struct CharacteristicFunction {
   C f3;  ///< f'''
 };
 
-/// The closed form at one s.
+/// Closed-form solution at one s.
 template <class C>
 class GssSolution {
  public:
-  /// Solves the tip's conditions for z_5(0) and z_6(0), theta = 1.
+  /// Solves the tip conditions for z_5(0) and z_6(0), theta = 1.
   /// @param parameters physical (not checked)
   /// @param s not 0
   GssSolution(const Parameters& parameters, const C& s, const AsPrinted& printed = {})
@@ -42,7 +41,7 @@ class GssSolution {
     using std::sqrt;
     const C ei = C(parameters.youngs_modulus) * parameters.second_moment;
     beta_ = square_ * parameters.mass_per_length / ei;
-    // Eq. 3.31. f is the same for all four roots of -beta, the cosine alone is not.
+    // Eq. 3.31. f is the same for all four roots of -beta; the cosine is not.
     sigma_ = sqrt(C(C(0, 1) * sqrt(beta_)));
     const double l = parameters.length, reach = parameters.hub_radius + l;
     const CharacteristicFunction<C> k = characteristic(l);
@@ -78,7 +77,7 @@ class GssSolution {
   }
 
   /// u/(s^2 theta) = J + 2 m (r + L) g_3(L) + 2 I_tip g_4(L) + 2 rho ((r + L) g_2(L) - g_1(L)) (Eq. 3.42).
-  /// @param x the place looked at, for the equation as printed
+  /// @param x place of the deflection, ft; used by the equation as printed only
   [[nodiscard]] C effective_inertia(double x) const {
     const Parameters& p = parameters_;
     const std::array<C, 6> end = state(p.length);
@@ -119,7 +118,7 @@ class GssSolution {
                           r * k.f2 + k.f1,
                           r * k.f3 + k.f2};
     if (printed_.cosine) {
-      // f'' and f''' vanish at 0, those of the cosine do not: their values there, left over.
+      // f'' and f''' vanish at 0; for the cosine, terms with its derivatives at 0 remain.
       const C square = sigma_ * sigma_;
       z[0] -= square * (r + x) / beta_;
       z[1] += 1. / square;

@@ -82,13 +82,13 @@ AxisResponse DenseResponse::at_frequency(double omega) {
 
 Eigen::VectorXd ModalModel::mode_shapes(double x) const { return vectors.transpose() * shape(x); }
 
-// With theta'' = (u - c^T q'')/J: (M - c c^T/J) q'' + K q = -c u/J. Solved as M' v = (1/omega^2) K v, for K
-// is the better conditioned of the two, and the low frequencies are the large eigenvalues.
+// With theta'' = (u - c^T q'')/J: (M - c c^T/J) q'' + K q = -c u/J. Solved as M' v = (1/omega^2) K v, because
+// K is better conditioned than M' and the low frequencies become the large eigenvalues.
 ModalModel diagonalise(const DiscreteModel& model) {
   require_sizes(model);
   const Eigen::VectorXd& c = model.coupling;
   const Eigen::MatrixXd reduced = model.mass - c * c.transpose() / model.total_inertia;
-  // Coordinates of equal size: the conditions of both matrices are those of the functions alone.
+  // With scaled coordinates the condition numbers depend on the mode functions alone.
   const Eigen::VectorXd scale = model.stiffness.diagonal().cwiseSqrt().cwiseInverse();
   const Eigen::MatrixXd k = scale.asDiagonal() * model.stiffness * scale.asDiagonal();
   const Eigen::MatrixXd m = scale.asDiagonal() * reduced * scale.asDiagonal();
@@ -99,7 +99,7 @@ ModalModel diagonalise(const DiscreteModel& model) {
   modes.hub_inertia = model.hub_inertia;
   modes.total_inertia = model.total_inertia;
   modes.omega = solver.eigenvalues().reverse().cwiseSqrt().cwiseInverse();
-  // Eigen makes v^T K v = 1; wanted is v^T M' v = 1.
+  // Eigen normalises to v^T K v = 1; here v^T M' v = 1.
   modes.vectors = scale.asDiagonal() * solver.eigenvectors().rowwise().reverse() * modes.omega.asDiagonal();
   modes.participation = -(modes.vectors.transpose() * c) / model.total_inertia;
   modes.shape = model.shape;
@@ -112,7 +112,7 @@ ModalResponse::ModalResponse(const ModalModel& model, double x)
       theta_gain_(model.participation.cwiseAbs2()),
       deflection_gain_(model.participation.cwiseProduct(model.mode_shapes(x))) {}
 
-/// At s^2 = @p z, which is real on the axis.
+/// Response at s^2 = @p z, which is real on the imaginary axis.
 template <class R, class T>
 R ModalResponse::sum(const T& z) const {
   R r{1. / (total_inertia_ * z), 0., Outcome::success};
@@ -129,15 +129,15 @@ AxisResponse ModalResponse::at_frequency(double omega) const { return sum<AxisRe
 
 namespace {
 
-/// Functions of xi = x/L.
+/// Mode functions of xi = x/L.
 struct Family {
-  /// phi_i, d phi_i/d xi or d^2 phi_i/d xi^2 at xi, by order 0, 1, 2, into a column.
+  /// Writes phi_i, d phi_i/d xi or d^2 phi_i/d xi^2 (order 0, 1, 2) at xi into a column.
   std::function<void(double, int, Eigen::VectorXd&)> evaluate;
   int count;
 };
 
-/// Eq. 3.45 with cos(i pi x/L) in place of cos(i pi x)/L. All meet phi(0) = phi'(0) = 0; phi'' = phi''' = 0
-/// at the end, so that a tip body's conditions are met by none of them.
+/// Eq. 3.45 with cos(i pi x/L) in place of cos(i pi x)/L. All satisfy phi(0) = phi'(0) = 0 and phi''(L) =
+/// phi'''(L) = 0; so none satisfies the boundary conditions of a tip body.
 Family polynomial_cosine(int count) {
   return {[count](double xi, int order, Eigen::VectorXd& value) {
             for (int i = 1; i <= count; ++i) {
@@ -155,7 +155,8 @@ Family polynomial_cosine(int count) {
           count};
 }
 
-/// The resonance of wave number q, root and tip: exponentials, sine and cosine as in motion_by_waves().
+/// Eigenfunction of wave number q: amplitudes of the exponentials from root and tip, of cosine and sine, as
+/// in motion_by_waves().
 struct Resonance {
   double q, from_root, from_tip, cosine, sine;
 
@@ -177,7 +178,8 @@ Family eigenfunctions(const Plant& plant, int count) {
     const double root = omega * std::sqrt(plant.appendage().beta_unit()), q = std::sqrt(root),
                  e = std::exp(-q);
     const double c = std::cos(q), s = std::sin(q);
-    // F = -(A + E C) and G = A - E C hold the root; w'' = -b j w' at the tip gives A : C, b = -q^4.
+    // F = -(A + E C) and G = A - E C satisfy the root conditions; w'' = -b j w' at the tip gives A : C, b =
+    // -q^4.
     const double turn = ratios.tip ? q * root * ratios.inertia : 0;
     const double of_root = e * (1 + turn) + (c - turn * s) - (s + turn * c);
     const double of_tip = (1 - turn) + e * (c - turn * s) + e * (s + turn * c);
@@ -193,7 +195,7 @@ Family eigenfunctions(const Plant& plant, int count) {
 
 }  // namespace
 
-// Integrals over two half waves of the shortest function a panel are exact to rounding.
+// Quadrature panels of two half waves of the shortest function make the integrals exact to rounding.
 DiscreteModel assumed_modes(const Parameters& parameters, int count, ModeFunctions functions) {
   const Plant plant(parameters);
   if (count < 1 || count > 400) throw invalid_argument("assumed_modes: {} modes, of 1 to 400", count);
@@ -240,20 +242,21 @@ DiscreteModel assumed_modes(const Parameters& parameters, int count, ModeFunctio
 
 namespace {
 
-/// Hermite's cubics at t = 0 to 1: deflection at the left node, slope times h there, the same at the right.
+/// Cubic Hermite functions at t = 0 to 1: deflection and slope times h at the left node, then at the right
+/// node.
 Eigen::Vector4d hermite(double t) {
   const double s = 1 - t;
   return {(1 + 2 * t) * s * s, t * s * s, t * t * (3 - 2 * t), -t * t * s};
 }
 
-/// The integral over an element of the products of Hermite's cubics, divided by h.
+/// Integrals over an element of the products of the cubic Hermite functions, divided by h.
 Eigen::Matrix4d element_mass() {
   Eigen::Matrix4d m;
   m << 156, 22, 54, -13, 22, 4, 13, -3, 54, 13, 156, -22, -13, -3, -22, 4;
   return m / 420;
 }
 
-/// The same of their second derivatives, times h^3.
+/// Integrals over an element of the products of their second derivatives, times h^3.
 Eigen::Matrix4d element_stiffness() {
   Eigen::Matrix4d k;
   k << 12, 6, -12, 6, 6, 4, -6, 2, -12, -6, 12, -6, 6, 2, -6, 4;
@@ -262,8 +265,8 @@ Eigen::Matrix4d element_stiffness() {
 
 }  // namespace
 
-// Built with the root free first: the rigid rotation by theta is the vector of node values (r + x, h), and
-// its products with the mass matrix are the coupling, exact because r + x is among the functions.
+// Assembled with a free root: the rigid rotation by theta has the node values (r + x, h), and its product
+// with the mass matrix is the coupling, exact because the elements contain r + x.
 DiscreteModel finite_elements(const Parameters& parameters, int elements) {
   require_physical(parameters);
   if (elements < 1 || elements > 500)

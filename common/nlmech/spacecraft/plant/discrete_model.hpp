@@ -1,6 +1,6 @@
 /// @file
-/// The spacecraft discretised in space, by assumed modes (Eqs. 3.44-3.48, corrected) or finite elements: mass
-/// and stiffness matrices, dense and diagonalised frequency response, poles.
+/// Spatial discretisation by assumed modes (Eqs. 3.44-3.48, corrected) or finite elements: mass and stiffness
+/// matrices, dense and diagonalised frequency response, poles.
 #pragma once
 
 #include <Eigen/Core>
@@ -19,7 +19,7 @@ namespace nlmech::spacecraft {
 ///
 ///     J theta'' + c^T q'' = u,   c theta'' + M q'' + K q = 0     (Eqs. 3.47, 3.48 corrected).
 ///
-/// All entries hold both appendages.
+/// All entries are sums over both appendages.
 struct DiscreteModel {
   double hub_inertia = 0;                        ///< I_hub, slug ft^2
   double total_inertia = 0;                      ///< J, slug ft^2
@@ -30,41 +30,41 @@ struct DiscreteModel {
 
   /// Number of coordinates q.
   [[nodiscard]] Eigen::Index size() const { return coupling.size(); }
-  /// The mass with theta as first coordinate: M x'' + K x = (u, 0) (Eq. 3.47).
+  /// Mass matrix with theta as first coordinate: M x'' + K x = (u, 0) (Eq. 3.47).
   /// @throws std::invalid_argument if sizes differ
   [[nodiscard]] Eigen::MatrixXd full_mass() const;
-  /// The stiffness with theta as first coordinate: its row and column are 0.
+  /// Stiffness matrix with theta as first coordinate, whose row and column are 0.
   /// @throws std::invalid_argument if sizes differ
   [[nodiscard]] Eigen::MatrixXd full_stiffness() const;
 };
 
-/// Which functions of x.
+/// Family of mode functions of x.
 enum class ModeFunctions : std::uint8_t {
   polynomial_cosine,  ///< 1 - cos(i pi x/L) + (-1)^(i+1) (i pi x/L)^2/2: Eq. 3.45 with the argument corrected
-  eigenfunctions      ///< resonances of the appendage, with its tip body, on a locked hub
+  eigenfunctions      ///< mode shapes of the appendage with its tip body on a locked hub
 };
 
-/// A model of @p count modes.
+/// Assumed-modes model with @p count modes.
 /// @throws std::invalid_argument if count is not 1 to 400, or as require_physical()
-/// @throws nlmech::Failure if the eigenfunctions' frequencies are not found
+/// @throws nlmech::Failure if the frequencies of the eigenfunctions are not found
 [[nodiscard]] DiscreteModel assumed_modes(const Parameters& parameters, int count,
                                           ModeFunctions functions = ModeFunctions::polynomial_cosine);
 
-/// Beam elements of equal length with Hermite's cubics and consistent mass, @p elements an appendage: 2
-/// coordinates (deflection, slope times element length) a node. Poles and responses converge to the exact
-/// ones with the fourth power of the element length; tests hold the observed order to 0.2.
+/// Finite element model: cubic Hermite beam elements of equal length with consistent mass, @p elements per
+/// appendage, 2 coordinates per node (deflection, slope times element length). Poles and responses converge
+/// with the fourth power of the element length; tests check the observed order to 0.2.
 /// @throws std::invalid_argument if elements is not 1 to 500, or as require_physical()
 [[nodiscard]] DiscreteModel finite_elements(const Parameters& parameters, int elements);
 
-/// Frequency response by a dense solve at every s, (s^2 M + K) x = e_1, by LU decomposition with row
-/// pivoting. Allocates nothing after its construction; one object a thread.
+/// Frequency response by a dense solve of (s^2 M + K) x = e_1 at every s: LU factorisation with row pivoting.
+/// Does not allocate after construction; use one object per thread.
 class DenseResponse {
  public:
-  /// @param model is copied
+  /// @param model discrete model; copied
   /// @param x place of the deflection, ft
   /// @throws std::invalid_argument if sizes differ
   DenseResponse(const DiscreteModel& model, double x);
-  /// theta/u and y(x)/u; at_pole if they are not finite: an exactly singular matrix.
+  /// theta/u and y(x)/u; at_pole if they are not finite, as for a singular matrix.
   [[nodiscard]] Response response(Complex s);
   /// The same at s = j omega in real arithmetic.
   [[nodiscard]] AxisResponse at_frequency(double omega);
@@ -93,19 +93,19 @@ struct ModalModel {
   Eigen::MatrixXd vectors;                       ///< column i: q for eta_i = 1
   std::function<Eigen::VectorXd(double)> shape;  ///< phi(x) of the coordinates q
 
-  /// psi(x): the deflection of each mode there.
+  /// psi(x): deflection of each mode at x.
   [[nodiscard]] Eigen::VectorXd mode_shapes(double x) const;
 };
 
-/// Diagonalises. Relative accuracy of a pole: eps (omega_i/omega_1)^2, times the condition of the functions
-/// (ten assumed modes: 1e-10).
+/// Diagonalises the model. Relative accuracy of a pole: eps (omega_i/omega_1)^2 times the condition number of
+/// the mode functions (ten assumed modes: 1e-10).
 /// @throws std::invalid_argument if a matrix is not positive definite or sizes differ
 [[nodiscard]] ModalModel diagonalise(const DiscreteModel& model);
 
 /// Frequency response of the diagonalised model at one place.
 class ModalResponse {
  public:
-  /// @param model is read only here
+  /// @param model diagonalised model; no reference is kept
   /// @param x place of the deflection, ft
   ModalResponse(const ModalModel& model, double x);
   /// theta/u and y(x)/u; at_pole where a denominator is 0.

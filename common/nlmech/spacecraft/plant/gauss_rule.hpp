@@ -1,5 +1,5 @@
 /// @file
-/// Gauss and Legendre's rule of ten points. Internal to the component.
+/// Gauss-Legendre quadrature with ten points. Internal to the component.
 #pragma once
 
 #include <array>
@@ -7,13 +7,13 @@
 
 namespace nlmech::spacecraft {
 
-/// A point of a rule on [-1, 1].
+/// Quadrature point on [-1, 1].
 struct GaussPoint {
-  double place;   ///< where
-  double weight;  ///< of the value there
+  double place;   ///< abscissa
+  double weight;  ///< quadrature weight
 };
 
-/// The rule of ten points: exact for polynomials of degree 19.
+/// Gauss-Legendre rule with ten points: exact for polynomials of degree 19.
 inline const std::array<GaussPoint, 10> gauss_rule = [] {
   using Rule = boost::math::quadrature::gauss<double, 10>;
   std::array<GaussPoint, 10> rule;

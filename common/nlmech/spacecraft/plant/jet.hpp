@@ -1,5 +1,6 @@
 /// @file
-/// A complex number with its derivative by the Laplace variable s: what Newton's method and residues need.
+/// Complex number with its derivative with respect to the Laplace variable s, for Newton's method and
+/// residues.
 #pragma once
 
 #include <cmath>
@@ -7,20 +8,20 @@
 
 namespace nlmech::spacecraft {
 
-/// A point of the plane of s, or a value there.
+/// A complex number: s, or a function value.
 using Complex = std::complex<double>;
 
-/// Are both parts finite?
+/// Whether both parts are finite.
 [[nodiscard]] inline bool is_finite(const Complex& z) {
   return std::isfinite(z.real()) && std::isfinite(z.imag());
 }
 
-/// An analytic function at one s: value and derivative. Arithmetic follows the rules of differentiation.
+/// Value and derivative of an analytic function at one s. The operators apply the rules of differentiation.
 struct Jet {
   Complex value;  ///< F(s)
   Complex slope;  ///< dF/ds
 
-  /// Zero, constant.
+  /// The constant 0.
   Jet() = default;
   /// A constant.
   Jet(double constant) : value(constant) {}
@@ -29,7 +30,7 @@ struct Jet {
   /// A value with its derivative.
   Jet(const Complex& f, const Complex& df) : value(f), slope(df) {}
 
-  /// The variable itself.
+  /// The variable s, with derivative 1.
   [[nodiscard]] static Jet variable(const Complex& s) { return {s, 1.}; }
 
   /// The sum.
@@ -51,9 +52,9 @@ struct Jet {
     const Complex q = a.value / b.value;
     return {q, (a.slope - q * b.slope) / b.value};
   }
-  /// A part.
+  /// A quotient by a real number.
   friend Jet operator/(const Jet& a, double b) { return {a.value / b, a.slope / b}; }
-  /// The principal root; not differentiable at 0.
+  /// The principal square root; not differentiable at 0.
   friend Jet sqrt(const Jet& a) {
     const Complex root = std::sqrt(a.value);
     return {root, a.slope / (2. * root)};

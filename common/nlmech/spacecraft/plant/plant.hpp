@@ -1,5 +1,5 @@
 /// @file
-/// The spacecraft's exact transfer functions from hub torque u to hub angle theta and deflection y(x)
+/// Exact transfer functions of the spacecraft from hub torque u to hub angle theta and deflection y(x)
 /// (corrected Eqs. 3.38, 3.39, 3.42).
 #pragma once
 
@@ -15,43 +15,43 @@ namespace nlmech::spacecraft {
 /// Both transfer functions at one s.
 struct Response {
   Complex theta;       ///< theta/u, rad/(lb ft); even in s
-  Complex deflection;  ///< y(x)/u, 1/lb, positive along the motion of a positive rotation
-  Outcome outcome;     ///< success; at_pole: the values are infinite or without digits; non_finite
+  Complex deflection;  ///< y(x)/u, ft/(lb ft) = 1/lb, positive in the direction of positive rotation
+  Outcome outcome;     ///< success; at_pole: the values are infinite or have no correct digits; non_finite
 };
 
-/// The same at s = j omega, where they are real.
+/// Both transfer functions at s = j omega, where they are real.
 struct AxisResponse {
   double theta;       ///< theta/u, rad/(lb ft)
   double deflection;  ///< y(x)/u, 1/lb
   Outcome outcome;    ///< as in Response
 };
 
-/// Hub and two appendages, open loop.
+/// Open-loop spacecraft: hub and two appendages.
 ///
 ///     theta/u = 1/(s^2 (I_hub + 2 B(s))),   y(x)/u = g_3(x) theta/u,   y_1 = y_2.
 ///
-/// Accuracy: class Appendage. `at_pole` is reported where the denominator is 0 to within the rounding of s
-/// itself. s = 0 is a double pole of theta/u; y(x)/u is finite there, and right.
+/// Accuracy: as class Appendage. Returns `at_pole` where the denominator is 0 to within the rounding of s. s
+/// = 0 is a double pole of theta/u; y(x)/u is finite and accurate there.
 class Plant {
  public:
   /// @throws std::invalid_argument as require_physical()
   explicit Plant(const Parameters& parameters);
 
-  /// What it was made of.
+  /// The parameters given to the constructor.
   [[nodiscard]] const Parameters& parameters() const { return appendage_.parameters(); }
-  /// One of its appendages.
+  /// The solution of one appendage.
   [[nodiscard]] const Appendage& appendage() const { return appendage_; }
 
   /// theta/u and y(x)/u at @p s.
   /// @throws std::invalid_argument if x is outside 0 to L
   [[nodiscard]] Response response(Complex s, double x) const;
-  /// theta/u, and y/u at several places.
+  /// theta/u, and y/u at several places @p x.
   /// @param[out] theta theta/u
   /// @param[out] y y(x)/u, one for each x
   /// @throws std::invalid_argument if an x is outside 0 to L, or the sizes differ
   [[nodiscard]] Outcome response(Complex s, std::span<const double> x, Complex& theta,
                                  std::span<Complex> y) const;
-  /// theta/u and y(x)/u at s = j omega: in real arithmetic, at most a microsecond.
+  /// theta/u and y(x)/u at s = j omega: real arithmetic, at most a microsecond.
   /// @throws std::invalid_argument if x is outside 0 to L
   [[nodiscard]] AxisResponse at_frequency(double omega, double x) const;
   /// theta/u at @p s.
@@ -63,22 +63,23 @@ class Plant {
   /// @throws std::invalid_argument if x is outside 0 to L
   [[nodiscard]] double static_deflection(double x) const;
 
-  /// (I_hub + kappa B) D_0 with the factor exp(-exponent): for kappa = 2 an entire function of s^2 whose
-  /// zeros are the poles of both transfer functions but s = 0; for kappa = 2 + k_2 part of the closed loop's.
+  /// (I_hub + kappa B) D_0 exp(-exponent). For kappa = 2 an entire function of s^2 whose zeros are the poles
+  /// of both transfer functions except s = 0; for kappa = 2 + k_2 a term of the closed loop's characteristic
+  /// function.
   template <class T>
   [[nodiscard]] T effective_inertia(const Motion<T>& motion, double kappa = 2) const {
     return parameters().hub_inertia * motion.determinant + kappa * appendage_.inertia(motion);
   }
 
-  /// Why there is no value at @p s: success for success.
+  /// Status with the message for @p outcome at @p s.
   [[nodiscard]] Status status(Outcome outcome, Complex s) const;
 
  private:
   Appendage appendage_;
 };
 
-/// Is @p sum = a + b zero to within the rounding of s? @p size is |a| + |b|, @p waves |beta|^(1/4) L, by
-/// which a relative change of s is amplified.
+/// Whether @p sum = |a + b| is 0 to within the rounding of s. @p size is |a| + |b|; @p waves = |beta|^(1/4) L
+/// is the amplification of a relative change of s.
 [[nodiscard]] bool vanishes(double sum, double size, double waves);
 
 }  // namespace nlmech::spacecraft

@@ -12,14 +12,16 @@
 namespace nlmech::spacecraft {
 namespace {
 
-/// A real function of omega with the zeros looked for, and the same entire function of z = s^2.
+/// Function whose zeros are sought: real on the imaginary axis, as a function of omega, and entire as a
+/// function of z = s^2.
 struct Characteristic {
   double beta_unit;
   std::function<double(double)> on_axis;
   AnalyticFunction of_square;
 };
 
-/// What a quotient's numerator or denominator is made of a motion.
+/// Characteristic function from @p part, which evaluates numerator or denominator of a transfer function on a
+/// motion.
 template <class Part>
 Characteristic characteristic(const Plant& plant, const Part& part) {
   const Ratios ratios = plant.appendage().ratios();
@@ -32,7 +34,7 @@ Characteristic characteristic(const Plant& plant, const Part& part) {
           }};
 }
 
-/// Zeros of f up to where @p enough says so: sign changes in steps of @p step of |beta|^(1/4) L.
+/// Zeros by sign changes in steps of @p step of |beta|^(1/4) L, until @p enough returns true.
 template <class Enough>
 std::vector<double> scan(const Characteristic& c, double step, const Enough& enough) {
   std::vector<double> found;
@@ -50,7 +52,7 @@ std::vector<double> scan(const Characteristic& c, double step, const Enough& eno
 Frequencies frequencies(const Plant& plant, int count, const Characteristic& c, const char* what) {
   if (count < 1) throw invalid_argument("{}: a count of {}", what, count);
   const std::size_t wanted = static_cast<std::size_t>(count) + 1;
-  // One zero comes about every pi; a heavy tip adds two below.
+  // Zeros are about pi apart; a heavy tip body adds two low ones.
   const double last = (count + 20) * std::numbers::pi, highest = last * last / std::sqrt(c.beta_unit);
   Frequencies all;
   for (double step = 0.2; step > 1e-3; step /= 4) {
@@ -78,7 +80,7 @@ Frequencies frequencies(const Plant& plant, int count, const Characteristic& c, 
   return all;
 }
 
-/// Both signs of s and both of an imaginary part, of which those with Im s >= 0 are listed.
+/// Appends the roots s of s^2 = z with Im s >= 0.
 void append(std::vector<Complex>& s, Complex z) {
   const Complex root = std::sqrt(z);
   if (z.imag() == 0 && z.real() < 0) {
@@ -114,7 +116,7 @@ Zeros deflection_zeros(const Plant& plant, double x, double omega) {
   Zeros zeros;
   double side = omega * omega;
   RootCount counted;
-  // A zero on the boundary: a little farther out it is inside.
+  // If a zero lies on the boundary, enlarge the square.
   for (int i = 0; i < 5; ++i, side *= 1.0171) {
     counted = count_roots(c.of_square, {-side, side, -side, side});
     if (counted.status.ok()) break;

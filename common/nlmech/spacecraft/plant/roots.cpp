@@ -15,7 +15,7 @@
 namespace nlmech::spacecraft {
 namespace {
 
-/// Of one region: more than hundred times what a dozen zeros of a closed loop take.
+/// For one region: more than a hundred times the evaluations that a dozen zeros of a closed loop need.
 constexpr std::size_t most_evaluations = 400'000;
 
 void require_region(const Rectangle& r) {
@@ -40,7 +40,7 @@ Status too_many(const Rectangle& r) {
                      most_evaluations, r.left, r.right, r.bottom, r.top);
 }
 
-/// Follows the phase of F along a line. False if it cannot.
+/// Adds the change of the phase of F along a line to @p phase. False if a zero of F prevents it.
 bool follow(const AnalyticFunction& f, Complex from, Complex to, double& phase, Complex& at) {
   const double length = std::abs(to - from);
   const Complex direction = (to - from) / length;
@@ -51,7 +51,7 @@ bool follow(const AnalyticFunction& f, Complex from, Complex to, double& phase, 
     const double rate = std::abs(here.slope / here.value);
     double step = std::min(length - done, 0.6 / rate);
     for (;; step /= 2) {
-      // A NaN, from F = 0 or a value that is not finite, ends here too.
+      // Also true for a NaN, from F = 0 or a value that is not finite.
       if (!(step > 1e-13 * length) || steps > 200'000) return false;
       const Complex next = from + std::min(done + step, length) * direction;
       const Jet there = f(next);
@@ -78,7 +78,7 @@ struct Task {
 
 double diagonal(const Rectangle& r) { return std::hypot(r.right - r.left, r.top - r.bottom); }
 
-/// The largest modulus of a corner.
+/// The largest modulus of the corners.
 double reach(const Rectangle& r) {
   return std::hypot(std::max(std::abs(r.left), std::abs(r.right)),
                     std::max(std::abs(r.bottom), std::abs(r.top)));
@@ -86,7 +86,7 @@ double reach(const Rectangle& r) {
 
 Complex centre(const Rectangle& r) { return {(r.left + r.right) / 2, (r.bottom + r.top) / 2}; }
 
-/// Halves across the longer side, somewhere near its middle.
+/// Splits the longer side at the fraction @p part.
 std::pair<Rectangle, Rectangle> split(const Rectangle& r, double part) {
   Rectangle first = r, second = r;
   if (r.right - r.left >= r.top - r.bottom)
@@ -96,7 +96,7 @@ std::pair<Rectangle, Rectangle> split(const Rectangle& r, double part) {
   return {first, second};
 }
 
-/// Splits where no zero lies on the cut. False if every cut meets one.
+/// Splits a rectangle where no zero lies on the cut. False if every cut meets a zero.
 bool divide(const AnalyticFunction& f, const Task& task, std::vector<Task>& tasks) {
   static constexpr std::array<double, 6> parts = {0.51373, 0.46189, 0.55717, 0.42331, 0.6189, 0.37171};
   for (const double part : parts) {
@@ -129,7 +129,7 @@ RootCount count_roots(const AnalyticFunction& f, const Rectangle& region) {
 Roots find_roots(const AnalyticFunction& function, const Rectangle& region) {
   Roots found;
   std::size_t evaluations = 0;
-  // Beyond the limit there is no value, which ends everything below.
+  // Beyond the limit F is NaN, which ends the search.
   const AnalyticFunction f = [&](Complex s) {
     return ++evaluations > most_evaluations ? Jet(Complex(std::nan(""))) : function(s);
   };
@@ -138,7 +138,7 @@ Roots find_roots(const AnalyticFunction& function, const Rectangle& region) {
   found.status = all.status;
   std::vector<Task> tasks;
   if (all.status.ok() && all.count > 0) tasks.push_back({region, all.count});
-  // Relative to the place: near 0 a box is small only if 0 is not in it, or nearly nothing else.
+  // Sizes are relative to the modulus, with an absolute limit for zeros at 0.
   const double whole = diagonal(region), least = 1e-250 * whole;
   while (!tasks.empty()) {
     const Task task = tasks.back();
@@ -153,12 +153,12 @@ Roots find_roots(const AnalyticFunction& function, const Rectangle& region) {
         continue;
       }
       if (point) {
-        // A multiple zero, known to the size of its box.
+        // A multiple zero, accurate to the size of its rectangle.
         found.roots.insert(found.roots.end(), static_cast<std::size_t>(task.count), centre(task.region));
         continue;
       }
     } else if (size < 1e-3 * reach(task.region)) {
-      // Several, close to each other: their power sums say where, also where they coincide.
+      // Several close zeros: power sums give them even if they coincide.
       const ZeroCluster cluster = zeros_in_circle(f, centre(task.region), size);
       if (cluster.status.ok() && static_cast<int>(cluster.zeros.size()) == task.count) {
         for (const Complex& z : cluster.zeros) found.roots.push_back(cluster.centre + z);
@@ -192,7 +192,7 @@ Root refine_root(const AnalyticFunction& f, Complex start) {
                              s.imag())};
     }
     s -= step;
-    // Once small, steps that no longer shrink are the rounding of F.
+    // Small steps that no longer decrease are due to rounding of F.
     if (size <= 4 * eps * std::abs(s) || (size <= 1e-10 * scale && size >= before / 2)) return {s, {}};
     before = size;
   }
@@ -210,7 +210,8 @@ Status no_cluster(Outcome outcome, Complex centre, double radius, const char* wh
                      centre.real(), centre.imag(), radius, what);
 }
 
-/// Newton's identities: coefficients, from z^0 on, of the monic polynomial whose zeros have these power sums.
+/// Newton's identities: coefficients, from z^0 on, of the monic polynomial with the given power sums of
+/// zeros.
 std::vector<Complex> polynomial_of(const std::vector<Complex>& power_sums, std::size_t m) {
   std::vector<Complex> elementary(m + 1, 0.);
   elementary[0] = 1;
@@ -224,7 +225,7 @@ std::vector<Complex> polynomial_of(const std::vector<Complex>& power_sums, std::
   return a;
 }
 
-/// Weights at the zeros themselves that give the moments: w_i = sum_j l_ij mu_j, l_i being Lagrange's
+/// Weights at the zeros for given moments: w_i = sum_j l_ij mu_j with the coefficients l_ij of the Lagrange
 /// polynomials.
 std::vector<Complex> at_zeros(const std::vector<Complex>& zeros, const std::vector<Complex>& moments) {
   std::vector<Complex> weights;
@@ -244,7 +245,8 @@ std::vector<Complex> at_zeros(const std::vector<Complex>& zeros, const std::vect
   return weights;
 }
 
-/// Weights at points of a circle that give the moments and those that follow from them by the polynomial.
+/// Weights at points of a circle for given moments; higher moments follow from the recurrence of the
+/// polynomial.
 std::vector<Complex> on_circle(const std::vector<Complex>& nodes, const std::vector<Complex>& polynomial,
                                std::vector<Complex> moments) {
   const std::size_t m = polynomial.size(), count = nodes.size();
@@ -286,7 +288,7 @@ ZeroCluster zeros_in_circle(const std::function<Jet(Complex)>& f, Complex centre
   for (std::size_t k = 0; k < circle_points; ++k) {
     const Complex turn = std::polar(1., std::numbers::pi * static_cast<double>(2 * k + 1) / circle_points);
     const Jet value = f(centre + radius * turn);
-    // In units of the radius, so that powers of it stay in range.
+    // In units of the radius, to avoid overflow of its powers.
     Complex term = turn * (radius * (value.slope / value.value)) / static_cast<double>(circle_points);
     for (Complex& s : sums) {
       s += term;
@@ -310,7 +312,7 @@ ZeroCluster zeros_in_circle(const std::function<Jet(Complex)>& f, Complex centre
   std::vector<Complex> unit = polynomial_of(sums, m);
   cluster.zeros = m == 0 ? std::vector<Complex>{} : polynomial_zeros(unit);
   for (const Complex& z : cluster.zeros) {
-    // A zero that other sums than these would be needed for.
+    // Power sums are not accurate for a zero so near the circle.
     if (std::abs(z) > 0.75) {
       cluster.status = no_cluster(Outcome::not_converged, centre, radius, "zeros lie near it");
       return cluster;
@@ -340,7 +342,7 @@ ClusterNodes cluster_nodes(const ZeroCluster& cluster, const std::vector<std::ve
       result.weights.push_back(on_circle(result.nodes, cluster.polynomial, mu));
   }
   if (!own) return result;
-  // Of two conjugates one stands for both; a real one counts half, as in an ExponentialSum.
+  // One node represents a conjugate pair; a real node has half its weight, as in an ExponentialSum.
   ClusterNodes half;
   half.weights.resize(moments.size());
   for (std::size_t k = 0; k < result.nodes.size(); ++k) {

@@ -16,7 +16,7 @@ void require_positive(const char* name, double value, bool may_be_zero = false) 
     throw invalid_argument("spacecraft: {} = {} is out of range", name, value);
 }
 
-/// The field equations at one omega: their solutions are made of exp(lambda x) with two values of lambda^2.
+/// Solutions of the field equations at one omega: exp(lambda x) with two values of lambda^2.
 class Field {
  public:
   Field(const Parameters& p, const ShearBeam& beam, double omega)
@@ -24,7 +24,7 @@ class Field {
         length_(p.length),
         by_shear_(-omega * omega * p.mass_per_length / beam.shear_stiffness),
         mass_(-omega * omega * p.mass_per_length) {
-    // lambda^4 - (e1 + e2) lambda^2 + e1 e2 + beta = 0: the larger by the formula, the other from the
+    // lambda^4 - (e1 + e2) lambda^2 + e1 e2 + beta = 0: the larger root by the formula, the other from the
     // product.
     const double e1 = by_shear_, e2 = -omega * omega * beam.rotary_inertia / ei_, beta = mass_ / ei_;
     const double root = std::sqrt((e1 - e2) * (e1 - e2) - 4 * beta), sum = e1 + e2;
@@ -32,7 +32,7 @@ class Field {
     squares_ = {large, (e1 * e2 + beta) / large};
   }
 
-  /// Four solutions (w, psi, M, V) at x, one a column.
+  /// Four solutions (w, psi, M, V) at x, one per column.
   [[nodiscard]] Eigen::Matrix4d at(double x) const {
     Eigen::Matrix4d all;
     all << pair(squares_[0], x), pair(squares_[1], x);
@@ -42,9 +42,9 @@ class Field {
  private:
   using Pair = Eigen::Matrix<double, 4, 2>;
 
-  /// Waves that decay from tip and root; where they oscillate or are longer than the beam, an even and an odd
-  /// function instead. Both pairs span the same solutions with the same orientation, so that the sign of a
-  /// determinant does not depend on the choice.
+  /// Waves that decay from tip and root; for oscillating waves, or waves longer than the beam, an odd and an
+  /// even function. Both pairs span the same solutions with the same orientation, so the choice does not
+  /// change the sign of the determinant.
   [[nodiscard]] Pair pair(double square, double x) const {
     const double u = std::sqrt(std::abs(square)), d = square - by_shear_;
     Pair columns;
@@ -65,8 +65,8 @@ class Field {
   std::array<double, 2> squares_{};
 };
 
-/// The determinant of the five conditions in theta and the amplitudes of the four solutions, each row divided
-/// by its largest entry. It vanishes at the frequencies alone.
+/// Determinant of the five boundary conditions for theta and the amplitudes of the four solutions, each row
+/// divided by its largest entry. Its zeros are the natural frequencies.
 double determinant(const Parameters& p, const ShearBeam& beam, double omega) {
   const Field field(p, beam, omega);
   const Eigen::Matrix4d root = field.at(0), end = field.at(p.length);
@@ -104,7 +104,7 @@ std::vector<double> timoshenko_frequencies(const Parameters& p, const ShearBeam&
   require_positive("rotary_inertia", beam.rotary_inertia, true);
   if (count < 1 || !(highest > 0))
     throw invalid_argument("timoshenko_frequencies: {} frequencies up to {}", count, highest);
-  // Steps of a tenth of a radian of bending waves, and of the waves of shear and rotation.
+  // Step size: a tenth of a radian of the bending waves, and of the shear and rotation waves.
   const double flexural = std::sqrt(p.mass_per_length / p.bending_stiffness()) * p.length * p.length;
   const double fastest = p.length * std::sqrt(std::max(p.mass_per_length / beam.shear_stiffness,
                                                        beam.rotary_inertia / p.bending_stiffness()));

@@ -1,5 +1,5 @@
 /// @file
-/// Frequencies with Timoshenko's beam as the appendage: shear deformation and rotary inertia.
+/// Natural frequencies with Timoshenko beams as appendages: shear deformation and rotary inertia.
 ///
 /// At s = j omega the inertial deflection w, the rotation psi of the section, the moment M and the shear V
 /// obey
@@ -16,15 +16,15 @@
 
 namespace nlmech::spacecraft {
 
-/// What Timoshenko's beam has beyond Parameters.
+/// Parameters of a Timoshenko beam in addition to Parameters.
 struct ShearBeam {
   double shear_stiffness;  ///< kappa G A, lb; positive
   double rotary_inertia;   ///< rho I per length, slug ft; at least 0
 };
 
-/// Section of a solid material: from density and Poisson's ratio, with the second moment and the mass per
-/// length of @p parameters: A = mass per length/density, rho I = density times I, G = E/(2 (1 + nu)).
-/// @param parameters E, I, mass per length
+/// Beam of a solid cross section, with A = mass per length/density, rho I = density times I, G = E/(2 (1 +
+/// nu)).
+/// @param parameters E, second moment I, mass per length
 /// @param density slug/ft^3; positive
 /// @param poisson Poisson's ratio nu, above -1, at most 1/2
 /// @param shear_coefficient kappa, 5/6 for a rectangle; positive
@@ -33,11 +33,11 @@ struct ShearBeam {
                                       double shear_coefficient);
 
 /// The first @p count natural frequencies omega_n > 0 of a hub with two Timoshenko appendages, rad/s: sign
-/// changes of the determinant of the conditions above.
+/// changes of the determinant of the boundary conditions above.
 ///
-/// Tests compare them with a transition matrix (1e-9) and, for a stiff section, with Euler and Bernoulli's
+/// Tests compare them with a transition matrix (1e-9) and, for a stiff section, with Euler-Bernoulli theory
 /// (1e-12).
-/// @param highest search up to here at most, rad/s; fewer than @p count may lie below it
+/// @param highest upper end of the search, rad/s; if fewer than @p count lie below it, fewer are returned
 /// @throws std::invalid_argument as require_physical(), or naming the value that is out of range
 [[nodiscard]] std::vector<double> timoshenko_frequencies(const Parameters& parameters, const ShearBeam& beam,
                                                          int count, double highest);
