@@ -41,7 +41,7 @@ struct PathMethod {
   double turn = 0.3;           ///< of the tangent in a step, as it should be, rad; positive
   double longest = 1e6;        ///< no step is longer than so many first steps; positive
   double shortest = 1e-9;      ///< a step shorter than so many first steps is `step_underflow`
-  int iterations = 10;         ///< at most so many corrections of a step
+  int iterations = 10;         ///< limit of corrections of a step
   int aim = 4;                 ///< steps of riks and crisfield are chosen for so many of them at most
   Eigen::VectorXd scale = {};  ///< diagonal of S, positive; empty: chosen
 };
