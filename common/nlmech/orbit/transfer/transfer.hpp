@@ -72,7 +72,7 @@ struct TransferCollocation {
   std::uint64_t seed = 1;    ///< of `random`
   double length_unit = 0;    ///< in which unknowns are 1; 0: |r_0|
   double time_unit = 0;      ///< 0: (length_unit^3/mu)^(1/2)
-  int iterations = 60;       ///< limit of of Newton's
+  int iterations = 60;       ///< limit of Newton iterations
   double tolerance = 1e-10;  ///< of an update, relative to 1 + |unknown|
   /// A miss beyond this share of |r_F| is no success; for studies of what coarse sets of nodes give, more.
   double largest_miss = orbit::largest_miss;
