@@ -46,7 +46,7 @@ template <class Number>
 class DenseLu {
  public:
   static constexpr Eigen::Index most_of_loops =
-      48;  ///< largest system solved by plain loops; the blocked LU is as fast at twice this size
+      48;  ///< largest size for plain loops; equal speed at twice this size
 
   /// Workspace for a system of @p size equations.
   explicit DenseLu(Eigen::Index size) : size_(size), large_(is_large() ? size : 0) {

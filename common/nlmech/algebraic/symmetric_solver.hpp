@@ -13,8 +13,7 @@ namespace nlmech::algebraic {
 /// negative eigenvalues of a stiffness matrix is the number of unstable directions of an equilibrium.
 struct Inertia {
   Eigen::Index negative = 0;  ///< number of negative eigenvalues
-  Eigen::Index zero =
-      0;  ///< number of eigenvalues that the factorisation finds to be zero to working precision
+  Eigen::Index zero = 0;      ///< number of eigenvalues that are zero to working precision
   /// Are all eigenvalues positive?
   [[nodiscard]] bool is_positive() const { return negative == 0 && zero == 0; }
 };

@@ -11,13 +11,12 @@ namespace nlmech::frames {
 /// Two equal straight members that meet in a rigid apex over clamped bases, loaded at the apex downwards.
 /// Defaults: Table 2.1 of Elgohary 2015 (inch, pound), first case.
 struct Toggle {
-  double height = 0.32;  ///< height of the apex over the bases; positive
-  double length =
-      12.94;            ///< length of a member; above the height. The half span is sqrt(length^2 - height^2)
-  double ea = 1.885e6;  ///< EA, a force
-  double ei = 9.27e3;   ///< EI, force times length squared
-  int elements = 1;     ///< beam-columns per member; at least 1
-  bool full = false;    ///< both members; else one, with the apex fixed against sideways motion and rotation
+  double height = 0.32;   ///< height of the apex over the bases; positive
+  double length = 12.94;  ///< of a member; above the height. Half span: sqrt(length^2 - height^2)
+  double ea = 1.885e6;    ///< EA, a force
+  double ei = 9.27e3;     ///< EI, force times length squared
+  int elements = 1;       ///< beam-columns per member; at least 1
+  bool full = false;  ///< both members; else one, with the apex fixed against sideways motion and rotation
 };
 
 /// Frame model of a toggle, with its load.

@@ -21,8 +21,7 @@ using Kind = CriticalPoint::Kind;
 
 constexpr std::int64_t most_steps = 5000;
 constexpr double through = 2.2;  // in heights: past the mirrored configuration below the bases
-constexpr double sway =
-    antisymmetric_pole / 4;  // n of a column clamped at one end and free to rotate at the other: tan x = x
+constexpr double sway = antisymmetric_pole / 4;  // n of a column clamped and free to rotate: tan x = x
 constexpr double bow = -4 * std::numbers::pi * std::numbers::pi;  // n of a column clamped at both ends
 
 /// Calls use(unknown, mirrored unknown, sign of the mirror image) for every unknown.

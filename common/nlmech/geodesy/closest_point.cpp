@@ -41,16 +41,17 @@ double lower_bound(double Q, double gap, double beyond) {
 /// @param beyond P - gap with a relative error of one rounding, which determines the accuracy near the edge
 /// of the disc
 ///
-/// The normal meets the point at distance t where u = t + minor^2 satisfies (P/(u+gap))^2 + (Q/u)^2 = 1; the
-/// closest point belongs to its only root u > 0. Newton's method is applied to psi(u) = ((P/(u+gap))^2 +
-/// (Q/u)^2)^(-1/2) - 1. psi is increasing, and concave by Minkowski's inequality for the exponent -2, since
-/// it is the "norm" with that exponent of two linear functions of u. The tangent of a concave function lies
-/// above it: from any u at or below the root the iterates therefore rise to the root and never pass it. psi
-/// is nearly linear and the first u is within a factor of about 2: two to five steps on average, at most
-/// seven. The iteration limit is never reached; it only makes termination evident.
+/// The point at distance t on the normal is the given one where u = t + minor^2 satisfies
+/// (P/(u+gap))^2 + (Q/u)^2 = 1; the closest point belongs to its only root u > 0. Newton's method is applied
+/// to
+///   psi(u) = ((P/(u+gap))^2 + (Q/u)^2)^(-1/2) - 1.
+/// psi is increasing, and concave by Minkowski's inequality for the exponent -2, since it is the "norm" with
+/// that exponent of two linear functions of u. The tangent of a concave function lies above it: from any u at
+/// or below the root the iterates therefore rise to the root and never pass it. psi is nearly linear and the
+/// first u is within a factor of about 2: two to five steps on average, at most seven. The iteration limit is
+/// never reached; it only makes termination evident.
 Eccentric closest(double P, double Q, double gap, double beyond) {
-  constexpr double negligible =
-      1e-280;  // Q/u would lose digits to underflow; the limit Q -> 0 is as accurate
+  constexpr double negligible = 1e-280;  // below, Q/u underflows; the limit Q -> 0 is as accurate
   if (Q < negligible) {
     if (beyond > 0) return {1, Q / beyond};
     return {P / gap, std::sqrt(-beyond / gap * (1 + P / gap))};  // on the disc (or segment): u = 0

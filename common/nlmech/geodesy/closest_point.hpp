@@ -16,8 +16,9 @@ struct GeodeticPoint {
 /// Closest point of the ellipsoid to a given point, from the centre to the largest doubles, for oblate and
 /// prolate ellipsoids and spheres. Slower than ReverseTransform, which falls back to it.
 ///
-/// Conventions - The height is the distance to the closest point, negative inside the ellipsoid. - Latitude
-/// and z have the same sign, zeros included. Longitude is atan2(y, x) of IEEE 754: on the axis
+/// Conventions
+///   - The height is the distance to the closest point, negative inside the ellipsoid.
+///   - Latitude and z have the same sign, zeros included. Longitude is atan2(y, x) of IEEE 754: on the axis
 ///     it is 0 or pi with the signs of the zeros x and y.
 ///   - On the disc r <= a e^2 of the equatorial plane of an oblate ellipsoid (42.7 km for the Earth) two
 ///     points are equally close: z = +0 takes the northern one, z = -0 the southern.

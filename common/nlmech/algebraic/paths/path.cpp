@@ -16,9 +16,8 @@ constexpr double converged = 1e-8;       // of a step: the next correction would
 constexpr double load_converged = 1e-6;  // of the greatest load, in the same correction
 constexpr double stalled = 1e-4;         // corrections of this size that no longer shrink are rounding
 
-constexpr double most_noise = 1e-2;  // of a step: longer corrections are not rounding
-constexpr double least_to_edge =
-    1e-3;  // of a first step: smallest distance to a point where the equations report another branch
+constexpr double most_noise = 1e-2;     // of a step: longer corrections are not rounding
+constexpr double least_to_edge = 1e-3;  // of a first step: smallest distance to another branch
 
 void check(const PathMethod& method) {
   const auto require = [](bool good, const char* option, double value, const char* range) {

@@ -41,10 +41,9 @@ struct PathMethod {
   double first = 0.05;     ///< load increment of the first step, positive
   double turn = 0.3;       ///< target rotation of the tangent in a step, rad; positive, at most 1
   double longest = 1e6;    ///< largest step size, in units of the first; positive
-  double shortest =
-      1e-9;             ///< smallest step size, in units of the first, in (0, 1); below it `step_underflow`
-  int iterations = 10;  ///< limit of corrections of a step
-  int aim = 4;          ///< target number of corrections for the step-size control of riks and crisfield
+  double shortest = 1e-9;  ///< smallest step size over the first, in (0, 1); below it `step_underflow`
+  int iterations = 10;     ///< limit of corrections of a step
+  int aim = 4;             ///< target number of corrections for the step-size control of riks and crisfield
   Eigen::VectorXd scale = {};  ///< diagonal of S, positive; empty: chosen
 };
 
@@ -75,8 +74,7 @@ struct CriticalPoint {
   /// Number of eigenvalues of dF/dx that change sign, as far as known; 0 at a bifurcation where the load of
   /// the path has an extremum: the vanishing eigenvalue keeps its sign.
   Eigen::Index vanishing = 1;
-  PathVector across =
-      {};  ///< at a bifurcation with one vanishing eigenvalue: scaled tangent of the other branch
+  PathVector across = {};  ///< scaled tangent of the other branch, if one eigenvalue vanishes
 };
 
 /// "maximum", "minimum", "bifurcation".
@@ -90,14 +88,14 @@ struct PathChanges;
 /// - Newton's iteration converges, within the distance from the predictor that `turn` allows;
 /// - the tangents at both ends differ, and the chord differs from the first, by at most the allowed turn;
 /// - the chord bisects the angle of the tangents within 0.02, as for an arc; a jump to a parallel branch at
-/// distance d is off by d over the length of the chord. Otherwise, and whenever a sign has changed, the
-/// middle of the Hermite cubic must be within 1 % of the step from a solution, with a number of negative
-/// eigenvalues between those of the ends;
+///   distance d is off by d over the length of the chord. Otherwise, and whenever a sign has changed, the
+///   middle of the Hermite cubic must be within 1 % of the step from a solution, with a number of negative
+///   eigenvalues between those of the ends;
 /// - each change in the number of negative eigenvalues of dF/dx, and of the sign of the slope, belongs to a
-/// limit or bifurcation point found in the step: dF/dx is singular there to 1e-5 of its norm, and the path
-/// continues through it without a gap of more than 1e-3 of the step. Otherwise the step is rejected and
-/// halved. These tests miss a jump of less than 2 % of a step between branches with equal numbers of negative
-/// eigenvalues.
+///   limit or bifurcation point found in the step: dF/dx is singular there to 1e-5 of its norm, and the path
+///   continues through it without a gap of more than 1e-3 of the step.
+/// Otherwise the step is rejected and halved. These tests miss a jump of less than 2 % of a step between
+/// branches with equal numbers of negative eigenvalues.
 ///
 /// A secondary branch may pass through its own bifurcation point, such as the buckled branch of a column: its
 /// load has an extremum there and no eigenvalue changes sign. refine_fork() finds such a point; it is listed

@@ -14,8 +14,7 @@ namespace {
 constexpr double one_place = 1e-7;    // of a step: points closer than this count as one
 constexpr double is_singular = 1e-5;  // |K v|/|K| of a null vector v, at most
 constexpr double agreement = 1e-3;    // of the distance of points: zeros of two interpolations agree
-constexpr double around_fork =
-    0.2;  // of a step: no other critical points are searched for near one of refine_fork()
+constexpr double around_fork = 0.2;   // of a step: no other critical point near one of refine_fork()
 
 }  // namespace
 

@@ -9,8 +9,7 @@
 namespace nlmech::algebraic {
 namespace {
 
-constexpr double one_load =
-    1e-6;  // of the greatest load: largest deviation of a corrected load, see path.cpp
+constexpr double one_load = 1e-6;  // of the greatest load: largest error of a corrected load
 
 }  // namespace
 

@@ -39,15 +39,13 @@ struct FramePoint {
     minimum,     ///< of the load factor, along the walk
     bifurcation  ///< crossing with other branches
   };
-  int branch = 0;          ///< number of the branch; 0: path from rest
-  Kind kind = Kind::step;  ///< type of the point
-  double load = 0;         ///< load factor
-  Eigen::VectorXd x;       ///< displacements
-  Eigen::Index negative =
-      0;  ///< number of negative eigenvalues of the tangent stiffness, without the vanishing one
-  Eigen::VectorXd mode = {};  ///< at a limit or bifurcation point: null vector of norm 1
-  Eigen::Index vanishing =
-      0;  ///< at a limit or bifurcation point: number of vanishing eigenvalues, as far as known
+  int branch = 0;              ///< number of the branch; 0: path from rest
+  Kind kind = Kind::step;      ///< type of the point
+  double load = 0;             ///< load factor
+  Eigen::VectorXd x;           ///< displacements
+  Eigen::Index negative = 0;   ///< negative eigenvalues of the tangent, without the vanishing one
+  Eigen::VectorXd mode = {};   ///< at a limit or bifurcation point: null vector of norm 1
+  Eigen::Index vanishing = 0;  ///< number of vanishing eigenvalues, as far as known; 0 for a step
 };
 
 /// "step", "maximum", "minimum", "bifurcation".

@@ -13,8 +13,7 @@ namespace {
 
 using Points = std::vector<FramePoint>;
 
-constexpr double most_apart =
-    0.5;  // relative to the load factor: critical points farther apart are different
+constexpr double most_apart = 0.5;  // relative: critical points with a greater difference of loads differ
 
 /// A range of points of a branch between two limit or bifurcation points of both meshes.
 struct Stretch {

@@ -27,10 +27,11 @@ template <class V>
 
 /// atan2(|y|, x) + correction: an angle from 0 to pi; the caller applies the sign of y.
 ///
-/// The half plane is folded to |t| <= tan(pi/8), where angle = base +- atan(t), with one division: small <=
-/// tan(pi/8) big: t = small/big; otherwise t = (small - big)/(small + big), relative to the diagonal. The
-/// base is a multiple of pi/4 with its rounding error as a second term, lambda base; all multiples share one
-/// lambda since pi/2, 3 pi/4 and pi in double precision are exact multiples of pi/4 in double precision.
+/// The half plane is folded to |t| <= tan(pi/8), where angle = base +- atan(t), with one division:
+///   small <= tan(pi/8) big: t = small/big;  otherwise t = (small - big)/(small + big), relative to the
+///   diagonal.
+/// The base is a multiple of pi/4 with its rounding error as a second term, lambda base; all multiples share
+/// one lambda since pi/2, 3 pi/4 and pi in double precision are exact multiples of pi/4 in double precision.
 /// @param half_plane x may be negative (including -0: then the angle is pi); otherwise x >= +0 is assumed
 template <bool half_plane, class V>
 [[gnu::always_inline]] inline V arctangent(V y_magnitude, V x, V correction) {
