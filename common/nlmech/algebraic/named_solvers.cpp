@@ -25,7 +25,7 @@ namespace {
 
 /// Arguments of one call of a solver.
 struct Call {
-  double tolerance;  // on |F|
+  double tolerance;  // of |F|
   std::int64_t iterations;
   Equations& equations;
   Eigen::VectorXd& x;

@@ -49,7 +49,7 @@ struct Support {
 template <class T>
 struct Energy {
   T value{};      ///< strain energy of all members
-  Status status;  ///< as of Frame::force()
+  Status status;  ///< outcome as in Frame::force()
 };
 
 /// Are results with this status valid? True for success and `wrong_branch`.

@@ -17,8 +17,8 @@ namespace nlmech::frames {
 /// The beam-column with the greatest relative shortening.
 struct ShortestMember {
   double left;  ///< chord length relative to that at rest
-  double x;     ///< of its first node at rest
-  double y;     ///< of its first node at rest
+  double x;     ///< x of its first node at rest
+  double y;     ///< y of its first node at rest
 };
 
 /// F(x, W) = dU/dx - W q for a frame with the load factor W. dF/dx is sparse. Degrees of freedom may be

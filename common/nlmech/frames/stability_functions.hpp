@@ -172,8 +172,8 @@ template <class T>
 
 /// Both functions at the axial force @p n = N l^2/EI, tension positive, in any type of number: floating
 /// point, extended precision, dual numbers. For double, against 50 digits, values g are within 16 eps max(1,
-/// |g|), slopes within 16 eps and curvatures within 128 eps of themselves, for n from -4 pi^2 to 1e6. At a
-/// pole values are infinite or very large; callers near a pole must check n first.
+/// |g|), relative errors of slopes within 16 eps and of curvatures within 128 eps, for n from -4 pi^2 to 1e6.
+/// At a pole values are infinite or very large; callers near a pole must check n first.
 template <class T>
 [[nodiscard]] StabilityFunctions<T> stability_functions(const T& n) {
   using Number = decltype(value_of(n));

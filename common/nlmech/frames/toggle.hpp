@@ -23,7 +23,7 @@ struct Toggle {
 struct ToggleFrame {
   Frame frame;           ///< nodes from the left base over the apex to the right base
   Eigen::Index apex;     ///< unknown of the apex's vertical displacement, upwards
-  Eigen::VectorXd load;  ///< forces on the unknowns for a load of 1 on the whole toggle
+  Eigen::VectorXd load;  ///< forces on the unknowns for a load of 1 on the full toggle
 };
 
 /// Builds the frame of a toggle.

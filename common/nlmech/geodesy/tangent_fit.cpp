@@ -59,7 +59,7 @@ Grid transposed(const Grid& g) {
   return result;
 }
 
-/// Row n: T_n(2x - 1) in powers of x, whole numbers, by T_n+1 = 2 (2x - 1) T_n - T_n-1.
+/// Row n: T_n(2x - 1) in powers of x, integer coefficients, by T_n+1 = 2 (2x - 1) T_n - T_n-1.
 std::array<std::array<double, 6>, 6> shifted_chebyshev() {
   std::array<std::array<double, 6>, 6> t{};
   t[0][0] = 1;

@@ -37,7 +37,7 @@ struct Settings {
   bool compensated;                            ///< compensated summation
   bool kernel;                                 ///< may the unrolled kernels be used?
   bool true_division;                          ///< see FixedContinuation
-  std::optional<InstructionSet> instructions;  ///< of the kernels
+  std::optional<InstructionSet> instructions;  ///< instruction set of the kernels
 };
 
 /// State, time and series of one propagation. All numbers are in units 2^a of length and 2^b of time, which
@@ -170,7 +170,7 @@ bool Propagation::unrolled(int order) const {
   return options_.kernel && order >= kernels::least_unrolled && order <= kernels::most_unrolled;
 }
 
-// Measured for loops, the baseline kernel, and the kernels with fused multiply-add.
+// Values for loops, the baseline kernel, and the kernels with fused multiply-add.
 double Propagation::cost_exponent() const {
   if (!options_.kernel) return 1.8;
   return kernel_ == &kernels::baseline_kernel ? 1.4 : 1.0;

@@ -8,9 +8,10 @@
 namespace nlmech::orbit {
 
 /// Orbital elements: size, shape and orientation of a conic, and position on it. Angles in radians. An
-/// undefined angle is 0 by convention, and the next angle is measured from its end: - no inclination (0 or
-/// pi): ascending_node = 0, the node is the x axis; - a circle: periapsis_argument = 0, the true anomaly is
-/// counted from the node. Eccentricities below 4 eps and inclinations with a sine below 4 eps count as zero.
+/// undefined angle is 0 by convention, and the next angle is measured from its end:
+///  - no inclination (0 or pi): ascending_node = 0, the node is the x axis;
+///  - a circle: periapsis_argument = 0, the true anomaly is measured from the node.
+/// Eccentricities below 4 eps and inclinations with a sine below 4 eps count as zero.
 struct Elements {
   double semi_latus_rectum = 1;   ///< p = h.h/mu, positive; unlike a it exists for every conic
   double eccentricity = 0;        ///< e, 0 or more

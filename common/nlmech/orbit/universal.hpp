@@ -129,7 +129,7 @@ template <class T>
 /// Result of solve().
 template <class T>
 struct Solved {
-  typename Universal<T>::At at;  ///< at the root
+  typename Universal<T>::At at;  ///< quantities at the root
   int iterations = 0;            ///< number of evaluations
 };
 

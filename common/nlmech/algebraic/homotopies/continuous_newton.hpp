@@ -16,7 +16,7 @@ namespace nlmech::algebraic {
 /// Tests check first-order convergence to the exact flow (ratio of errors within 0.05 of 2), and that steps
 /// of size 1 are Newton's.
 struct ContinuousNewton {
-  double step = 0.5;                 ///< of fictitious time, positive
+  double step = 0.5;                 ///< step size in fictitious time, positive
   double tolerance = 1e-10;          ///< converged when |F|, Euclidean, is at most this; not negative
   std::int64_t iterations = 10'000;  ///< limit of steps
 };
@@ -36,7 +36,7 @@ struct ContinuousNewton {
 struct FictitiousTime {
   double nu = 1;                      ///< any finite number but 0
   double power = 0;                   ///< m, from 0 to 1
-  double step = 0.1;                  ///< of fictitious time, positive
+  double step = 0.1;                  ///< step size in fictitious time, positive
   double tolerance = 1e-10;           ///< converged when |F|, Euclidean, is at most this; not negative
   std::int64_t iterations = 100'000;  ///< limit of steps
 };

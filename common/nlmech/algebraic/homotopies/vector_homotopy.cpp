@@ -84,7 +84,7 @@ class HomotopyPath {
   }
 
  private:
-  static constexpr double shortest_ = 1e-10;  // of steps
+  static constexpr double shortest_ = 1e-10;  // smallest step size
 
   // Velocity of Eq. 2.10 for known F.
   Outcome velocity(const VectorXd& x, double t, const VectorXd& f, VectorXd& v) {
@@ -216,7 +216,7 @@ class AugmentedPath {
   }
 
  private:
-  static constexpr double shortest_ = 1e-10;  // of steps
+  static constexpr double shortest_ = 1e-10;  // smallest step size
 
   Outcome refuse() {
     step_ /= 2;

@@ -32,7 +32,7 @@ class Descent {
     run_.equations().apply(gradient_, image_);
     const double bend = image_.norm();
     if (!std::isfinite(bend)) return Outcome::non_finite;
-    const double cosine = slope / bend * (slope / run_.norm);  // of F and B g
+    const double cosine = slope / bend * (slope / run_.norm);  // angle of F and B g
     if (!(cosine * cosine >= least_cosine_squared)) return Outcome::not_converged;
     const double alpha = first_alpha(slope / bend * (slope / bend));
     before_ = gradient_;

@@ -26,7 +26,7 @@ class TrustRegionStep {
     double multiplier = 0;      ///< lambda; 0: B is positive definite and p is Newton's step, inside the ball
     double decrease = 0;        ///< -m(p), not negative
     double length = 0;          ///< |p|
-    int factorisations = 0;     ///< of B + lambda I
+    int factorisations = 0;     ///< number of factorisations of B + lambda I
     Eigen::Index negative = 0;  ///< negative eigenvalues of B itself
     bool found = false;         ///< false if p is not finite (B or g near the range of double)
   };

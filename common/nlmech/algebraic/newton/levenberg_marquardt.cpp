@@ -128,7 +128,7 @@ class Marquardt {
     const double slope = gradient_.norm();
     if (slope == 0) return Outcome::singular_matrix;
     run_.equations().apply(gradient_, image_);
-    const double cosine = slope / image_.norm() * (slope / run_.norm);  // of F and B B^T F
+    const double cosine = slope / image_.norm() * (slope / run_.norm);  // angle of F and B B^T F
     if (!(cosine * cosine >= least_cosine_squared)) return Outcome::not_converged;
     if (mu_ < 0) mu_ = method_.damping * greatest;
     is_loaded_ = true;

@@ -45,7 +45,7 @@ struct Fork {
 /// @param system of F
 /// @param fork in: `at`, a point near the bifurcation; out: all members
 /// @param reach largest distance of the bifurcation, scaled; differences use a hundredth of it
-/// @param load the same for the load, scaled
+/// @param load largest distance of the bifurcation in the load, scaled; differences use a hundredth of it
 /// @return success; `wrong_branch` if |mu| there exceeds 16 times the rounding of F and of the data of the
 /// equations: two branches pass each other without crossing; `not_converged`, `non_finite` or
 /// `singular_matrix`. @p fork is not usable after a failure

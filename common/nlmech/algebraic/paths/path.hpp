@@ -64,8 +64,8 @@ struct PathPoint {
 struct CriticalPoint {
   /// Type of the critical point.
   enum class Kind : std::uint8_t {
-    maximum,     ///< of the load, along the walk
-    minimum,     ///< of the load, along the walk
+    maximum,     ///< maximum of the load along the path
+    minimum,     ///< minimum of the load along the path
     bifurcation  ///< crossing with other branches
   };
   Kind kind = Kind::bifurcation;  ///< type of the point

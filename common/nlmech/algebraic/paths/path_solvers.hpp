@@ -17,7 +17,7 @@ namespace nlmech::algebraic {
 struct ArcLength {
   /// Options of path following; `first` is a fraction of the full load.
   PathMethod path = {};
-  std::int64_t steps = 2000;  ///< at most so many, rejected ones included; else `step_limit`
+  std::int64_t steps = 2000;  ///< limit of steps, including rejected ones; then `step_limit`
 };
 
 /// Solves. The observer receives the points of the path; `time` is the load. Outcomes besides success:

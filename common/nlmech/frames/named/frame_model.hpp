@@ -26,8 +26,8 @@ struct NamedMember {
   std::string second;             ///< name of another one
   double ea = 0;                  ///< EA, a force, positive
   double ei = 0;                  ///< EI, force times length squared, positive
-  bool is_first_pinned = false;   ///< does the first end turn by itself?
-  bool is_second_pinned = false;  ///< does the second?
+  bool is_first_pinned = false;   ///< is the first end pinned?
+  bool is_second_pinned = false;  ///< is the second end pinned?
   int elements = 1;               ///< beam-columns, times @p elements of build()
   /// Radius of a circular arc, at most half a circle, with the ends of its elements on it: clockwise from the
   /// first node to the second if positive, anticlockwise if negative; 0: straight
@@ -76,9 +76,9 @@ struct Imperfection {
 
 /// A frame with its loads.
 struct FrameModel {
-  std::vector<NamedNode> nodes;        ///< in the order of the results
-  std::vector<NamedMember> members;    ///< at least one
-  std::vector<NamedSupport> supports;  ///< in any order
+  std::vector<NamedNode> nodes;        ///< nodes, in the order of the results
+  std::vector<NamedMember> members;    ///< members, at least one
+  std::vector<NamedSupport> supports;  ///< supports, in any order
   std::vector<NamedLoad> loads;        ///< at least one that is not 0, unless a displacement is prescribed
   std::vector<NamedDisplacement> displacements;   ///< prescribed displacements, each once, none of them fixed
   std::vector<NamedMass> masses;                  ///< masses in addition to those of members

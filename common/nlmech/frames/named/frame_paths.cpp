@@ -31,11 +31,11 @@ FramePoint::Kind kind_of(CriticalPoint::Kind kind) {
 /// A bifurcation point, and which halves of its other branch remain to be followed.
 struct Crossing {
   PathPoint point;
-  algebraic::PathVector direction;  ///< of the other branch, scaled
-  Eigen::VectorXd mode;             ///< as of FramePoint
-  Eigen::Index negative;            ///< as of FramePoint
+  algebraic::PathVector direction;  ///< tangent of the other branch, scaled
+  Eigen::VectorXd mode;             ///< as in FramePoint
+  Eigen::Index negative;            ///< as in FramePoint
   int branch;                       ///< branch on which it was found
-  Eigen::Index vanishing;           ///< as of FramePoint
+  Eigen::Index vanishing;           ///< as in FramePoint
   bool is_open[2] = {true, true};
 };
 

@@ -35,8 +35,8 @@ struct FramePoint {
   /// Type of the point.
   enum class Kind : std::uint8_t {
     step,        ///< regular point at the end of a step
-    maximum,     ///< of the load factor, along the walk
-    minimum,     ///< of the load factor, along the walk
+    maximum,     ///< maximum of the load factor along the path
+    minimum,     ///< minimum of the load factor along the path
     bifurcation  ///< crossing with other branches
   };
   int branch = 0;              ///< number of the branch; 0: path from rest

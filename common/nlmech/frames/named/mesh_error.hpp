@@ -13,7 +13,7 @@ namespace nlmech::frames {
 /// Elements per member of the second mesh: one and a half times as many; 3 for 1, because 2 often give the
 /// same result as 1; two thirds for frames of more than 2000 beam-columns, to save time.
 /// @param elements elements per member of the mesh, positive
-/// @param beam_columns of the whole frame with that mesh
+/// @param beam_columns number of beam-columns of the frame with that mesh
 [[nodiscard]] int second_mesh(int elements, std::size_t beam_columns);
 
 /// Ratio of the error of a mesh to the difference between both meshes, for errors proportional to the square

@@ -77,8 +77,8 @@ struct LaneSettings {
   double longest = 0;        ///< log2 of the largest step size in units of r/|v|
   double last_weight = 0;    ///< 2 log2(order) ...
   double last_power = 0;     ///< 0.5/(order - 1)
-  double before_weight = 0;  ///< the same for the order before
-  double before_power = 0;   ///< the same for the order before
+  double before_weight = 0;  ///< 2 log2(order - 1)
+  double before_power = 0;   ///< 0.5/(order - 2)
 };
 
 /// Events of the lanes, one bit per lane.

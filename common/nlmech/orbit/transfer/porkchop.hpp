@@ -44,9 +44,9 @@ struct PorkchopProblem {
 struct PorkchopCell {
   double v_departure = 0;  ///< |v_1 - v(departure body)|; infinite if there is no transfer
   double v_arrival = 0;    ///< |v_2 - v(arrival body)|; infinite if there is no transfer
-  std::int32_t revolutions =
-      -1;  ///< whole revolutions; -1: no transfer, because the arrival is not after the departure, or the
-           ///< positions differ but lie in one direction from the centre
+  /// Whole revolutions; -1: no transfer, because the arrival is not after the departure, or the positions
+  /// differ but lie in one direction from the centre.
+  std::int32_t revolutions = -1;
   bool long_way = false;                      ///< transfer angle above 180 degrees
   LambertBranch branch = LambertBranch::low;  ///< branch, for one revolution or more
 

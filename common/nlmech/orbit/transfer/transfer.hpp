@@ -82,8 +82,8 @@ struct TransferCollocation {
 /// Result of collocation.
 struct CollocatedTransfer : Transfer {
   Eigen::VectorXd times;        ///< nodes, from 0 to the time of flight
-  Eigen::Matrix3Xd positions;   ///< at the nodes
-  Eigen::Matrix3Xd velocities;  ///< at the nodes
+  Eigen::Matrix3Xd positions;   ///< positions at the nodes
+  Eigen::Matrix3Xd velocities;  ///< velocities at the nodes
   double condition = 1;         ///< condition number of the matrix of Gaussian functions; 1 for other bases
 };
 
