@@ -14,9 +14,9 @@
 
 namespace nlmech::algebraic {
 
-/// a b.
+/// Product a b.
 [[nodiscard]] inline double product(double a, double b) { return a * b; }
-/// The same for complex numbers, without the search for infinities that C++ asks of theirs.
+/// Complex product without the check for infinities that the C++ standard requires.
 [[nodiscard]] inline std::complex<double> product(const std::complex<double>& a,
                                                   const std::complex<double>& b) {
   return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
@@ -30,25 +30,25 @@ namespace nlmech::algebraic {
   const double ratio = a.real() / a.imag(), part = 1 / (a.imag() + a.real() * ratio);
   return {ratio * part, -part};
 }
-/// How large a number is as a pivot.
+/// Size of a pivot candidate: |a|.
 [[nodiscard]] inline double magnitude(double a) { return std::abs(a); }
-/// |Re a| + |Im a|, as LAPACK does: no root, and within a factor of 1.5 of the modulus.
+/// Size of a complex pivot candidate: |Re a| + |Im a|, as in LAPACK; within a factor of 1.5 of the modulus.
 [[nodiscard]] inline double magnitude(const std::complex<double>& a) {
   return std::abs(a.real()) + std::abs(a.imag());
 }
 
-/// Factors L U by elimination with partial pivoting, for Newton's iterations. Nothing is allocated after the
-/// constructor for up to `most_of_loops` equations. Plain loops, which for the few equations of most systems
-/// take a half to a third of the time of Eigen's LU; Eigen's, which works in blocks, for many. The loops for
-/// double round as Eigen's unblocked LU does. Complex columns and right-hand sides are kept as all real
-/// parts, then all imaginary ones, so that loops over them work on several rows at once.
+/// LU factorisation with partial pivoting, for Newton's iterations. Up to `most_of_loops` equations: plain
+/// loops, which take a half to a third of the time of Eigen's LU and allocate nothing after the constructor.
+/// Above: Eigen's blocked LU. The loops for double round as Eigen's unblocked LU does. Complex columns and
+/// right-hand sides store all real parts, then all imaginary parts, so that the loops vectorise over rows.
 /// @tparam Number double or std::complex<double>
 template <class Number>
 class DenseLu {
  public:
-  static constexpr Eigen::Index most_of_loops = 48;  ///< equations; twice as many are as fast by blocks
+  static constexpr Eigen::Index most_of_loops =
+      48;  ///< largest size for plain loops; equal speed at twice this size
 
-  /// For so many equations.
+  /// Workspace for a system of @p size equations.
   explicit DenseLu(Eigen::Index size) : size_(size), large_(is_large() ? size : 0) {
     if (is_large()) return;
     a_.resize(static_cast<std::size_t>(parts * size * size));
@@ -56,8 +56,8 @@ class DenseLu {
     pivot_.resize(static_cast<std::size_t>(size));
   }
 
-  /// Of @p scale times @p a plus @p shift times I. A singular matrix makes solutions that are not finite,
-  /// except of right-hand sides that elimination turns to 0 wherever a pivot is 0.
+  /// Factorises @p scale @p a + @p shift I. For a singular matrix solve() returns values that are not finite,
+  /// except where elimination makes the right-hand side 0 at each zero pivot.
   void compute(const Eigen::MatrixXd& a, double scale = 1, const Number& shift = 0) {
     if (is_large()) {
       large_.compute(scale * a.template cast<Number>() + shift * Large::Identity(size_, size_));
@@ -70,7 +70,7 @@ class DenseLu {
     }
     for (Eigen::Index k = 0; k < size_; ++k) eliminate(k);
   }
-  /// @p x becomes the solution for the right-hand side @p b, which may be @p x itself.
+  /// Solves for the right-hand side @p b; writes the solution to @p x, which may be the same object as @p b.
   template <class V>
   void solve(const V& b, V& x) {
     if (is_large()) {
@@ -90,14 +90,14 @@ class DenseLu {
 
  private:
   static constexpr bool is_complex = !std::is_same_v<Number, double>;
-  static constexpr Eigen::Index parts = is_complex ? 2 : 1;  // doubles of a number
+  static constexpr Eigen::Index parts = is_complex ? 2 : 1;  // doubles per number
   using Large = Eigen::Matrix<Number, Eigen::Dynamic, Eigen::Dynamic>;
 
   [[nodiscard]] bool is_large() const { return size_ > most_of_loops; }
   [[nodiscard]] static std::size_t at(Eigen::Index k) { return static_cast<std::size_t>(k); }
   [[nodiscard]] double* column(Eigen::Index k) { return a_.data() + parts * k * size_; }
 
-  // What the diagonal keeps of a pivot: itself, or the reciprocal of a complex one.
+  // Diagonal entry stored for a pivot: the pivot itself if real, its reciprocal if complex.
   [[nodiscard]] static Number divisor(const Number& pivot) {
     if constexpr (is_complex)
       return reciprocal(pivot);
@@ -110,7 +110,7 @@ class DenseLu {
     else
       return a / divisor;
   }
-  // Number i of a column.
+  // Entry i of a column.
   [[nodiscard]] Number get(const double* a, Eigen::Index i) const {
     if constexpr (is_complex)
       return {a[i], a[size_ + i]};
@@ -129,7 +129,7 @@ class DenseLu {
     for (Eigen::Index part = 0; part < parts; ++part) std::swap(a[part * size_ + i], a[part * size_ + k]);
   }
 
-  // y_i -= a_i factor for i from begin to end.
+  // y_i -= a_i factor for i in [begin, end).
   void subtract(const double* a, const Number& factor, Eigen::Index begin, Eigen::Index end,
                 double* y) const {
     if constexpr (is_complex) {
@@ -146,7 +146,8 @@ class DenseLu {
       for (Eigen::Index i = begin; i < end; ++i) to[i] -= from[i] * factor;
     }
   }
-  // Brings the pivot of column k to the diagonal and subtracts its row. A column of zeros stays.
+  // One elimination step: swaps the pivot of column k to the diagonal and subtracts multiples of its row.
+  // Skips the subtraction if the column is zero.
   void eliminate(Eigen::Index k) {
     double* const a = column(k);
     Eigen::Index p = k;

@@ -10,10 +10,10 @@
 namespace nlmech::algebraic {
 namespace {
 
-/// Ends an iteration from within its residual.
+/// Thrown by the residual when the observer stops the iteration.
 struct Interrupted {};
 
-/// Newton's workspace with factors that are dense or sparse, as the equations are.
+/// Newton's workspace with dense or sparse factors, as the equations store B.
 struct Work {
   explicit Work(const Equations& of)
       : equations(of), residual(of.size()), update(of.size()), trial(of.size()), lu(of) {}

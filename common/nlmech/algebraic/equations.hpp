@@ -1,5 +1,5 @@
 /// @file
-/// F(x) = 0 as every solver of this component sees it, and what every solver reports.
+/// Interface of the nonlinear equations F(x) = 0, and the report of a solver.
 ///
 /// One interface for all methods. A method is a struct of options, such as Newton or ScalarHomotopy, and a
 /// function
@@ -7,13 +7,12 @@
 ///     Report find_root(const Method& method, Equations& equations, Eigen::VectorXd& x,
 ///                      const Observer& observer = {});
 ///
-/// which starts from x, leaves its last iterate there, and tells by the Report how it ended. It allocates
-/// before its first iteration and not after. A method takes of Equations what it needs: F alone; products
-/// with B = dF/dx and its transpose, which never need a matrix; or the matrix, to factorise it. So the same
-/// equations go to all methods, and methods can be set side by side.
+/// which starts from x, writes its last iterate to x, and returns the outcome in the Report. It allocates
+/// only before its first iteration. A method uses the part of Equations that it needs: F alone; products with
+/// B = dF/dx and its transpose, without a matrix; or the matrix, to factorise it. The same equations work
+/// with all methods.
 ///
-/// Inside an integrator, where a solve is a part of a step, the templates of newton.hpp do the same without
-/// virtual calls.
+/// Integrators, which solve equations in every step, use the templates of newton.hpp without virtual calls.
 #pragma once
 
 #include <Eigen/Core>
@@ -32,43 +31,42 @@ class Equations {
  public:
   virtual ~Equations() = default;
 
-  /// n, of unknowns and equations.
+  /// Number n of unknowns and equations.
   [[nodiscard]] virtual Eigen::Index size() const = 0;
-  /// f = F(x). An f that is not finite says that F does not exist at x.
+  /// f = F(x). Where F does not exist, f is not finite.
   virtual void residual(const Eigen::VectorXd& x, Eigen::VectorXd& f) = 0;
-  /// From now on B is that of @p x.
+  /// Linearises at @p x: sets B = dF/dx(x) for apply(), apply_transposed(), matrix() and sparse().
   virtual void linearise(const Eigen::VectorXd& x) = 0;
   /// out = B v. @p v and @p out are different objects.
   virtual void apply(const Eigen::VectorXd& v, Eigen::VectorXd& out) const = 0;
   /// out = B^T v. @p v and @p out are different objects.
   virtual void apply_transposed(const Eigen::VectorXd& v, Eigen::VectorXd& out) const = 0;
   /// B, n by n, for methods that factorise it.
-  /// @throws std::logic_error if the equations offer products only, as they do unless they say otherwise
+  /// @throws std::logic_error if the equations offer products only (the default)
   virtual void matrix(Eigen::MatrixXd& b) const;
-  /// B as the equations store it, if that is sparse: compressed, of a pattern that never changes, valid until
-  /// the next linearise(). Null, unless the equations say otherwise.
+  /// B in compressed sparse storage, with a fixed sparsity pattern, valid until the next linearise(); null
+  /// (the default) if B is not stored sparse.
   [[nodiscard]] virtual const Eigen::SparseMatrix<double>* sparse() const { return nullptr; }
-  /// Why F or B did not exist where it was asked for last, if the equations know more than that it is not
-  /// finite.
+  /// Why F or B did not exist at the last evaluation, if the equations know the cause.
   [[nodiscard]] virtual Status status() const { return {}; }
 };
 
 /// F = dV/dx: the roots are stationary points of V, and B, its Hessian, is symmetric.
 ///
-/// Past a limit point |F| has minima that are no roots, and a method that only lets |F| fall ends there. V
-/// has none of that kind: where V is bounded below, a minimum of V is a root, and a stable equilibrium.
+/// Past a limit point |F| has minima that are no roots, and a method that only reduces |F| stops there. V has
+/// no such minima: a minimum of V is a root and a stable equilibrium.
 class Potential : public Equations {
  public:
-  /// V(x); not finite where V does not exist.
+  /// Potential V(x); not finite where V does not exist.
   [[nodiscard]] virtual double energy(const Eigen::VectorXd& x) = 0;
 };
 
-/// Equations from two functions.
+/// Equations given by two functions, F and dF/dx.
 class DenseEquations : public Equations {
  public:
-  /// Writes F(x) to its second argument, which has its size.
+  /// Writes F(x) to its second argument, which is sized.
   using Residual = std::function<void(const Eigen::VectorXd&, Eigen::VectorXd&)>;
-  /// Writes dF/dx to its second argument, which has its size.
+  /// Writes dF/dx to its second argument, which is sized.
   using Derivative = std::function<void(const Eigen::VectorXd&, Eigen::MatrixXd&)>;
 
   /// @param n number of unknowns, at least 1
@@ -90,40 +88,40 @@ class DenseEquations : public Equations {
   Eigen::MatrixXd b_;
 };
 
-/// An iterate as an observer sees it. The references hold only during the call.
+/// Iterate passed to an observer. The references are valid only during the call.
 struct Iterate {
   std::int64_t index;        ///< 0 for the start
-  double time;               ///< fictitious time, for methods that have one; else the index
-  const Eigen::VectorXd& x;  ///< where
-  const Eigen::VectorXd& f;  ///< F there
+  double time;               ///< fictitious time, if the method has one; else the index
+  const Eigen::VectorXd& x;  ///< the iterate
+  const Eigen::VectorXd& f;  ///< F(x)
   double norm;               ///< |F|, Euclidean
 };
 
-/// Called for every accepted iterate, the start included; returns true to go on, false to end with
+/// Callback for every accepted iterate, including the start; returns true to continue, false to stop with
 /// `interrupted`.
 using Observer = std::function<bool(const Iterate&)>;
 
-/// How a solver ended and what it did.
+/// Result of a solve: outcome, counters and residual norms.
 struct Report {
-  Status status;          ///< success, or which failure, where, and what to change
+  Status status;          ///< success, or the failure with place and remedy
   Statistics statistics;  ///< steps: accepted iterations; right_hand_sides: evaluations of F; jacobians: of B
   double first = 0;       ///< |F| at the start, Euclidean
-  double least = 0;       ///< the least |F| of all iterates
-  double last = 0;        ///< |F| at the last iterate, which x holds
+  double least = 0;       ///< smallest |F| of all iterates
+  double last = 0;        ///< |F| at the last iterate, which is in x
   double time = 0;        ///< fictitious time of the last iterate; 0 for methods that have none
-  double bound = 0;       ///< what `last` was held to, by held_to_tolerance(); else 0
+  double bound = 0;       ///< bound on `last` applied by held_to_tolerance(); else 0
 };
 
 /// Throws std::invalid_argument, naming @p what, unless @p x has as many components as there are equations.
 void require_size(const char* what, const Equations& equations, const Eigen::VectorXd& x);
 
-/// Newton's iteration; needs the matrix. Its tolerance is on the update. `first`, `least` and `last` are of
-/// the iterates at which F was evaluated: the root that is handed back is one update better than `last`.
+/// Newton's iteration; needs the matrix. The tolerance bounds the update. `first`, `least` and `last` refer
+/// to the iterates at which F was evaluated; the returned root is one update beyond `last`.
 /// @throws std::invalid_argument if x has another size than the equations, std::logic_error if they have no
 /// matrix
 [[nodiscard]] Report find_root(const Newton& method, Equations& equations, Eigen::VectorXd& x,
                                const Observer& observer = {});
-/// The same with damped steps; the observer and the norms see trial points too.
+/// Damped Newton iteration, as find_root(Newton); the observer and the norms include trial points.
 [[nodiscard]] Report find_root(const DampedNewton& method, Equations& equations, Eigen::VectorXd& x,
                                const Observer& observer = {});
 

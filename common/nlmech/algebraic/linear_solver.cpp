@@ -26,10 +26,10 @@ struct LinearSolver::Sparse {
   using Matrix = Eigen::SparseMatrix<double>;
   Matrix assembled;
   Eigen::SparseLU<Matrix> lu;
-  Eigen::Index analysed = -1;  // entries of the pattern that was analysed
+  Eigen::Index analysed = -1;  // number of entries of the analysed pattern
 
-  // Column by column, with a diagonal that is always there, so that the pattern does not depend on the
-  // numbers.
+  // Builds column by column and always stores the diagonal, so that the pattern does not depend on the
+  // values.
   void assemble(const Matrix& b, double scale, double shift, const Eigen::VectorXd* column,
                 const Eigen::VectorXd* row) {
     const Eigen::Index n = b.rows(), size = n + (row ? 1 : 0);

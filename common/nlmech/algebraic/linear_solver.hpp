@@ -9,14 +9,14 @@
 
 namespace nlmech::algebraic {
 
-/// Factors of B, of a B + d I, or of that bordered by a column and a row: by partial pivoting, sparse if
-/// Equations::sparse() is not null. Dense systems are solved without allocation, sparse ones allocate.
+/// LU factors of a B + d I, plain or bordered by a column and a row, with partial pivoting; sparse if
+/// Equations::sparse() is not null. Dense solves do not allocate; sparse solves do.
 ///
-/// Tests hold plain, shifted and bordered systems, dense and sparse, to a QR decomposition, to condition
-/// times 100 eps.
+/// Tests compare plain, shifted and bordered systems, dense and sparse, with a QR decomposition, within 100
+/// eps times the condition number.
 class LinearSolver {
  public:
-  /// @param equations whose B will be factorised; not kept
+  /// @param equations decide dense or sparse storage; no reference is stored
   explicit LinearSolver(const Equations& equations);
   ~LinearSolver();
   /// Moves.
@@ -25,8 +25,8 @@ class LinearSolver {
   LinearSolver& operator=(LinearSolver&&) noexcept;
 
   /// Factorises scale B + shift I for the B of the latest linearise().
-  /// @return success, `non_finite` if an entry is, or `singular_matrix` if a pivot is 0 (sparse; dense tells
-  /// by solve())
+  /// @return success, `non_finite` if an entry is, or `singular_matrix` if a pivot is 0 (sparse only; a dense
+  /// solver reports it in solve())
   /// @throws std::logic_error if the equations have no matrix
   [[nodiscard]] Outcome factorise(const Equations& equations, double scale = 1, double shift = 0);
 
@@ -35,7 +35,8 @@ class LinearSolver {
   [[nodiscard]] Outcome factorise_bordered(const Equations& equations, double scale, double shift,
                                            const Eigen::VectorXd& column, const Eigen::VectorXd& row);
 
-  /// Solves with the latest factors, which must be there. @p b and @p x are different objects.
+  /// Solves with the latest factors. Call factorise() or factorise_bordered() first. @p b and @p x are
+  /// different objects.
   /// @return success, or `singular_matrix` if x is not finite
   [[nodiscard]] Outcome solve(const Eigen::VectorXd& b, Eigen::VectorXd& x) const;
 
@@ -43,7 +44,7 @@ class LinearSolver {
   struct Dense;
   struct Sparse;
   std::unique_ptr<Dense> dense_;
-  std::unique_ptr<Sparse> sparse_;  // one of both
+  std::unique_ptr<Sparse> sparse_;  // exactly one of the two is set
 };
 
 }  // namespace nlmech::algebraic

@@ -23,9 +23,9 @@
 namespace nlmech::algebraic {
 namespace {
 
-/// What a call passes to a solver.
+/// Arguments of one call of a solver.
 struct Call {
-  double tolerance;  // on |F|
+  double tolerance;  // of |F|
   std::int64_t iterations;
   Equations& equations;
   Eigen::VectorXd& x;
@@ -40,7 +40,7 @@ struct Call {
   }
 };
 
-// Updates alone do not end the named Newton: an update of length 0 does.
+// Tolerance 0: the named Newton stops on the residual, or at an update of length 0.
 Report newton(const Call& c) {
   return c(Newton{.tolerance = 0, .iterations = c.count(), .residual = c.tolerance});
 }
@@ -56,7 +56,7 @@ Report vector_homotopy(const Call& c) {
   return c(VectorHomotopy{.tolerance = c.tolerance, .limit = c.iterations});
 }
 
-// Potentials and paths end at rounding and not at a residual: the tolerance is not theirs.
+// The trust-region and path methods iterate to rounding; the tolerance is checked afterwards.
 Report energy_trust_region(const Call& c) {
   auto* const potential = dynamic_cast<Potential*>(&c.equations);
   if (!potential)
@@ -77,7 +77,7 @@ Report plain(const Call& c) {
   return c(method);
 }
 
-/// What of |F| counts as its rounding, over what two changes of x show.
+/// |F| counts as rounding up to this factor times its change under two perturbations of x.
 constexpr double above_rounding = 4;
 
 struct Entry {
@@ -85,7 +85,7 @@ struct Entry {
   Report (*solve)(const Call&);
 };
 
-// One line a solver; a further one is added here.
+// One line per solver; add new solvers here.
 constexpr Entry entries[] = {
     {"newton", newton},
     {"damped-newton", damped_newton},
@@ -137,13 +137,14 @@ Report find_root(const NamedSolver& method, Equations& equations, Eigen::VectorX
 
 namespace {
 
-/// Does the outcome say that an iteration came to an end, in place of what made it impossible?
+/// Did the iteration end regularly, so that its residual can be judged? False after singular or non-finite
+/// values, or an interruption.
 bool has_ended(Outcome outcome) {
   return outcome == Outcome::success || outcome == Outcome::not_converged || outcome == Outcome::step_limit ||
          outcome == Outcome::step_underflow || outcome == Outcome::newton_diverged;
 }
 
-/// The status of an end at F(x) = @p f, whose length is above the tolerance.
+/// Status of a solve that ended with F(x) = @p f and |f| above the tolerance.
 Status missed(const NamedSolver& method, Equations& equations, const Eigen::VectorXd& x,
               const Eigen::VectorXd& f, Report& report) {
   const double rounding =

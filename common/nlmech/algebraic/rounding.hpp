@@ -1,5 +1,5 @@
 /// @file
-/// How well F and V are known: what a change of x in its last digits changes them by.
+/// Rounding level of F and V: their change under perturbations of x in its last digits.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,9 +12,9 @@
 
 namespace nlmech::algebraic {
 
-/// out = x with every component changed by one or two units in its last place, up or down as a sequence of
-/// random bits says.
-/// @param sequence another number gives another sequence
+/// out = x with every component changed by one or two units in its last place, up or down by pseudo-random
+/// bits.
+/// @param sequence number of the bit sequence
 inline void perturb_last_bits(const Eigen::VectorXd& x, std::uint64_t sequence, Eigen::VectorXd& out) {
   out.resize(x.size());
   std::uint64_t bits = 0x9E3779B97F4A7C15ULL * (sequence + 1);
@@ -24,7 +24,7 @@ inline void perturb_last_bits(const Eigen::VectorXd& x, std::uint64_t sequence, 
   }
 }
 
-/// Largest change of V by two such changes of x. At least eps |V|.
+/// Largest change of V under two perturbations of x by perturb_last_bits(); at least eps |V|.
 /// @param energy V(x)
 /// @param work overwritten
 [[nodiscard]] inline double rounding_of_energy(Potential& equations, const Eigen::VectorXd& x, double energy,
@@ -38,15 +38,15 @@ inline void perturb_last_bits(const Eigen::VectorXd& x, std::uint64_t sequence, 
   return most;
 }
 
-/// Euclid's length; not 0 where only the squares of components are too small for a double.
+/// Euclidean norm, without underflow where the squares of the components underflow.
 [[nodiscard]] inline double length_of(const Eigen::VectorXd& f) {
   const double length = f.norm();
   return length < 1e-140 && f.size() > 0 ? f.stableNorm() : length;
 }
 
-/// Largest size(F(x') - F(x)) of two such changes of x.
+/// Largest size(F(x') - F(x)) of two perturbations x' of x by perturb_last_bits().
 /// @param f F(x)
-/// @param size measures a change of F
+/// @param size norm of a change of F
 template <class Size>
 [[nodiscard]] double rounding_of_residual(Equations& equations, const Eigen::VectorXd& x,
                                           const Eigen::VectorXd& f, const Size& size) {

@@ -1,5 +1,5 @@
 /// @file
-/// What all solvers of this component have in common: counting, watching, ending.
+/// Common parts of the solvers: counters, observer, stopping criteria, report.
 #pragma once
 
 #include <cstdint>
@@ -11,71 +11,72 @@
 
 namespace nlmech::algebraic {
 
-/// Throws std::invalid_argument, naming the method, the option, its value and the range, unless @p good.
+/// Throws std::invalid_argument with method, option, value and range unless @p good.
 void require_option(std::string_view method, bool good, std::string_view option, double value,
                     std::string_view range);
 
-/// |F| sinks by 1 - cos^2/2 at the most for an angle between F and what a step can change. Below this cos^2
-/// it cannot be made shorter but for rounding.
+/// Lower limit of cos^2 of the angle between F and the changes of F that a step can make. A step reduces |F|
+/// by the factor 1 - cos^2/2 at most; below this limit the reduction is lost in rounding.
 inline constexpr double least_cosine_squared = 1e-15;
 
-/// One solve under way: the iterate, a trial point, and the report. A solver calls begin(), then makes steps
-/// while go_on(), and ends with finish(). Nothing is allocated between.
+/// State of one solve: iterate, trial point and report. A solver calls begin(), takes steps while go_on(),
+/// and ends with finish(). Nothing is allocated in between.
 class SolverRun {
  public:
-  /// @param name of the method, for sentences
-  /// @param equations to solve
+  /// @param name name of the method, for messages
+  /// @param equations the equations to solve
   /// @param x start
-  /// @param observer of accepted iterates
-  /// @param tolerance done when |F| is no greater
-  /// @param limit of accepted and rejected steps together
-  /// @throws std::invalid_argument if x has another size, the tolerance is negative or the limit is
+  /// @param observer called for accepted iterates
+  /// @param tolerance converged when |F| is at most this
+  /// @param limit of accepted plus rejected steps
+  /// @throws std::invalid_argument if x has another size than the equations, or the tolerance or the limit is
+  /// negative
   SolverRun(std::string_view name, Equations& equations, const Eigen::VectorXd& x, const Observer& observer,
             double tolerance, std::int64_t limit);
 
   Eigen::VectorXd x;        ///< the latest accepted iterate
   Eigen::VectorXd f;        ///< F there
   double norm = 0;          ///< |F| there
-  Eigen::VectorXd trial;    ///< where evaluate_trial() looks
+  Eigen::VectorXd trial;    ///< trial point of evaluate_trial()
   Eigen::VectorXd trial_f;  ///< F there
   double trial_norm = 0;    ///< |F| there; infinite if F is not finite
-  Report report;            ///< filled as the solver goes
+  Report report;            ///< updated during the solve
 
   /// The equations.
   [[nodiscard]] Equations& equations() const { return equations_; }
   /// The counters.
   [[nodiscard]] Statistics& statistics() { return report.statistics; }
 
-  /// F at x, counted. @return |F|, infinite if F is not finite
+  /// Evaluates F at @p at and counts it. @return |F|, infinite if F is not finite
   double evaluate(const Eigen::VectorXd& at, Eigen::VectorXd& out);
-  /// F at the trial point.
+  /// Evaluates F at the trial point.
   void evaluate_trial() { trial_norm = evaluate(trial, trial_f); }
-  /// B at @p at, counted.
+  /// Linearises at @p at and counts it.
   void linearise(const Eigen::VectorXd& at) {
     equations_.linearise(at);
     ++statistics().jacobians;
   }
 
-  /// F at the start, shown to the observer. @return success, `non_finite` or `interrupted`
+  /// Evaluates F at the start and calls the observer. @return success, `non_finite` or `interrupted`
   [[nodiscard]] Outcome begin();
-  /// Is there something left to do, and has it neither failed nor used up its steps?
+  /// Is another step needed and allowed? Sets @p outcome to `step_limit` if the limit is reached.
   [[nodiscard]] bool go_on(Outcome& outcome) const;
-  /// Is |F| small enough?
+  /// Is |F| at most the tolerance?
   [[nodiscard]] bool is_done() const { return norm <= tolerance_; }
-  /// Are the steps used up?
+  /// Is the step limit reached?
   [[nodiscard]] bool is_spent() const {
     return report.statistics.steps + report.statistics.rejected >= limit_;
   }
-  /// The trial point becomes the iterate, and is shown at @p time (empty: the index of the iterate).
+  /// Makes the trial point the iterate and calls the observer with @p time (empty: the index of the iterate).
   /// @return success or `interrupted`
   [[nodiscard]] Outcome accept(std::optional<double> time = {});
   /// Counts a rejected step.
   void reject() { ++statistics().rejected; }
 
-  /// The report, with a sentence of method, iteration, |F|, what happened and what to change.
-  /// @param outcome how it ended
-  /// @param start is overwritten by the last iterate
-  /// @param advice replaces the common end of the sentence, if not empty
+  /// Completes the report; a failure gets a message with method, iteration, |F|, cause and remedy.
+  /// @param outcome outcome of the solve
+  /// @param start receives the last iterate
+  /// @param advice replaces the default cause and remedy, if not empty
   [[nodiscard]] Report finish(Outcome outcome, Eigen::VectorXd& start, std::string_view advice = {});
 
  private:
@@ -88,8 +89,8 @@ class SolverRun {
   std::int64_t limit_;
 };
 
-/// Calls step(), which accepts a point or counts a rejected one and returns an Outcome, until F is small or a
-/// step fails.
+/// Calls step() until |F| meets the tolerance or a step fails. step() accepts a point or counts a rejected
+/// one, and returns an Outcome.
 template <class Step>
 [[nodiscard]] Outcome make_steps(SolverRun& run, Step&& step) {
   Outcome outcome = run.begin();
@@ -97,17 +98,17 @@ template <class Step>
   return outcome;
 }
 
-/// What to tell of one outcome in place of the common end of the sentence.
+/// Method-specific message for one outcome.
 struct Advice {
-  Outcome of = Outcome::success;  ///< which outcome
-  std::string_view text;          ///< what it means for this method, and what to change
+  Outcome of = Outcome::success;  ///< outcome to which the text applies
+  std::string_view text;          ///< cause and remedy for this method
 };
 
-/// Where only |F|^2 is stationary.
+/// Message for a stationary point of |F|^2 that is no root.
 inline constexpr Advice stationary{Outcome::singular_matrix,
                                    "B^T F is 0: |F| is stationary and not zero; start elsewhere"};
 
-/// A whole solve: an Iteration of @p method on a run, whose step() make_steps() calls, and the report.
+/// One complete solve: calls step() of an Iteration(method, run) by make_steps() and returns the report.
 template <class Iteration, class Method>
 [[nodiscard]] Report iterate(std::string_view name, const Method& method, Equations& equations,
                              Eigen::VectorXd& x, const Observer& observer, const Advice& advice = {}) {

@@ -20,7 +20,7 @@ struct SymmetricSolver::Factors {
   Eigen::MatrixXd dense;
   Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> spectrum;
   bool is_diagonalised = false;
-  Eigen::VectorXd shifted;  // eigenvalues plus shift, none zero
+  Eigen::VectorXd shifted;  // eigenvalues plus shift; zeros replaced
   double norm = 0;
 
   Inertia factorise_sparse(double shift) {
@@ -28,7 +28,7 @@ struct SymmetricSolver::Factors {
     for (double moved = shift, change = eps * norm; inertia.zero < 3; moved += change, change *= 16) {
       ldlt.setShift(moved);
       ldlt.factorize(sparse);
-      // A pivot that is not finite follows one that is as good as zero.
+      // Pivots that are not finite follow a pivot that is zero to rounding.
       if (ldlt.info() == Eigen::Success && ldlt.vectorD().allFinite()) break;
       ++inertia.zero;
     }

@@ -1,5 +1,5 @@
 /// @file
-/// Factors of a symmetric matrix B + sigma I, dense or sparse, with the signs of its eigenvalues.
+/// Factorisation of a symmetric matrix B + sigma I, dense or sparse, with its inertia.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,16 +9,16 @@
 
 namespace nlmech::algebraic {
 
-/// How many eigenvalues of a symmetric matrix have which sign (Sylvester). The number of negative ones of a
-/// stiffness matrix counts the directions in which an equilibrium is unstable.
+/// Inertia of a symmetric matrix: numbers of negative and zero eigenvalues (Sylvester). The number of
+/// negative eigenvalues of a stiffness matrix is the number of unstable directions of an equilibrium.
 struct Inertia {
-  Eigen::Index negative = 0;  ///< eigenvalues below zero
-  Eigen::Index zero = 0;      ///< that are zero to working precision, as far as the factors show it
-  /// Are all positive?
+  Eigen::Index negative = 0;  ///< number of negative eigenvalues
+  Eigen::Index zero = 0;      ///< number of eigenvalues that are zero to working precision
+  /// Are all eigenvalues positive?
   [[nodiscard]] bool is_positive() const { return negative == 0 && zero == 0; }
 };
 
-/// Have two compressed matrices their entries at the same places?
+/// Do two compressed matrices have the same sparsity pattern?
 template <class Number>
 [[nodiscard]] bool has_pattern_of(const Eigen::SparseMatrix<Number>& a,
                                   const Eigen::SparseMatrix<Number>& b) {
@@ -29,18 +29,17 @@ template <class Number>
 
 /// Solves (S^-1 B S^-1 + sigma I) x = b for one B, many shifts sigma and a diagonal S of scales.
 ///
-/// A sparse B of more than `smallest_sparse` unknowns becomes L D L^T, with the order of least fill and no
-/// exchange of pivots. For a positive definite matrix that is as good as any method; for an indefinite one a
-/// pivot that happens to be small lets rounding errors grow, which the caller sees by a residual. A pivot
-/// that is zero ends L D L^T; the matrix is then factorised again with its diagonal moved by eps |B|, a
-/// change of the size of its own rounding, and one eigenvalue is counted as zero. All other matrices are
-/// diagonalised once, after which every shift is free and no pivots are in question.
+/// A sparse B of more than `smallest_sparse` unknowns is factorised as L D L^T with a fill-reducing ordering
+/// and no pivoting. That is stable for a positive definite matrix. For an indefinite one a small pivot lets
+/// rounding errors grow; check the residual. After a zero pivot the matrix is factorised again with its
+/// diagonal shifted by eps |B|, the size of its own rounding, and one eigenvalue counts as zero. All other
+/// matrices are diagonalised once; further shifts need no factorisation.
 ///
-/// Tests hold the counts of negative eigenvalues to Eigen's, and the products of solutions with the matrix to
-/// the rounding of its norm.
+/// Tests compare the numbers of negative eigenvalues with those of Eigen, and check the residuals of
+/// solutions against the rounding of the norm of the matrix.
 class SymmetricSolver {
  public:
-  /// Sparse matrices of at most so many rows are treated as dense ones.
+  /// Sparse matrices with at most this many rows are treated as dense.
   static constexpr Eigen::Index smallest_sparse = 12;
 
   SymmetricSolver();
@@ -50,14 +49,14 @@ class SymmetricSolver {
   SymmetricSolver& operator=(SymmetricSolver&&) noexcept;
   ~SymmetricSolver();
 
-  /// Takes a sparse B, both halves stored, compressed. A B of the same pattern as the last one costs no new
-  /// analysis and no allocation.
+  /// Sets a sparse B, compressed, with both triangles stored. A B with the sparsity pattern of the last one
+  /// needs no symbolic analysis and no allocation.
   /// @param b finite
   /// @param scale diagonal of S, positive; empty: S = I
   void take(const Eigen::SparseMatrix<double>& b, const Eigen::VectorXd& scale = {});
-  /// Takes a dense B.
+  /// Sets a dense B.
   void take(const Eigen::MatrixXd& b, const Eigen::VectorXd& scale = {});
-  /// Takes the matrix of equations, sparse if they have it so.
+  /// Sets the matrix of equations, sparse if they store it sparse.
   /// @tparam E Equations or Loaded
   template <class E>
   void take_from(const E& equations, const Eigen::VectorXd& scale = {}) {
@@ -66,21 +65,22 @@ class SymmetricSolver {
     take(dense_, scale);
   }
 
-  /// Are all entries of the matrix taken last finite?
+  /// Are all entries of the matrix set last finite?
   [[nodiscard]] bool is_finite() const;
-  /// Factorises the matrix taken last, plus @p shift times I.
+  /// Factorises the matrix set last plus @p shift I. @return its inertia
   Inertia factorise(double shift = 0);
-  /// x = (S^-1 B S^-1 + sigma I)^-1 b with the factors made last. @p b and @p x are different objects.
+  /// x = (S^-1 B S^-1 + sigma I)^-1 b with the latest factors. @p b and @p x are different objects.
   void solve(const Eigen::VectorXd& b, Eigen::VectorXd& x) const;
-  /// After factors with negative > 0: a direction v with v^T (S^-1 B S^-1 + sigma I) v < 0, and that number.
+  /// Direction of negative curvature: v with v^T (S^-1 B S^-1 + sigma I) v < 0; needs factors with negative >
+  /// 0. @return that product
   double negative_direction(Eigen::VectorXd& v) const;
   /// out = S^-1 B S^-1 v.
   void multiply(const Eigen::VectorXd& v, Eigen::VectorXd& out) const;
-  /// Largest sum of |entries| in a row of S^-1 B S^-1: a bound for its eigenvalues.
+  /// Infinity norm of S^-1 B S^-1 (largest row sum of |entries|): a bound of its eigenvalues.
   [[nodiscard]] double norm() const;
-  /// The factors are those of a matrix that differs from this one by a few eps times so much: the greatest
-  /// diagonal entry of |L| |D| |L^T|, or norm() of a dense matrix. That of a positive definite one is its
-  /// greatest diagonal entry.
+  /// Size s of the factors: they are exact for a matrix that differs by a few eps s from the given one
+  /// (backward error). It is the greatest diagonal entry of |L| |D| |L^T|, or norm() for a dense matrix. For
+  /// a positive definite matrix it is the greatest diagonal entry of the matrix.
   [[nodiscard]] double size_of_factors() const;
 
  private:
@@ -89,13 +89,13 @@ class SymmetricSolver {
   Eigen::MatrixXd dense_;
 };
 
-/// Scales for unknowns of different kinds, such as rotations and translations: the square roots of |B_ii|,
-/// none below 1e-8 of the greatest; all 1 if B is zero or not finite. With them S^-1 B S^-1 has diagonal
-/// entries of 1, and |S x|^2/2 is the energy of the unknowns, each by itself.
+/// Scales for unknowns of different kinds, such as rotations and translations: sqrt |B_ii|, at least 1e-8 of
+/// the greatest; all 1 if B is zero or not finite. S^-1 B S^-1 then has unit diagonal, and |S x|^2/2 is the
+/// sum of the energies of the single unknowns.
 [[nodiscard]] Eigen::VectorXd scale_of(const Eigen::VectorXd& diagonal);
 
-/// Scales, powers of 2, with which no row of S^-1 B S^-1 has a greatest entry far from 1, also where diagonal
-/// entries are small: the square roots of the greatest entries of rows, three times over.
+/// Row equilibration by powers of 2: brings the greatest entry of every row of S^-1 B S^-1 near 1, also where
+/// diagonal entries are small. Three iterations with the square roots of the greatest entries of the rows.
 [[nodiscard]] Eigen::VectorXd row_scale_of(const Eigen::SparseMatrix<double>& b);
 
 /// The diagonal of the matrix of equations.

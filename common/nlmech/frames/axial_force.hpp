@@ -1,5 +1,5 @@
 /// @file
-/// The axial force of a beam-column from its deformation: Kondoh and Atluri's Eq. 2.28 solved for n.
+/// Axial force of a beam-column from its deformation: Kondoh and Atluri's Eq. 2.28 solved for n.
 #pragma once
 
 #include <algorithm>
@@ -13,21 +13,21 @@
 
 namespace nlmech::frames {
 
-/// What determines the axial force n = N l^2/EI: the equation B_n = 0 of Eq. 2.38 divided by l,
+/// Equation for the axial force n = N l^2/EI: B_n = 0 of Eq. 2.38 divided by l,
 ///
 ///     b(n) = delta/l + (g_a'(n) theta_a^2 + g_s'(n) theta_s^2)/2 - n EI/(EA l^2) = 0.
 ///
-/// g' falls with n between the poles, so b does, and has one root at most there.
+/// Between the poles g' decreases with n. Hence b decreases and has at most one root there.
 template <class T>
 struct AxialBalance {
-  using Number = decltype(value_of(std::declval<T>()));  ///< the number inside a dual number
+  using Number = decltype(value_of(std::declval<T>()));  ///< floating-point type of T, without dual parts
 
   T strain;         ///< delta/l, shortening of the chord negative
   T antisymmetric;  ///< theta_a^2/2
   T symmetric;      ///< theta_s^2/2
   Number softness;  ///< EI/(EA l^2), positive
 
-  /// b(n), where @p g holds the stability functions at n.
+  /// b(n); @p g holds the stability functions at n.
   [[nodiscard]] T value(const T& n, const StabilityFunctions<T>& g) const {
     return strain + antisymmetric * g.antisymmetric.slope + symmetric * g.symmetric.slope - softness * n;
   }
@@ -37,32 +37,32 @@ struct AxialBalance {
   }
 };
 
-/// An axial force and what goes with it.
+/// Axial force with its stability functions and outcome.
 template <class T>
 struct AxialForce {
   T n;                      ///< N l^2/EI, tension positive
-  StabilityFunctions<T> g;  ///< at n
+  StabilityFunctions<T> g;  ///< stability functions at n
   /// `success`; `wrong_branch` if n is below -4 pi^2; `at_pole` if it is -4 pi^2 (g is then infinite);
   /// `non_finite`
   Outcome outcome = Outcome::success;
-  int evaluations = 0;  ///< of the stability functions
+  int evaluations = 0;  ///< evaluations of the stability functions
 };
 
 namespace detail {
 
-/// Root of a falling function between two bounds, from the start z: Newton's iteration, halving the interval
-/// where it leaves the interval. @p f gives value, slope, and the size below which a value is rounding noise.
+/// Root of a decreasing function between two bounds: Newton's iteration from z, with bisection where it
+/// leaves the interval. @p f returns value, slope, and the rounding level of the value.
 template <class Number, class F>
 [[nodiscard]] Number falling_root(const F& f, Number z, Number low, Number high, int& evaluations) {
   using std::abs;
-  constexpr int most = 200;  // bisection alone would have ended in any precision that is used here
+  constexpr int most = 200;  // enough for bisection alone in any precision used here
   const Number eps = std::numeric_limits<Number>::epsilon();
   for (int i = 0; i < most; ++i) {
     const auto [value, slope, noise] = f(z);
     ++evaluations;
     if (abs(value) <= noise) break;
     const Number step = value / slope;
-    // Newton's steps are squared from one to the next: what such a short one leaves is rounding noise.
+    // Convergence is quadratic: after such a short step the error is rounding.
     if (abs(step) <= 64 * eps * abs(z)) return Number(z - step);
     (value > 0 ? low : high) = z;
     z -= step;
@@ -71,15 +71,15 @@ template <class Number, class F>
   return z;
 }
 
-/// What falling_root() wants to know of b at n.
+/// Value, slope and rounding level of b at n, for falling_root().
 template <class Number>
 struct BalanceAt {
   Number value;  ///< b
   Number slope;  ///< db/dn
-  Number noise;  ///< half a unit in the last place of all terms: b is known no better
+  Number noise;  ///< rounding level of b: eps/2 times the sum of |terms|
 };
 
-/// b where the stability functions are @p g.
+/// Evaluates b for the stability functions @p g.
 template <class Number>
 [[nodiscard]] BalanceAt<Number> balance_at(const AxialBalance<Number>& b, const Number& n,
                                            const StabilityFunctions<Number>& g) {
@@ -89,7 +89,7 @@ template <class Number>
   return {b.value(n, g), b.slope(g), terms * std::numeric_limits<Number>::epsilon() / 2};
 }
 
-/// How the root is written: as n, or, next to the pole of g_s, as p = n + 4 pi^2.
+/// Root of b, stored as n or, near the pole of g_s, as p = n + 4 pi^2.
 template <class Number>
 struct AxialRoot {
   Number at;
@@ -97,12 +97,12 @@ struct AxialRoot {
   Outcome outcome;
 };
 
-/// The root below n = -4, above the pole of g_s: in p.
+/// Root p between the pole of g_s and n = -4.
 template <class Number>
 [[nodiscard]] Number root_above_pole(const AxialBalance<Number>& b, const Number& pole, int& evaluations) {
   using std::sqrt;
   const Number top = pole - 4;
-  // Next to the pole g_s' = 8 pole/p^2 and g_a' = 1/2.
+  // Near the pole g_s' = 8 pole/p^2 and g_a' = 1/2.
   const Number rest = -(b.strain + b.antisymmetric / 2 + pole * b.softness);
   Number start = top;
   if (rest > 0) start = std::min(top, Number(sqrt(Number(8 * pole * b.symmetric / rest))));
@@ -112,7 +112,7 @@ template <class Number>
   return falling_root<Number>(f, start, Number(0), Number(top + 1), evaluations);
 }
 
-/// The root where theta_s = 0 has removed the pole of g_s from b, which may lie below it.
+/// Root for theta_s = 0, where b has no pole at that of g_s; the root may lie below it.
 template <class Number>
 [[nodiscard]] AxialRoot<Number> root_without_symmetric(const AxialBalance<Number>& b, const Number& pole,
                                                        int& evaluations) {
@@ -129,19 +129,19 @@ template <class Number>
   return {n, false, Outcome::wrong_branch};
 }
 
-/// The root, in plain numbers.
+/// Root of b, without dual parts.
 template <class Number>
 [[nodiscard]] AxialRoot<Number> axial_root(const AxialBalance<Number>& b, int& evaluations) {
   using std::isfinite;
   if (!isfinite(Number(b.strain + b.antisymmetric + b.symmetric)))
     return {Number(0), false, Outcome::non_finite};
   const auto f = [&](const Number& n) { return balance_at<Number>(b, n, stability_functions<Number>(n)); };
-  // n = -4 is a seam of stability_functions(), n = -3.99 is not.
+  // n = -4 is a branch limit of stability_functions(); n = -3.99 is not.
   static const Number seam = -3.99;
   static const StabilityFunctions<Number> at_seam = stability_functions<Number>(seam);
   if (b.value(seam, at_seam) < 0) {
     const Number pole = FourPiSquared<Number>{}.high;
-    // Smaller ones would take g_s'' beyond the range of double next to the pole.
+    // A smaller theta_s makes g_s'' overflow double near the pole.
     if (b.symmetric < 1e-190) return root_without_symmetric(b, pole, evaluations);
     return {root_above_pole(b, pole, evaluations), true, Outcome::success};
   }
@@ -153,15 +153,15 @@ template <class Number>
 
 }  // namespace detail
 
-/// Solves for the axial force, to rounding. Below n = -4 it is found by its distance from the pole of g_s, so
-/// that g_s keeps all digits for symmetric end rotations of any size.
+/// Solves for the axial force, to rounding. Below n = -4 the unknown is the distance from the pole of g_s, so
+/// that g_s keeps full accuracy for symmetric end rotations of any size.
 ///
-/// The trap: if theta_s is 0 (below 1e-95 counts as that) the pole is not in b, and n may come out below -4
-/// pi^2. Then the member carries more than its own clamped buckling load, in unstable equilibrium; the energy
-/// of Pi(d, N) has no maximum over N there, and the smallest theta_s puts n above the pole. The root is
-/// given, with `wrong_branch`.
+/// Special case: for theta_s = 0 (below 1e-95) b has no pole, and n may be below -4 pi^2. The member then
+/// carries more than its clamped buckling load in unstable equilibrium: Pi(d, N) has no maximum over N there,
+/// and the smallest theta_s moves n above the pole. The root is returned with `wrong_branch`.
 ///
-/// Tests hold b, evaluated in 50 digits, to 64 eps of its terms at the root, in at most 40 evaluations.
+/// Tests check that |b| at the root, evaluated in 50 digits, is at most 64 eps of its terms, and that 40
+/// evaluations suffice.
 /// @tparam T floating point of any width, or dual numbers, nested to a depth of three
 template <class T>
 [[nodiscard]] AxialForce<T> axial_force(const AxialBalance<T>& b) {
@@ -180,7 +180,7 @@ template <class T>
   };
   evaluate();
   if constexpr (!std::same_as<T, Number>) {
-    // A step of Newton's at the root makes one more order of derivatives exact.
+    // Each Newton step at the root makes one more order of derivatives exact.
     for (int order = 0; order < 3; ++order) {
       z = z - b.value(force.n, force.g) / b.slope(force.g);
       evaluate();

@@ -1,6 +1,6 @@
 /// @file
-/// Kondoh and Atluri's beam-column: energy, end forces and tangent stiffness of one plane member under
-/// displacements and rotations of any size, bending small only between its ends and its own chord.
+/// Kondoh and Atluri's beam-column: energy, end forces and tangent stiffness of one plane member for
+/// displacements and rotations of any size; only the rotations of the ends relative to the chord are small.
 ///
 /// Elgohary 2015, Eqs 2.22-2.39, with these corrections, each shown by a test: 2.26 m = M l/EI; 2.29 for
 /// n > 0 + coth; 2.33 R = B_d - (B_n/A_nn) A_nd; 2.34 the block (w, u) has the term (EI/(l h_a)) theta_a,w
@@ -19,28 +19,29 @@
 
 namespace nlmech::frames {
 
-/// How the axial force is eliminated from the tangent.
+/// Elimination of the axial force from the tangent stiffness.
 enum class Coupling : std::uint8_t {
   consistent,  ///< the tangent is the derivative of the end forces
-  as_printed  ///< Eq. 2.35 as printed: derivatives of 1/h without the factor l. Not a derivative of anything.
+  as_printed  ///< Eq. 2.35 as printed: derivatives of 1/h without the factor l; not the derivative of the end
+              ///< forces
 };
 
-/// A straight member between two points.
+/// A straight elastic member between two points.
 ///
-/// Tests hold forces to the gradient of the energy and the tangent to its Hessian, both by dual numbers
-/// (1e-10 of the largest entry), a straight member to the textbook's matrix, the whole element to 50 digits
-/// (1e-13 EA), and turned members to the same energy and forces (1e-13).
+/// Tests compare forces with the gradient and the tangent with the Hessian of the energy, both by dual
+/// numbers (1e-10 of the largest entry), a straight member with the textbook stiffness matrix, the element
+/// with 50 digits (1e-13 EA), and rotated members with the unrotated one (1e-13).
 struct BeamColumn {
   double dx;  ///< second end minus first, at rest
   double dy;  ///< second end minus first, at rest
-  double ea;  ///< stiffness to stretching EA, a force
-  double ei;  ///< stiffness to bending EI, force times length squared
+  double ea;  ///< axial stiffness EA, a force
+  double ei;  ///< bending stiffness EI, force times length squared
 };
 
-/// The state of a member that all its results are made of.
+/// State of a member, from which energy, forces and tangent follow.
 template <class T>
 struct MemberState {
-  T length;             ///< of the chord, deformed
+  T length;             ///< length of the deformed chord
   Vector<T, 2> e;       ///< unit vector along the deformed chord
   T stretch;            ///< delta = length - l (2.25)
   T antisymmetric;      ///< theta_a = (theta_1 + theta_2)/2 less the chord's rotation (2.27)
@@ -50,14 +51,14 @@ struct MemberState {
   T axial_force;        ///< N = n EI/l^2, tension positive
   T moment_a;           ///< M_a = (EI/l) g_a theta_a
   T moment_s;           ///< M_s = (EI/l) g_s theta_s
-  /// As of axial_force(); or `outside_validity` if both ends have met
+  /// outcome of axial_force(); or `outside_validity` if both ends coincide
   Outcome outcome = Outcome::success;
 };
 
 namespace detail {
 
-/// Angle of the vector (x, y), in (-pi, pi], for any type of number: turned by the angle of its plain values
-/// the vector points along x, and what is left is small to any order that dual numbers carry.
+/// Angle of the vector (x, y), in (-pi, pi], for any number type. For dual numbers the vector is rotated by
+/// the angle of its plain values; the remaining angle has only dual parts, for which a short series is exact.
 template <class T>
 [[nodiscard]] T angle_of(const T& y, const T& x) {
   using std::atan2;
@@ -74,8 +75,8 @@ template <class T>
   }
 }
 
-/// The chord's rotation for the cross and dot product of the chord at rest with the deformed one, on the turn
-/// that is nearest to the ends' mean rotation (2.23 leaves the turn open).
+/// Rotation of the chord from the cross and dot products of the chords at rest and deformed. Of its values
+/// modulo 2 pi, which 2.23 leaves open, the one nearest to the mean rotation of the ends.
 template <class T>
 [[nodiscard]] T chord_rotation(const T& cross, const T& dot, const T& mean) {
   using std::acos;
@@ -89,8 +90,8 @@ template <class T>
 
 }  // namespace detail
 
-/// The state of a member with the end displacements @p d = (u_x1, u_y1, theta_1, u_x2, u_y2, theta_2),
-/// rotations anticlockwise.
+/// State of a member for the end displacements @p d = (u_x1, u_y1, theta_1, u_x2, u_y2, theta_2), rotations
+/// positive anticlockwise.
 template <class T>
 [[nodiscard]] MemberState<T> member_state(const BeamColumn& m, const Vector<T, 6>& d) {
   using std::sqrt;

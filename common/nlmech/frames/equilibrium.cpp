@@ -55,10 +55,10 @@ void WilliamsEquilibrium::residual(const Eigen::VectorXd& x, Eigen::VectorXd& f)
 
 double WilliamsEquilibrium::energy(const Eigen::VectorXd& x) {
   const double delta = x[0];
-  // Compression is greatest at height/1.2 (2.18); past a pole on the way the integral does not exist.
+  // Compression is greatest at height/1.2 (2.18); past a pole in the interval the integral does not exist.
   const double worst = std::clamp(toggle().height / 1.2, std::min(0., delta), std::max(0., delta));
   if (toggle().outcome(worst) != Outcome::success || toggle().outcome(delta) != Outcome::success) return nan;
-  // An analytic integrand: 31 nodes a panel, halved where that is not enough.
+  // Analytic integrand: 31 nodes per panel, with bisection where the error estimate requires it.
   using Rule = boost::math::quadrature::gauss_kronrod<double, 31>;
   return Rule::integrate([&](double d) { return (toggle().load(d) - load_) / 2; }, 0., delta, 8, 1e-15);
 }

@@ -1,5 +1,5 @@
 /// @file
-/// Equilibrium of a loaded structure as equations for the solvers of `algebraic`.
+/// Equilibrium equations of a loaded structure for the algebraic solvers.
 #pragma once
 
 #include <Eigen/Core>
@@ -16,7 +16,7 @@ class Equilibrium : public algebraic::Potential {
   /// @param frame the structure; must outlive this object
   /// @param direction q, forces on the unknowns for W = 1
   /// @param load W
-  /// @param coupling `as_printed` gives B the misprint of Eq. 2.35, to show what it does; F is not touched
+  /// @param coupling `as_printed` uses the misprinted Eq. 2.35 in B, to show its effect; F is unchanged
   /// @throws std::invalid_argument if q has another size than the frame, or q or W is not finite
   Equilibrium(const Frame& frame, Eigen::VectorXd direction, double load,
               Coupling coupling = Coupling::consistent);
@@ -31,7 +31,7 @@ class Equilibrium : public algebraic::Potential {
   [[nodiscard]] const Frame& frame() const { return loaded_.frame(); }
 
   [[nodiscard]] Eigen::Index size() const override { return loaded_.size(); }
-  /// See Equations; also not finite where the frame's own status is a failure, `wrong_branch` excepted.
+  /// See Equations; f is also not finite where the frame reports a failure other than `wrong_branch`.
   void residual(const Eigen::VectorXd& x, Eigen::VectorXd& f) override;
   void linearise(const Eigen::VectorXd& x) override;
   void apply(const Eigen::VectorXd& v, Eigen::VectorXd& out) const override {
@@ -42,7 +42,7 @@ class Equilibrium : public algebraic::Potential {
   }
   void matrix(Eigen::MatrixXd& b) const override { loaded_.matrix(b); }
   [[nodiscard]] const Eigen::SparseMatrix<double>* sparse() const override { return loaded_.sparse(); }
-  /// What the frame said last.
+  /// Status of the frame at the last evaluation.
   [[nodiscard]] Status status() const override { return status_; }
   [[nodiscard]] double energy(const Eigen::VectorXd& x) override;
 
@@ -75,9 +75,9 @@ class WilliamsEquilibrium : public algebraic::Potential {
     out = loaded_.slope() * v;
   }
   void matrix(Eigen::MatrixXd& b) const override { loaded_.matrix(b); }
-  /// Says where the equation ends.
+  /// Failure past the pole of d_5.
   [[nodiscard]] Status status() const override { return status_; }
-  /// See Potential; by Gauss' rule, to a few roundings of its largest part.
+  /// See Potential; by Gauss-Kronrod quadrature, to a few rounding errors of its largest part.
   [[nodiscard]] double energy(const Eigen::VectorXd& x) override;
 
  private:

@@ -33,7 +33,7 @@ BeamColumn beam_of(const Member& m, std::size_t index, const std::vector<Node>& 
   return beam;
 }
 
-/// Nodes that members reach, all of them by pinned ends.
+/// Nodes with members, all of whose member ends are pinned.
 std::vector<std::size_t> nodes_without_rotation(const std::vector<Member>& members, std::size_t nodes) {
   std::vector<int> pinned(nodes, 0), rigid(nodes, 0);
   const auto count = [&](int node, bool is_pinned) {

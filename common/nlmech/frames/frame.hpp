@@ -16,43 +16,43 @@
 
 namespace nlmech::frames {
 
-/// A joint, at rest.
+/// A node, at rest.
 struct Node {
   double x;  ///< place
   double y;  ///< place
 };
 
-/// A straight beam-column, rigidly joined to two nodes or pinned.
+/// A straight beam-column between two nodes, joined rigidly or by pins.
 struct Member {
   int first;                      ///< index of a node
   int second;                     ///< index of another one
   double ea;                      ///< EA, a force
   double ei;                      ///< EI, force times length squared
-  bool is_first_pinned = false;   ///< does the first end turn by itself?
-  bool is_second_pinned = false;  ///< does the second?
+  bool is_first_pinned = false;   ///< is the first end pinned?
+  bool is_second_pinned = false;  ///< is the second end pinned?
 };
 
-/// What a node can do.
+/// Degree of freedom of a node.
 enum class Motion : std::uint8_t {
   x,        ///< displacement along x
   y,        ///< displacement along y
   rotation  ///< anticlockwise
 };
 
-/// A motion of a node that is zero.
+/// A fixed degree of freedom of a node.
 struct Support {
   int node;       ///< index
   Motion motion;  ///< which
 };
 
-/// A strain energy, or why there is none.
+/// Strain energy with its status.
 template <class T>
 struct Energy {
-  T value{};      ///< of all members
-  Status status;  ///< as of Frame::force()
+  T value{};      ///< strain energy of all members
+  Status status;  ///< outcome as in Frame::force()
 };
 
-/// Are results under this status of use? Those of a success and of `wrong_branch` are.
+/// Are results with this status valid? True for success and `wrong_branch`.
 [[nodiscard]] inline bool has_values(const Status& status) {
   return status.ok() || status.outcome() == Outcome::wrong_branch;
 }
@@ -61,14 +61,14 @@ struct Energy {
 /// rotation; then the rotations of pinned ends, member by member. A node whose member ends are all pinned has
 /// no rotation.
 ///
-/// Tests hold a pinned end to the closed forms of a propped cantilever and of a two-bar truss (1e-12).
+/// Tests compare pinned ends with the closed forms of a propped cantilever and of a two-bar truss (1e-12).
 ///
-/// All three functions are templates on the type of number: the frame's data are double, displacements may be
-/// extended precision or dual numbers. Rotations are not taken modulo anything: a node may turn as often as
-/// it likes, while each member's ends stay within half a turn of its chord.
+/// energy(), force() and tangent() are templates on the number type: the data of the frame are double,
+/// displacements may be extended precision or dual numbers. Rotations are not reduced modulo 2 pi: a node may
+/// turn any number of times, as long as the ends of each member stay within half a turn of its chord.
 class Frame {
  public:
-  /// Column of free displacements, or of forces on them.
+  /// Vector of free displacements, or of the forces on them.
   template <class T>
   using Displacements = Eigen::Matrix<T, Eigen::Dynamic, 1>;
 
@@ -78,16 +78,16 @@ class Frame {
 
   /// Number of unknowns.
   [[nodiscard]] Eigen::Index size() const { return size_; }
-  /// Its nodes.
+  /// The nodes.
   [[nodiscard]] const std::vector<Node>& nodes() const { return nodes_; }
-  /// Its members.
+  /// The members.
   [[nodiscard]] const std::vector<Member>& members() const { return members_; }
-  /// Index of an unknown, -1 if that motion is held.
+  /// Index of an unknown; -1 if that degree of freedom is fixed.
   /// @throws std::invalid_argument if there is no such node
   [[nodiscard]] Eigen::Index unknown(int node, Motion motion) const;
 
-  /// Of a member the unknowns of x, y and rotation of both ends, -1 where held; rotations of pinned ends
-  /// are their own. @throws std::invalid_argument if there is no such member
+  /// Indices of the unknowns x, y and rotation of both ends of a member, -1 where fixed; a pinned end has its
+  /// own rotation. @throws std::invalid_argument if there is no such member
   [[nodiscard]] const std::array<Eigen::Index, 6>& unknowns_of(std::size_t member) const {
     require_member(member);
     return parts_[member].unknowns;
@@ -98,34 +98,33 @@ class Frame {
   template <class T>
   [[nodiscard]] Energy<T> energy(const Displacements<T>& x) const;
 
-  /// f = dU/dx, the forces that hold the frame there.
+  /// f = dU/dx, the external forces in equilibrium with x.
   /// @return success; `wrong_branch` if a member carries more than its clamped buckling load with symmetric
-  /// end rotations of 0, below 1e-95 (f is right, the equilibrium of that member unstable and there is
-  /// another one); without a usable f: `outside_validity` if the ends of a member have met, `at_pole` at the
+  /// end rotations of 0 (below 1e-95): f is valid, but the equilibrium of that member is unstable and another
+  /// one exists; without a valid f: `outside_validity` if the ends of a member coincide, `at_pole` at the
   /// clamped buckling load, `non_finite`
   /// @throws std::invalid_argument if x has another size
   template <class T>
   [[nodiscard]] Status force(const Displacements<T>& x, Displacements<T>& f) const;
 
-  /// k = d^2U/dx^2, symmetric, both halves stored. A k from an earlier call is filled again, without
-  /// allocation.
+  /// k = d^2U/dx^2, symmetric, both triangles stored. A k of an earlier call is reused without allocation.
   /// @return as force()
   /// @throws std::invalid_argument if x has another size
   template <class T>
   [[nodiscard]] Status tangent(const Displacements<T>& x, Eigen::SparseMatrix<T>& k,
                                Coupling coupling = Coupling::consistent) const;
 
-  /// How much the work of the forces dU/dx along @p v may change if the places of nodes are changed in their
-  /// last digits: by half a unit of the greatest coordinate of each member, times its stiffnesses EA/l and
-  /// 12 EI/l^3 with the relative motion of its ends, summed over the members.
+  /// Bound of the change of v^T dU/dx under changes of node coordinates in their last digits: half a unit in
+  /// the last place of the greatest coordinate of each member, times its stiffnesses EA/l and 12 EI/l^3 and
+  /// the relative motion of its ends, summed over the members.
   /// @throws std::invalid_argument if v has another size
   [[nodiscard]] double data_rounding(const Displacements<double>& v) const;
 
-  /// The state of one member, to look at its axial force and moments.
+  /// State of one member, with its axial force and moments.
   /// @throws std::invalid_argument if x has another size or there is no such member
   template <class T>
   [[nodiscard]] MemberState<T> member(const Displacements<T>& x, std::size_t index) const;
-  /// Displacements x, y and rotation of both ends of a member, those of pinned ends their own.
+  /// Displacements x, y and rotation of both ends of a member; a pinned end has its own rotation.
   /// @throws std::invalid_argument if x has another size or there is no such member
   template <class T>
   [[nodiscard]] Vector<T, 6> ends(const Displacements<T>& x, std::size_t index) const {
@@ -135,18 +134,18 @@ class Frame {
   }
 
  private:
-  /// What the loops need of a member.
+  /// Data of a member for the loops over members.
   struct Part {
     BeamColumn beam;
-    std::array<Eigen::Index, 6> unknowns;  ///< -1: held
-    std::array<Eigen::Index, 36> slots;    ///< of the tangent's values, by columns
+    std::array<Eigen::Index, 6> unknowns;  ///< -1: fixed
+    std::array<Eigen::Index, 36> slots;    ///< positions in the values of the tangent, by columns
   };
 
   void number_unknowns(const std::vector<Support>& supports);
   void make_pattern();
   void require_size(Eigen::Index size) const;
   void require_member(std::size_t index) const;
-  /// The sentence for a member that failed.
+  /// Failure status with a message for one member.
   [[nodiscard]] Status failure(std::size_t member, Outcome outcome) const;
 
   template <class T>
@@ -159,7 +158,7 @@ class Frame {
     return d;
   }
 
-  /// Calls use(part, state) for all members up to one that has no state.
+  /// Calls use(part, state) for all members; stops at a member without a valid state.
   template <class T, class Use>
   [[nodiscard]] Status for_members(const Displacements<T>& x, const Use& use) const {
     require_size(x.size());
@@ -177,7 +176,7 @@ class Frame {
   std::vector<Node> nodes_;
   std::vector<Member> members_;
   std::vector<Part> parts_;
-  std::vector<Eigen::Index> unknowns_;  ///< of 3 motions a node; -1: held
+  std::vector<Eigen::Index> unknowns_;  ///< for 3 degrees of freedom per node; -1: fixed
   Eigen::SparseMatrix<double> pattern_;
   Eigen::Index size_ = 0;
 };

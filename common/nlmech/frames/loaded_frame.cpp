@@ -22,14 +22,14 @@ double size_of(const Frame& frame) {
   return std::hypot(right->x - left->x, high->y - low->y);
 }
 
-/// How many times too great displacements are: 1 if a first step may make them.
+/// Ratio of displacements to the limits of a first step; at most 1 if they are allowed.
 double excess_of(const Frame& frame, const Eigen::VectorXd& x) {
   const double far = 1e-3 * size_of(frame), turn = 0.02;
   double worst = 0;
   for (std::size_t i = 0; i < frame.members().size(); ++i) {
     const Vector<double, 6> d = frame.ends<double>(x, i);
     for (int j = 0; j < 6; ++j) worst = std::max(worst, std::abs(d[j]) / (j % 3 == 2 ? turn : far));
-    // A member that is short beside the frame is not to be turned inside out.
+    // Limit the relative displacement of the ends, so that a short member does not invert.
     const Member& m = frame.members()[i];
     const Node &a = frame.nodes()[static_cast<std::size_t>(m.first)],
                &b = frame.nodes()[static_cast<std::size_t>(m.second)];
@@ -58,8 +58,7 @@ LoadedFrame::LoadedFrame(const NamedFrame& frame) : LoadedFrame(frame.frame, fra
     free_.push_back(i);
   }
   size_ = static_cast<Eigen::Index>(free_.size());
-  // The pattern is that of the frame at rest, where its tangent always is. Rows and columns keep their order,
-  // and so do the values.
+  // Sparsity pattern of the tangent at rest, which always exists. Rows, columns and values keep their order.
   static_cast<void>(frame_.tangent<double>(Eigen::VectorXd::Zero(frame_.size()), all_));
   std::vector<Eigen::Triplet<double>> entries;
   Eigen::Index from = 0;
@@ -156,7 +155,7 @@ Eigen::VectorXd LoadedFrame::scale() const {
 }
 
 void LoadedFrame::remove_full_rotations(Eigen::VectorXd& change) const {
-  if (has_given()) return;  // a displacement that grows with the load does not return
+  if (has_given()) return;  // the prescribed displacements grow with the load, so no configuration recurs
   constexpr double turn = 2 * std::numbers::pi;
   const auto turns = [&](Eigen::Index i) { return i < 0 ? 0 : std::round(change[i] / turn); };
   for (std::size_t i = 0; i < frame_.members().size(); ++i) {

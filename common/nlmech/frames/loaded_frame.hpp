@@ -1,5 +1,5 @@
 /// @file
-/// Structures under a growing dead load, as equations with a parameter.
+/// Structures under dead load, as equations with the load factor as parameter.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,55 +14,55 @@
 
 namespace nlmech::frames {
 
-/// A beam-column that has lost most of its length.
+/// The beam-column with the greatest relative shortening.
 struct ShortestMember {
-  double left;  ///< length of the chord over that at rest
-  double x;     ///< of its first node at rest
-  double y;     ///< of its first node at rest
+  double left;  ///< chord length relative to that at rest
+  double x;     ///< x of its first node at rest
+  double y;     ///< y of its first node at rest
 };
 
-/// F(x, W) = dU/dx - W q for a frame, W being the load factor. dF/dx is sparse. Some motions may be given:
-/// they are W times their displacement, and x are the others. K then depends on W as well, and so does dF/dW:
-/// a limit point is one of the given displacements.
+/// F(x, W) = dU/dx - W q for a frame with the load factor W. dF/dx is sparse. Degrees of freedom may be
+/// prescribed: they equal W times a given displacement, and x holds the others. K and dF/dW then also depend
+/// on W, and a limit point is an extremum of the prescribed displacements.
 class LoadedFrame : public algebraic::Loaded {
  public:
   /// @param frame the structure; must outlive this object
   /// @param load q, forces on the unknowns for W = 1
-  /// @param coupling `as_printed` gives K the misprint of Eq. 2.35, to show what it does; F is not touched
+  /// @param coupling `as_printed` uses the misprinted Eq. 2.35 in K, to show its effect; F is unchanged
   /// @throws std::invalid_argument if q has another size than the frame, or is not finite
   LoadedFrame(const Frame& frame, Eigen::VectorXd load, Coupling coupling = Coupling::consistent);
-  /// With the loads and given displacements of a frame by names. @param frame must outlive this object
+  /// Takes the loads and prescribed displacements of a named frame. @param frame must outlive this object
   explicit LoadedFrame(const NamedFrame& frame);
 
   /// The structure.
   [[nodiscard]] const Frame& frame() const { return frame_; }
   /// q.
   [[nodiscard]] const Eigen::VectorXd& load() const { return load_; }
-  /// All unknowns of the frame: free ones, and given ones for a load factor.
+  /// All unknowns of the frame: the free ones, and the prescribed ones at a load factor.
   [[nodiscard]] Eigen::VectorXd whole(const Eigen::VectorXd& free, double load) const;
-  /// The free ones of all. @param all of the frame's size
+  /// Extracts the free unknowns. @param all all unknowns of the frame
   [[nodiscard]] Eigen::VectorXd free(const Eigen::VectorXd& all) const;
-  /// A direction of the free unknowns as one of all, the given ones at rest.
+  /// Extends a direction of the free unknowns to all unknowns, with 0 for the prescribed ones.
   [[nodiscard]] Eigen::VectorXd shape(const Eigen::VectorXd& direction) const;
 
-  /// Scales by which a path is measured: one for all translations, so that a member that turns with its node
-  /// does not turn the path, and 1 for rotations.
+  /// Scales of the unknowns for path following: one for all translations, so that the rotation of a member
+  /// with its node does not rotate the tangent of the path, and 1 for rotations.
   [[nodiscard]] Eigen::VectorXd scale() const;
-  /// A load factor for a first step: it moves no node by more than a thousandth of the frame's size by linear
-  /// theory, turns none by more than 0.02 rad and no member's ends against each other by more than a tenth of
-  /// its length, and with these displacements the frame is still stable.
+  /// Load factor of a first step. By linear theory it displaces no node by more than a thousandth of the size
+  /// of the frame, rotates none by more than 0.02 rad, and displaces no ends of a member relative to each
+  /// other by more than a tenth of its length; the inertia of K does not change.
   [[nodiscard]] double first_load();
   /// Removes multiples of 2 pi from a difference of displacements by scale(), if both ends of each member
-  /// have turned by the same multiple: the frame is the same then.
+  /// have turned by the same multiple: the configuration is then identical.
   void remove_full_rotations(Eigen::VectorXd& change) const;
-  /// The beam-column that has lost most of its length. @param x free unknowns
+  /// The beam-column with the greatest relative shortening. @param x free unknowns
   [[nodiscard]] ShortestMember shortest(const Eigen::VectorXd& x, double load) const;
 
   [[nodiscard]] Eigen::Index size() const override { return size_; }
-  /// See Loaded; also not finite where the frame's own status is a failure, `wrong_branch` excepted.
+  /// See Loaded; f is also not finite where the frame reports a failure other than `wrong_branch`.
   void residual(const Eigen::VectorXd& x, double load, Eigen::VectorXd& f) override;
   void linearise(const Eigen::VectorXd& x, double load) override;
-  /// -q; with given motions K d - q of the free unknowns, d being the given displacements.
+  /// -q; with prescribed displacements d: K d - q for the free unknowns.
   void load_vector(Eigen::VectorXd& q) const override { q = column_; }
   void matrix(Eigen::MatrixXd& k) const override { k = tangent_; }
   [[nodiscard]] const Eigen::SparseMatrix<double>* sparse() const override { return &tangent_; }
@@ -71,7 +71,7 @@ class LoadedFrame : public algebraic::Loaded {
   [[nodiscard]] double data_rounding(const Eigen::VectorXd& v) const override {
     return frame_.data_rounding(shape(v));
   }
-  /// What the frame said last.
+  /// Status of the frame at the last evaluation.
   [[nodiscard]] Status status() const override { return status_; }
 
  private:
@@ -79,12 +79,12 @@ class LoadedFrame : public algebraic::Loaded {
   [[nodiscard]] algebraic::LongVector long_whole(const algebraic::LongVector& free, double load) const;
 
   const Frame& frame_;
-  Eigen::VectorXd load_, displacement_;  ///< of all unknowns; no displacement if none is given
+  Eigen::VectorXd load_, displacement_;  ///< for all unknowns; displacement_ is empty if none is prescribed
   Eigen::Index size_;
   Coupling coupling_;
-  std::vector<Eigen::Index> free_;  ///< unknowns of the frame, if some are given
+  std::vector<Eigen::Index> free_;  ///< indices of the free unknowns, if some are prescribed
   std::vector<std::pair<Eigen::Index, Eigen::Index>>
-      slots_;  ///< values of all of K that are those of tangent_, if some motions are given
+      slots_;  ///< positions in all_ and tangent_ of equal values, if some unknowns are prescribed
   Eigen::SparseMatrix<double> all_, tangent_;
   Eigen::VectorXd column_, forces_;
   Status status_;

@@ -1,15 +1,14 @@
 /// @file
-/// Stability functions of a straight elastic member: how an axial force changes its bending stiffness.
+/// Stability functions of a straight elastic member: bending stiffness as a function of the axial force.
 ///
 /// Kondoh and Atluri's flexibilities h_a and h_s (Elgohary 2015, Eq. 2.29; the branch for tension is printed
-/// with the wrong sign before coth) have poles where nothing happens to the member, so their reciprocals are
-/// used: with y = n/4 and c(y) = sqrt(y) coth(sqrt(y)), which is analytic and real for y < 0 too,
+/// with the wrong sign before coth) have poles without physical meaning, so their reciprocals are used: with
+/// y = n/4 and c(y) = sqrt(y) coth(sqrt(y)), which is analytic, and real also for y < 0,
 ///
 ///     g_s = 1/h_s = 4 c,      g_a = 1/h_a = 4 G,  G = y/(c - 1).
 ///
-/// Both solve an equation of Riccati's kind, 2 y c' = c - c^2 + y and 2 y G' = 3 G - G^2 + y: from it come
-/// the power series, used for |n| < 4 (G: |n| < 16, where its closed form cancels), and derivatives
-/// elsewhere.
+/// Both satisfy a Riccati equation, 2 y c' = c - c^2 + y and 2 y G' = 3 G - G^2 + y. It gives the power
+/// series, used for |n| < 4 (G: |n| < 16, where its closed form cancels), and the derivatives elsewhere.
 #pragma once
 
 #include <algorithm>
@@ -23,7 +22,7 @@
 
 namespace nlmech::frames {
 
-/// A function of the axial force n, with two derivatives.
+/// A stability function of the axial force n, with two derivatives.
 template <class T>
 struct StabilityFunction {
   T value;      ///< g
@@ -35,12 +34,12 @@ struct StabilityFunction {
 /// EI (g_a theta_a - g_s theta_s)/(2 l); in the usual notation s (1 + c) = g_a/2 and s (1 - c) = g_s/2.
 template <class T>
 struct StabilityFunctions {
-  StabilityFunction<T> antisymmetric;  ///< g_a: both ends turn the same way; 12 at n = 0
-  StabilityFunction<T> symmetric;      ///< g_s: they turn against each other; 4 at n = 0
+  StabilityFunction<T> antisymmetric;  ///< g_a: both ends rotate in the same direction; 12 at n = 0
+  StabilityFunction<T> symmetric;      ///< g_s: the ends rotate in opposite directions; 4 at n = 0
 };
 
-/// Pole of g_a, n = -4 x^2 with tan x = x, x = 4.49...: no member with turned ends carries more compression.
-/// Rounded to double.
+/// Pole of g_a, n = -4 x^2 with tan x = x, x = 4.49...: the greatest compression of a member with rotated
+/// ends. Rounded to double.
 inline constexpr double antisymmetric_pole = -80.76291422570652;
 
 /// 4 pi^2 as a sum of two numbers, the second below half a unit in the last place of the first. g_s has its
@@ -55,7 +54,7 @@ struct FourPiSquared {
   }();            ///< rounded
   Number low{0};  ///< remainder
 };
-/// The same for double, to 32 digits.
+/// 4 pi^2 for double, to 32 digits.
 template <>
 struct FourPiSquared<double> {
   double high = 39.47841760435743;      ///< rounded
@@ -65,21 +64,22 @@ struct FourPiSquared<double> {
 namespace detail {
 
 /// Coefficients of the solution of 2 y u' = first u - u^2 + y with u(0) = first, in powers of y: c for first
-/// = 1, G for first = 3. No term cancels another.
+/// = 1, G for first = 3. The recurrence has no cancellation.
 template <class Number, int first>
 struct StabilitySeries {
-  /// Poles lie at |y| = pi^2 for c, used to |y| = 1, and at 20.2 for G, used to 4: a term brings 3.3 bits
-  /// and 2.3. Some more are for the second derivative.
+  /// The poles are at |y| = pi^2 for c, used up to |y| = 1, and at 20.2 for G, used up to 4: a term adds 3.3
+  /// and 2.3 bits. The 7 extra terms serve the second derivative.
   static constexpr std::size_t terms =
       std::size_t{7} + std::numeric_limits<Number>::digits * (first == 1 ? 303 : 430) / 1000;
-  /// As many as count at y: members of a fine mesh need few.
+  /// Number of terms needed at y: few for the members of a fine mesh.
   [[nodiscard]] static std::size_t terms_at(const Number& y) {
     using std::ilogb;
-    const double bits = (first == 1 ? 3.3 : 4.33) - 1 - static_cast<double>(ilogb(y));  // of a term, at least
+    const double bits =
+        (first == 1 ? 3.3 : 4.33) - 1 - static_cast<double>(ilogb(y));  // least number per term
     return std::min(terms,
                     std::size_t{7} + static_cast<std::size_t>(std::numeric_limits<Number>::digits / bits));
   }
-  std::array<Number, terms> coefficients{};  ///< of 1, y, y^2, ...
+  std::array<Number, terms> coefficients{};  ///< coefficients of 1, y, y^2, ... ...
 
   constexpr StabilitySeries() {
     auto& u = coefficients;
@@ -92,7 +92,7 @@ struct StabilitySeries {
   }
 };
 
-/// 4 u(n/4) and its derivatives by n from u and its derivatives by y.
+/// 4 u(n/4) and its derivatives in n, from u and its derivatives in y.
 template <class T>
 [[nodiscard]] StabilityFunction<T> by_force(const T& value, const T& slope, const T& curvature) {
   return {T(4 * value), slope, T(curvature / 4)};
@@ -121,7 +121,7 @@ template <class T>
   return by_force<T>(c, slope, T((s * (c - 1) / y - slope) / (2 * y)));
 }
 
-/// Tension, y >= 1. G e = y with e = c - 1 is differentiated, for in Riccati's form G^2 would cancel y.
+/// Tension, y >= 1. Differentiates G e = y with e = c - 1; in the Riccati form G^2 would cancel y.
 template <class T>
 [[nodiscard]] StabilityFunctions<T> in_tension(const T& y) {
   using std::sinh;
@@ -129,7 +129,7 @@ template <class T>
   using std::tanh;
   const T x = sqrt(y);
   T c = x, s(0);
-  // Beyond, tanh x = 1 and s < eps c to working precision, and sinh may overflow.
+  // For greater x, tanh x = 1 and s < eps c to working precision, and sinh may overflow.
   if (value_of(x) < std::numeric_limits<decltype(value_of(x))>::digits) {
     const T sine = sinh(x);
     c = x / tanh(x);
@@ -142,8 +142,8 @@ template <class T>
   return {by_force<T>(value, slope, curvature), g};
 }
 
-/// Compression, y <= -1, with p = n + 4 pi^2 to its own relative precision: c = x cot x with x = pi - w, and
-/// w is formed from p, so that nothing is lost next to the pole of c at w = 0.
+/// Compression, y <= -1, with p = n + 4 pi^2 in full relative precision: c = x cot x with x = pi - w. w is
+/// computed from p, without loss of digits near the pole of c at w = 0.
 template <class T>
 [[nodiscard]] StabilityFunctions<T> in_compression(const T& y, const T& p) {
   using std::acos;
@@ -162,9 +162,8 @@ template <class T>
 
 }  // namespace detail
 
-/// Both functions where n = p - 4 pi^2, for p known better than n would tell: next to the pole of g_s at
-/// p = 0. All results are right to 1e-13 of themselves down to p = 1e-100
-/// (compared with 50 digits).
+/// Both functions at n = p - 4 pi^2, for use near the pole of g_s at p = 0, where n does not resolve p. All
+/// results have relative errors below 1e-13 down to p = 1e-100 (compared with 50 digits).
 /// @param p at most 4 pi^2 - 4; not checked
 template <class T>
 [[nodiscard]] StabilityFunctions<T> stability_functions_above_pole(const T& p) {
@@ -174,8 +173,8 @@ template <class T>
 
 /// Both functions at the axial force @p n = N l^2/EI, tension positive, in any type of number: floating
 /// point, extended precision, dual numbers. For double, against 50 digits, values g are within 16 eps max(1,
-/// |g|), slopes within 16 eps and curvatures within 128 eps of themselves, for n from -4 pi^2 to 1e6. At a
-/// pole values are infinite or very large; whoever may come there asks first.
+/// |g|), relative errors of slopes within 16 eps and of curvatures within 128 eps, for n from -4 pi^2 to 1e6.
+/// At a pole values are infinite or very large; callers near a pole must check n first.
 template <class T>
 [[nodiscard]] StabilityFunctions<T> stability_functions(const T& n) {
   using Number = decltype(value_of(n));

@@ -18,7 +18,7 @@ ToggleFrame make_frame(const Toggle& toggle) {
   std::vector<Node> nodes;
   std::vector<Member> members;
   for (int i = 0; i <= last; ++i) {
-    // Mirrored places are exact mirror images.
+    // Mirrored nodes have exactly mirrored coordinates.
     const double part = static_cast<double>(i <= apex ? apex - i : i - apex) / apex;
     nodes.push_back({(i <= apex ? -part : part) * half_span, (1 - part) * toggle.height});
     if (i > 0) members.push_back({i - 1, i, toggle.ea, toggle.ei});

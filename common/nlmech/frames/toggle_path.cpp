@@ -20,11 +20,11 @@ using Eigen::VectorXd;
 using Kind = CriticalPoint::Kind;
 
 constexpr std::int64_t most_steps = 5000;
-constexpr double through = 2.2;  // heights: the apex hangs below the bases as it stood above, and farther
-constexpr double sway = antisymmetric_pole / 4;  // n of a clamped column that is free to turn: tan x = x
+constexpr double through = 2.2;  // in heights: past the mirrored configuration below the bases
+constexpr double sway = antisymmetric_pole / 4;  // n of a column clamped and free to rotate: tan x = x
 constexpr double bow = -4 * std::numbers::pi * std::numbers::pi;  // n of a column clamped at both ends
 
-/// Calls use(unknown, its mirror's unknown, sign of the mirror image) for every unknown.
+/// Calls use(unknown, mirrored unknown, sign of the mirror image) for every unknown.
 template <class Use>
 void for_mirrored(const Frame& frame, const Use& use) {
   const int last = static_cast<int>(frame.nodes().size()) - 1;
@@ -36,14 +36,14 @@ void for_mirrored(const Frame& frame, const Use& use) {
   }
 }
 
-/// Is a motion nearer to its mirror image than to the opposite of that?
+/// Is a displacement nearer to its mirror image than to the opposite of it?
 bool is_symmetric(const Frame& frame, const VectorXd& v) {
   double product = 0;
   for_mirrored(frame, [&](Index here, Index there, double sign) { product += sign * v[here] * v[there]; });
   return product > 0;
 }
 
-/// The whole toggle and its path from rest.
+/// The full toggle and its path from rest.
 struct PathTracer {
   explicit PathTracer(Toggle whole, bool upwards)
       : toggle(make_frame((whole.full = true, whole))),
@@ -51,7 +51,7 @@ struct PathTracer {
         path({.first = first_load(whole)}, equations, VectorXd::Zero(toggle.frame.size()), 0),
         status(path.start(upwards)) {}
 
-  /// Drops the apex by a twentieth of the height, or presses with a twentieth of Euler's load.
+  /// Load that lowers the apex by a twentieth of the height, or a twentieth of the buckling load, if smaller.
   static double first_load(const Toggle& t) {
     const double euler = -2 * sway * t.ei / (t.length * t.length) * (t.height / t.length);
     const Williams williams{.height = t.height, .length = t.length, .ea = t.ea, .ei = t.ei};
@@ -102,7 +102,7 @@ TogglePath first_critical_point(const Toggle& toggle, double load) {
     result.events.push_back(walk.event_of(found[0]));
     return result;
   }
-  // The first crossing: before a limit point, if the last step has passed one above the load.
+  // First crossing of the load: before the limit point, if the last step passed one above the load.
   const algebraic::PathPoint last = found.empty() ? walk.path.now() : found[0].point;
   algebraic::PathPoint end;
   if (result.status.ok() && load != 0 &&
@@ -113,7 +113,7 @@ TogglePath first_critical_point(const Toggle& toggle, double load) {
 
 namespace {
 
-/// Drops in (0, end) where a member's n has a value: roots of a parabola.
+/// Drops in (0, end) at which a member has the given n: roots of a parabola.
 std::vector<double> drops_at(const Williams& w, double n, double end) {
   // EA/l (d h/l - 0.6 d^2/l) = -n EI/l^2
   const double needed = -n * w.ei / w.ea, square = w.height * w.height - 2.4 * needed;
@@ -146,7 +146,7 @@ TogglePath critical_points(const Williams& w) {
   const auto add = [&](Kind kind, double drop, bool is_symmetric) {
     result.events.push_back({kind, w.load(drop), drop, is_symmetric});
   };
-  // A smooth function of at most a few turns; towards the pole it falls without bound.
+  // The load is smooth with few extrema; towards the pole it tends to minus infinity.
   constexpr int parts = 4000;
   double before = 0;
   bool rises = true;
@@ -169,7 +169,7 @@ TogglePath critical_points(const Williams& w) {
 TogglePath first_critical_point(const Williams& toggle, double load) {
   if (!std::isfinite(load)) throw invalid_argument("first_critical_point: load {}; it must be finite", load);
   TogglePath result = critical_points(toggle);
-  // From rest to the first point the load rises and the shape is stable.
+  // From rest to the first point the load increases and the equilibrium is stable.
   double low = 0, high = result.events.empty() ? result.drop : result.events[0].drop;
   if (!result.events.empty() && result.events[0].load < load) {
     result.events.resize(1);

@@ -1,5 +1,5 @@
 /// @file
-/// Williams' equation: the load on a shallow toggle of two members as a function of its apex's drop.
+/// Williams' equation: load on a shallow toggle of two members as a function of the drop of the apex.
 #pragma once
 
 #include "nlmech/frames/stability_functions.hpp"
@@ -15,9 +15,10 @@ namespace nlmech::frames {
 ///     W = 2 (F + P sin beta)             P = (EA/l) (delta sin beta - 0.6 delta^2/l)
 ///     F = 6 EI d_5 delta/l^3             6 d_5 = g_a(n) + n,  n = -P l^2/EI
 ///
-/// The last line says what the chain d_1 ... d_5 of Eq. 2.20 amounts to (a test compares them to 45 digits);
-/// it has no singularity at P = 0 and holds in tension. Of 0.6 delta^2/l, a half is the chord's rotation and
-/// a tenth the bowing of an S at P = 0. Defaults are those of Table 2.1 (inch, pound) for the first case.
+/// The last line replaces the chain d_1 ... d_5 of Eq. 2.20 (a test compares them to 45 digits); it has no
+/// singularity at P = 0 and holds in tension. Of the factor 0.6 in 0.6 delta^2/l, 0.5 is the rotation of the
+/// chord and 0.1 the antisymmetric bowing at P = 0. Defaults are those of Table 2.1 (inch, pound) for the
+/// first case.
 struct Williams {
   double height = 0.32;   ///< of the apex over the bases, l sin beta; positive
   double length = 12.94;  ///< l of a member; above the height
@@ -30,7 +31,7 @@ struct Williams {
     return ea / length * (delta * (height / length) - 0.6 * delta * delta / length);
   }
 
-  /// Load W that holds the apex @p delta below its place at rest.
+  /// Load W in equilibrium with the apex @p delta below its position at rest.
   template <class T>
   [[nodiscard]] T load(const T& delta) const {
     const T p = compression<T>(delta), n = -p * (length * length / ei);

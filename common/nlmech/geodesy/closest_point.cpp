@@ -13,7 +13,7 @@ namespace nlmech::geodesy {
 namespace {
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
-constexpr double no_gap = 1e-100;  // flattening of this size and below is none
+constexpr double no_gap = 1e-100;  // gaps below this count as a sphere
 
 /// Cosine and sine of the eccentric angle of the closest point, measured from the major axis.
 struct Eccentric {
@@ -38,19 +38,20 @@ double lower_bound(double Q, double gap, double beyond) {
 
 /// Solves for the closest point in the first quadrant.
 /// @param P,Q    major axis * coordinate along it, and minor axis * coordinate along that
-/// @param beyond P - gap, exact but for the rounding of its own last digit: near the edge of the disc all
-/// depends on it
+/// @param beyond P - gap with a relative error of one rounding, which determines the accuracy near the edge
+/// of the disc
 ///
-/// A normal at distance t meets the point where u = t + minor^2 satisfies (P/(u+gap))^2 + (Q/u)^2 = 1, and
-/// the closest point belongs to its only root u > 0. Newton's method is applied to
+/// The point at distance t on the normal is the given one where u = t + minor^2 satisfies
+/// (P/(u+gap))^2 + (Q/u)^2 = 1; the closest point belongs to its only root u > 0. Newton's method is applied
+/// to
 ///   psi(u) = ((P/(u+gap))^2 + (Q/u)^2)^(-1/2) - 1.
-/// psi is increasing, and concave by Minkowski's inequality for the exponent -2, since
-/// it is the "norm" with that exponent of two linear functions of u. The tangent of a concave function lies
-/// above it: from any u at or below the root the iterates therefore rise to the root and never pass it. psi
-/// is nearly linear, and the first u is within a factor of about 2: two to five steps on average and not more
-/// than seven are needed. The limit on their number is never met; it only makes termination evident.
+/// psi is increasing, and concave by Minkowski's inequality for the exponent -2, since it is the "norm" with
+/// that exponent of two linear functions of u. The tangent of a concave function lies above it: from any u at
+/// or below the root the iterates therefore rise to the root and never pass it. psi is nearly linear and the
+/// first u is within a factor of about 2: two to five steps on average, at most seven. The iteration limit is
+/// never reached; it only makes termination evident.
 Eccentric closest(double P, double Q, double gap, double beyond) {
-  constexpr double negligible = 1e-280;  // Q/u would lose digits to underflow; the limit Q -> 0 is as good
+  constexpr double negligible = 1e-280;  // below, Q/u underflows; the limit Q -> 0 is as accurate
   if (Q < negligible) {
     if (beyond > 0) return {1, Q / beyond};
     return {P / gap, std::sqrt(-beyond / gap * (1 + P / gap))};  // on the disc (or segment): u = 0
@@ -63,7 +64,7 @@ Eccentric closest(double P, double Q, double gap, double beyond) {
     const double norm2 = A * A + B * B, norm = std::sqrt(norm2);
     const double step = norm2 * excess / ((norm + 1) * (A * A / (u + gap) + B * B / u));
     u += step;
-    // Convergence is quadratic: after a relative step of 1e-9 nothing is left but rounding.
+    // Convergence is quadratic: after a relative step of 1e-9 the error is rounding.
     if (!(step > 1e-9 * u)) break;
   }
   return {P / (u + gap), Q / u};
@@ -106,8 +107,8 @@ GeodeticPoint ClosestPoint::operator()(const Cartesian& point) const noexcept {
   }
   const double longitude = std::atan2(y, x);
 
-  // On a sphere, and so far out that the ellipsoid is a point, the normal passes through the centre. The
-  // power of two keeps the largest numbers from overflowing and the smallest from losing digits.
+  // For a sphere, and at distances where the ellipsoid is a point to rounding, the normal passes through the
+  // centre. The power of two avoids overflow and underflow.
   const double extent = std::max({std::abs(x), std::abs(y), std::abs(z)});
   if (gap_ < no_gap || extent / 0x1p60 > 1 / scale_) {
     const double k = extent > 1 ? 0.25 : 0x1p60, r = std::hypot(x * k, y * k), R = std::hypot(r, z * k) / k;

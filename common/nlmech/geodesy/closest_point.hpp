@@ -1,5 +1,5 @@
 /// @file
-/// Cartesian to geodetic coordinates at full accuracy for every point and every ellipsoid of revolution.
+/// Cartesian to geodetic coordinates in full accuracy for every point and every ellipsoid of revolution.
 #pragma once
 
 #include "nlmech/geodesy/ellipsoid.hpp"
@@ -13,22 +13,22 @@ struct GeodeticPoint {
   Outcome outcome = Outcome::success;  ///< success or non_finite
 };
 
-/// Finds the point of the ellipsoid that is closest to a given point, from the centre of the Earth to the
-/// largest number, for oblate and prolate ellipsoids and spheres. The slower path behind ReverseTransform.
+/// Closest point of the ellipsoid to a given point, from the centre to the largest doubles, for oblate and
+/// prolate ellipsoids and spheres. Slower than ReverseTransform, which falls back to it.
 ///
 /// Conventions
-///   - The height is minus the distance to the closest point inside the ellipsoid, and plus it outside.
+///   - The height is the distance to the closest point, negative inside the ellipsoid.
 ///   - Latitude and z have the same sign, zeros included. Longitude is atan2(y, x) of IEEE 754: on the axis
 ///     it is 0 or pi with the signs of the zeros x and y.
 ///   - On the disc r <= a e^2 of the equatorial plane of an oblate ellipsoid (42.7 km for the Earth) two
 ///     points are equally close: z = +0 takes the northern one, z = -0 the southern.
-///   - On the segment |z| <= (b^2 - a^2)/b of the axis of a prolate ellipsoid a parallel is equally close;
-///     the longitude is that of the zeros x and y.
-///   - The centre has the pole, h = -b, of an oblate ellipsoid and of a sphere, and the equator, h = -a, of a
-///     prolate ellipsoid.
+///   - On the segment |z| <= (b^2 - a^2)/b of the axis of a prolate ellipsoid all points of a parallel are
+///     equally close; the longitude follows from the signs of the zeros x and y.
+///   - The centre maps to the pole with h = -b for an oblate ellipsoid and a sphere, and to the equator with
+///     h = -a for a prolate ellipsoid.
 ///
-/// GeographicLib differs on two counts: its longitude is 0 everywhere on the axis, and z = -0 on the disc
-/// goes north.
+/// GeographicLib differs in two points: its longitude is 0 everywhere on the axis, and z = -0 on the disc
+/// gives the northern point.
 ///
 /// Outcome::non_finite and three NaNs if a coordinate is NaN or infinite; the same outcome with an infinite
 /// height if the coordinates are finite but their distance from the centre is not representable.
@@ -42,14 +42,14 @@ class ClosestPoint {
   /// representable
   explicit ClosestPoint(const Ellipsoid& ellipsoid);
 
-  /// The position of one point; see the conventions above.
+  /// Position of one point; see the conventions above.
   [[nodiscard]] GeodeticPoint operator()(const Cartesian& point) const noexcept;
 
  private:
   double scale_;          ///< power of two that brings the larger semi-axis to between 1 and 2
   double a_, b_;          ///< semi-axes, scaled
   double major_, minor_;  ///< larger and smaller of them
-  double gap_, gap_low_;  ///< major^2 - minor^2, and what its rounding left out
+  double gap_, gap_low_;  ///< major^2 - minor^2 and its rounding error
 };
 
 }  // namespace nlmech::geodesy

@@ -1,5 +1,5 @@
 /// @file
-/// Ellipsoid of revolution and the points about it.
+/// Ellipsoid of revolution, and Cartesian and geodetic positions.
 #pragma once
 
 #include <array>
@@ -28,7 +28,7 @@ struct BasicGeodetic {
 };
 
 /// Ellipsoid of revolution with equatorial radius a and flattening f = (a - b)/a: oblate (f > 0), sphere (f =
-/// 0) or prolate (f < 0). Usable with any real type, so that references are computed in extended precision.
+/// 0) or prolate (f < 0). Any real type, such as extended precision for references.
 template <class T>
 class BasicEllipsoid {
  public:
@@ -66,11 +66,11 @@ using Geodetic = BasicGeodetic<double>;
 using Ellipsoid = BasicEllipsoid<double>;
 /// @}
 
-/// An ellipsoid that has a name.
+/// A named ellipsoid.
 struct NamedEllipsoid {
   std::string_view name;          ///< in lower case, without blanks
   double a = 0;                   ///< equatorial radius, m
-  double inverse_flattening = 0;  ///< 1/f; 0 stands for a sphere
+  double inverse_flattening = 0;  ///< 1/f; 0 for a sphere
 };
 
 /// Ellipsoids by name besides WGS84, as the EPSG registry defines them (codes 7043, 7019, 7022, 7024, 7004,
@@ -86,11 +86,11 @@ inline constexpr std::array<NamedEllipsoid, 8> named_ellipsoids = {{
     {"sphere", 6371000, 0},
 }};
 
-/// Geodetic to Cartesian coordinates (Elgohary 2015, Eq. 2.40), from sines and cosines. Ellipsoids with |f| >
-/// 1/4 take a form of the same equation without the difference 1 - e^2 sin^2, which has no digit left for f
-/// near 1, and without squares of the flattening, which overflow. Infinite only where the position is no
-/// double.
-/// @param sin_lat, cos_lat of the latitude  @param sin_lon, cos_lon of the longitude
+/// Geodetic to Cartesian coordinates (Elgohary 2015, Eq. 2.40), from sines and cosines. For |f| > 1/4 an
+/// equivalent form avoids the difference 1 - e^2 sin^2, which cancels for f near 1, and squares of the
+/// flattening, which overflow. Infinite only where the position is not representable.
+/// @param sin_lat, cos_lat sine and cosine of the latitude @param sin_lon, cos_lon sine and cosine of the
+/// longitude
 template <class T>
 [[nodiscard]] BasicCartesian<T> forward(const T& sin_lat, const T& cos_lat, const T& sin_lon,
                                         const T& cos_lon, const T& height, const BasicEllipsoid<T>& e) {
@@ -108,8 +108,8 @@ template <class T>
   return {from_axis * cos_lon, from_axis * sin_lon, (prime_vertical * (1 - e.e2()) + height) * sin_lat};
 }
 
-/// The same of angles in radians. Valid for every latitude, longitude and height, also for latitudes beyond
-/// +-pi/2, which are taken as they stand.
+/// Geodetic to Cartesian coordinates from angles in radians. Valid for every latitude, longitude and height;
+/// latitudes beyond +-pi/2 are not reduced.
 template <class T>
 [[nodiscard]] BasicCartesian<T> forward(const BasicGeodetic<T>& g, const BasicEllipsoid<T>& e) {
   using std::cos, std::sin;

@@ -3,7 +3,7 @@
 namespace nlmech::geodesy {
 namespace {
 
-// Rows by the power of cos(phi_0)^2, columns by the power of h_0.
+// Rows: powers of cos(phi_0)^2; columns: powers of h_0.
 constexpr SeriesTable corrected = {
     .latitude = {{
         {1, 2, {{{1, -1}}}},

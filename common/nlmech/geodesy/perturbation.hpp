@@ -4,8 +4,8 @@
 ///
 /// The equatorial radius is written as a = b(1 + p). For p = 0 the ellipsoid is a sphere, whose latitude
 /// phi_0 and height h_0 = R - b are known; parametric latitude and height are expanded about them in powers
-/// of p (Eqs 2.47-2.52) and the geodetic latitude follows from the parametric one (Eq. 2.53). No iteration,
-/// no branch.
+/// of p (Eqs 2.47-2.52) and the geodetic latitude follows from the parametric one (Eq. 2.53). The method
+/// needs no iteration and no branch.
 ///
 /// Accuracy (largest error for WGS84, latitudes -90..90 deg, heights 200..35000 km; asserted by
 /// tests/geodesy):
@@ -32,21 +32,21 @@
 
 namespace nlmech::geodesy {
 
-/// Highest order of the series that is tabulated.
+/// Highest tabulated order of the series.
 inline constexpr int highest_order = 6;
 
-/// One order's polynomial: `coefficient[j][i]` belongs to cos(phi_0)^(2j) h_0^i b^(degree - i), all over
-/// `divisor`.
+/// Polynomial of one order: `coefficient[j][i]` multiplies cos(phi_0)^(2j) h_0^i b^(degree - i); the sum is
+/// divided by `divisor`.
 struct SeriesTerm {
-  int degree = 0;   ///< in b and h_0 together
+  int degree = 0;   ///< total degree in b and h_0
   int divisor = 1;  ///< common denominator
   std::array<std::array<int, highest_order + 1>, highest_order>
-      coefficient{};  ///< by powers [of cos^2][of h_0]
+      coefficient{};  ///< coefficients by powers [of cos^2][of h_0]
   /// Term by term.
   [[nodiscard]] bool operator==(const SeriesTerm&) const = default;
 };
 
-/// The terms of Eqs 2.49-2.52 and two orders more. With S = sin(2 phi_0), R = b + h_0 and the polynomials
+/// The terms of Eqs 2.49-2.52 and two further orders. With S = sin(2 phi_0), R = b + h_0 and the polynomials
 /// P_k, Q_k of the table, phi_k = S P_k / R^k and, from the second order on, h_k = b S^2 Q_k / R^(k-1); h_1 =
 /// -b cos(phi_0)^2.
 struct SeriesTable {
@@ -56,49 +56,49 @@ struct SeriesTable {
   [[nodiscard]] bool operator==(const SeriesTable&) const = default;
 };
 
-/// The corrected table. Holds what derive_series() derives; a test compares the two.
+/// The corrected table, equal to the result of derive_series() (checked by a test).
 [[nodiscard]] const SeriesTable& corrected_series();
 
-/// Where the height comes from.
+/// Computation of the height.
 enum class HeightFrom {
   series,     ///< the series of Eq. 2.47, as in the dissertation
-  projection  ///< the point projected on the normal at the latitude found: an order-2 latitude already gives
+  projection  ///< projection of the point on the normal at the computed latitude; latitudes of order 2 give
               ///< full accuracy
 };
 
-/// The method with its options.
+/// Options of the perturbation series.
 struct PerturbationSeries {
   int order = 4;                           ///< 1..6
-  HeightFrom height = HeightFrom::series;  ///< how the height is found
+  HeightFrom height = HeightFrom::series;  ///< computation of the height
 };
 
-/// A reverse transformation with its own check.
+/// Result of a reverse transformation, with a check.
 template <class T>
 struct BasicReversed {
   BasicGeodetic<T> position;           ///< NaN unless the outcome is success
   Outcome outcome = Outcome::success;  ///< success, non_finite or outside_validity
-  /// Distance between the given point and the position sent forward again, to rounding_of_miss. Deep inside
-  /// the ellipsoid, near the centres of its curvature, the latitude may be off by much where this is small.
+  /// Distance between the given point and the forward transform of the position, to rounding_of_miss. Deep
+  /// inside the ellipsoid, near its centres of curvature, the latitude error may be large although the miss
+  /// is small.
   T miss{};
 };
 /// In double precision.
 using Reversed = BasicReversed<double>;
 
-/// A miss beyond this part of the distance from the centre is the outcome `outside_validity`: no digit is
-/// left then.
+/// Largest miss relative to the distance from the centre; above it the outcome is `outside_validity`.
 inline constexpr double largest_relative_miss = 0.01;
 
-/// By how far a miss may be off, in eps times the longer semi-axis. It is a difference of numbers of that
-/// size, each rounded some seven times by eps/2 on the way, in two coordinates: sqrt(2) 3.5 = 5. Nearer to
-/// the centre than 800 eps of the axis (1e-6 m for the Earth), it says nothing of the distance.
+/// Rounding error of a miss, in eps times the longer semi-axis. The miss is a difference of numbers of that
+/// size, each rounded about seven times by eps/2, in two coordinates: sqrt(2) 3.5 = 5. Within 800 eps of the
+/// axis from the centre (1e-6 m for the Earth) the miss is meaningless.
 inline constexpr double rounding_of_miss = 8;
 
 /// Cartesian to geodetic coordinates. Latitude and longitude in radians, longitude in [-pi, pi]; the equator
 /// gives the latitude z (so that a zero keeps its sign), the axis exactly +-pi/2. Outcomes: `success`;
-/// `non_finite` for NaN or infinite input, `outside_validity` where the series has no digit (near the centre,
-/// or for strong flattening), that is where the miss and its rounding exceed `largest_relative_miss`: the
-/// position is NaN in both cases.
-/// @param table for comparisons with misprinted coefficients; leave it out otherwise
+/// `non_finite` for NaN or infinite input, `outside_validity` where the series has no correct digit (near the
+/// centre, or for strong flattening), that is where the miss plus its rounding exceeds
+/// `largest_relative_miss`. The position is NaN in both cases.
+/// @param table coefficients; other tables are for comparisons with misprinted ones
 /// @throws std::invalid_argument if the order is not 1..6
 template <class T>
 [[nodiscard]] BasicReversed<T> reverse(const BasicCartesian<T>& point, const BasicEllipsoid<T>& ellipsoid,
@@ -121,7 +121,7 @@ T length(const T& x, const T& y) {
 }
 
 /// The polynomial of a term over R^degree, written in b/R and h_0/R so that nothing overflows far from the
-/// Earth. Each inner sum is homogeneous, so Horner's scheme runs in h_0/R while b/R makes up the missing
+/// Earth. Each inner sum is homogeneous: Horner's scheme in h_0/R, with powers of b/R for the remaining
 /// degree.
 template <class T>
 T evaluate(const SeriesTerm& term, const T& b_R, const T& h0_R, const T& cos2) {
@@ -182,7 +182,7 @@ BasicReversed<T> reverse(const BasicCartesian<T>& point, const BasicEllipsoid<T>
 
   sin_lat = sin(latitude);
   cos_lat = cos(latitude);
-  // 1 - e^2 sin^2 without its difference, where little is left of it.
+  // sqrt(1 - e^2 sin^2), for strong flattening without the difference.
   const bool flat = ellipsoid.f() > T(0.25) || ellipsoid.f() < T(-0.25);
   const T ratio = 1 - ellipsoid.f(), along = ratio * sin_lat;
   const T root =

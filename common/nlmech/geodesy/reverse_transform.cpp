@@ -19,8 +19,8 @@ const kernels::Kernel& kernel_of(InstructionSet set) {
   return kernels::baseline_kernel;
 }
 
-/// Newton's method squares the error (its factor, about 2 e^2 q, is below 1): the fewest corrections that end
-/// below the rounding error of the result. -1 if two are not enough.
+/// Smallest number of Newton corrections that brings the error below rounding; -1 if two are not enough. Each
+/// squares the error, with a factor of about 2 e^2 q below 1.
 int corrections_for(const TangentFit& fit) {
   if (fit.error < 5e-17) return 0;
   if (fit.error < 3e-9) return 1;
@@ -55,7 +55,7 @@ Status BatchReport::status() const {
 ReverseTransform::ReverseTransform(const Ellipsoid& ellipsoid, InstructionSet set)
     : exact_(ellipsoid), set_(set) {
   const kernels::Kernel& kernel = kernel_of(set);
-  // An empty range of validity: without a fit every point is done by exact_.
+  // Start with an empty range of validity: without a fit every point is computed by exact_.
   constants_.a = ellipsoid.a();
   constants_.e2 = ellipsoid.e2();
   constants_.nearest2 = std::numeric_limits<double>::infinity();

@@ -11,11 +11,10 @@ namespace {
 
 using Index = std::size_t;
 
-constexpr Index nodes = 16;  // in each variable; enough that aliasing stays below the terms that are cut off
+constexpr Index nodes = 16;  // in each variable; enough to keep aliasing below the truncated terms
 using Grid = std::array<std::array<double, nodes>, nodes>;
 
-/// cos(k pi/32) for any k, from constants: the library's cosine may differ from machine to machine in the
-/// last digit.
+/// cos(k pi/32) for any k, from constants: library cosines may differ in the last digit between machines.
 double cosine(Index k) {
   constexpr std::array<double, 17> first = {1.0,
                                             0.99518472667219688624,
@@ -60,7 +59,7 @@ Grid transposed(const Grid& g) {
   return result;
 }
 
-/// Row n: T_n(2x - 1) in powers of x, whole numbers, by T_n+1 = 2 (2x - 1) T_n - T_n-1.
+/// Row n: T_n(2x - 1) in powers of x, integer coefficients, by T_n+1 = 2 (2x - 1) T_n - T_n-1.
 std::array<std::array<double, 6>, 6> shifted_chebyshev() {
   std::array<std::array<double, 6>, 6> t{};
   t[0][0] = 1;
@@ -91,7 +90,7 @@ double exact_tangent(double e2, double q, double m) noexcept {
   for (int n = 0; n < 20; ++n) {
     const double A = 1 + c2 * u, B = 1 - m * u;
     const double W = std::sqrt(1 + m * c2 * u * u - e2 * m * A * A);
-    // Divided by q, so that q = 0 is an ordinary point.
+    // Divided by q, so that q = 0 is a regular point.
     const double residual = F * W - e2 * A * B;
     const double slope = W + m * c2 * u * (u - e2 * A) / W - e2 * q * (c2 * B - m * A);
     const double step = residual / slope;
@@ -132,7 +131,7 @@ TangentFit fit_tangent(const Ellipsoid& ellipsoid) {
     scale /= fit.q_max;
   }
 
-  // A grid that shares no point with the nodes but has the edges, where the error peaks.
+  // The grid avoids the nodes and includes the edges, where the error is greatest.
   constexpr Index steps = 40;
   for (Index i = 0; i <= steps; ++i) {
     for (Index j = 0; j <= steps; ++j) {

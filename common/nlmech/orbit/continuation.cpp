@@ -30,39 +30,39 @@ void check_task(const State& start, double t0, double t1, const Gravity& gravity
     throw std::invalid_argument(fmt::format("propagate: the times must be finite, not {} and {}", t0, t1));
 }
 
-/// Settings that both methods share.
+/// Settings common to both methods.
 struct Settings {
-  std::string_view name;                       ///< of the method, in sentences
-  int most_order;                              ///< largest degree that it will ask for
-  bool compensated;                            ///< carry rounding errors
+  std::string_view name;                       ///< name of the method, for messages
+  int most_order;                              ///< largest degree used
+  bool compensated;                            ///< compensated summation
   bool kernel;                                 ///< may the unrolled kernels be used?
   bool true_division;                          ///< see FixedContinuation
-  std::optional<InstructionSet> instructions;  ///< of the kernels
+  std::optional<InstructionSet> instructions;  ///< instruction set of the kernels
 };
 
 /// State, time and series of one propagation. All numbers are in units 2^a of length and 2^b of time, which
-/// follow the body where its time scale changes by much: powers of two change no digit.
+/// are adapted where the time scale of the body changes much; powers of two cause no rounding.
 class Propagation : public BasicDenseOutput<State> {
  public:
   Propagation(const State& start, double t0, double t1, const Gravity& gravity, const Settings& options,
               const Observer& observer, const Limits& limits);
 
-  /// The series about the state, to degree @p order.
+  /// Computes the series about the state, to degree @p order.
   void expand(int order);
-  /// Moves by @p h in its units, by the series of position and velocity to these degrees.
+  /// Advances by @p h in scaled units, with the series of position and velocity to these degrees.
   void advance(double h, int position_degree, int velocity_degree);
-  /// Ends the step: time, observer, limits. @p h in its units.
+  /// Ends the step: time, observer, limits. @p h in scaled units.
   [[nodiscard]] Status finish(double h, bool last);
-  /// A step's length in user's units.
+  /// Step size in units of the user.
   [[nodiscard]] double in_time(double h) const { return h * time_unit_; }
-  /// Distance to the end in its units, with sign.
+  /// Signed remaining time in scaled units.
   [[nodiscard]] double remaining() const { return ((t1_ - t_) - t_low_) / time_unit_; }
   /// Is a step this short lost in the time?
   [[nodiscard]] bool is_lost(double h) const {
     const double scale = std::max({std::abs(t_), std::abs(t1_), std::abs(t1_ - t0_)});
     return !(std::abs(in_time(h)) > std::numeric_limits<double>::epsilon() * scale);
   }
-  /// The failure for it: a collision, if the body is on its way into the centre.
+  /// Failure for a lost step: a collision if the body falls into the centre.
   [[nodiscard]] Status lost(double h) const;
   /// |r_k|^2 of the latest series.
   [[nodiscard]] double square_of(int k) const { return square(series_.row[k]); }
@@ -70,26 +70,27 @@ class Propagation : public BasicDenseOutput<State> {
   [[nodiscard]] double speed_square() const {
     return std::max(square(body_.velocity), mu_ / std::sqrt(square(body_.position)));
   }
-  /// Is the body so fast that gravity hardly shows in the series? Then it says nothing of its convergence.
+  /// Is the body so fast that gravity hardly affects the series? Then the series does not show its
+  /// convergence.
   [[nodiscard]] bool is_fast() const {
     return square(body_.velocity) > 1e3 * (mu_ / std::sqrt(square(body_.position)));
   }
-  /// Chooses units anew if the last step, @p h, says that the time scale is no longer theirs.
+  /// Chooses new units if the last step size @p h is far from 1.
   void follow_units(double h) {
     if (!(std::abs(h) < most_drift && std::abs(h) > 1 / most_drift)) choose_units();
   }
-  /// Exponent of the cost in the order: by how many per cent work grows when the order grows by one per cent.
+  /// Exponent of the cost as a power of the order: d ln(work)/d ln(order).
   [[nodiscard]] double cost_exponent() const;
   /// Has it arrived?
   [[nodiscard]] bool arrived() const { return t_ == t1_; }
   /// The result.
   [[nodiscard]] Solution result(Status status) const;
 
-  /// By the latest series; beyond the step too, as far as it converges.
+  /// State by the latest series; also beyond the step, as far as it converges.
   void at(double t, State& x) const override;
 
  private:
-  /// To the 200th power, in a square of the last coefficient, it stays within doubles.
+  /// Its 200th power, in the square of the last coefficient, does not overflow.
   static constexpr double most_drift = 16;
 
   static double square(const double* x) { return x[0] * x[0] + x[1] * x[1] + x[2] * x[2]; }
@@ -100,11 +101,11 @@ class Propagation : public BasicDenseOutput<State> {
   Settings options_;
   const Observer& observer_;
   const Limits& limits_;
-  Gravity gravity_;  ///< in the user's units
+  Gravity gravity_;  ///< in units of the user
   const kernels::Kernel* kernel_;
   kernels::Body body_{};
   kernels::Coefficients series_{};
-  std::optional<Expansion<double>> expansion_;  ///< made when it is needed
+  std::optional<Expansion<double>> expansion_;  ///< constructed at first use
   double t_, t_low_ = 0, t1_, t0_, start_radius_;
   int length_exponent_ = 0, time_exponent_ = 0;
   double length_unit_ = 1, time_unit_ = 1, mu_ = 1;
@@ -150,8 +151,8 @@ Propagation::Propagation(const State& start, double t0, double t1, const Gravity
 void Propagation::choose_units() {
   const double r = Vector3<double>(body_.position[0], body_.position[1], body_.position[2]).stableNorm();
   const int length = std::ilogb(r);
-  // The shorter of (r^3/mu)^(1/2) and r/|v|, in its units; the exponents are added in
-  // integers, which cannot overflow.
+  // The smaller of (r^3/mu)^(1/2) and r/|v|, in scaled units; exponents are added as integers, which cannot
+  // overflow.
   const double v = Vector3<double>(body_.velocity[0], body_.velocity[1], body_.velocity[2]).stableNorm();
   int time = (3 * length - std::ilogb(mu_)) / 2;
   if (v > 0) time = std::min(time, length - std::ilogb(v));
@@ -169,7 +170,7 @@ bool Propagation::unrolled(int order) const {
   return options_.kernel && order >= kernels::least_unrolled && order <= kernels::most_unrolled;
 }
 
-// By code path: loops, the baseline kernel, the kernels with fused multiply-adds.
+// Values for loops, the baseline kernel, and the kernels with fused multiply-add.
 double Propagation::cost_exponent() const {
   if (!options_.kernel) return 1.8;
   return kernel_ == &kernels::baseline_kernel ? 1.4 : 1.0;
@@ -207,7 +208,7 @@ void Propagation::advance(double h, int position_degree, int velocity_degree) {
     kernel_->advance(series_, position_degree, h, options_.compensated, body_);
     return;
   }
-  // Positions first; then back to the velocities of before, with a series of their own.
+  // Advance position and velocity separately, with their own degrees.
   kernels::Body other = body_;
   kernel_->advance(series_, position_degree, h, options_.compensated, body_);
   kernel_->advance(series_, velocity_degree + 1, h, options_.compensated, other);
@@ -296,7 +297,7 @@ void Propagation::at(double t, State& x) const {
 Solution Propagation::result(Status status) const {
   Solution c{t_, user_state(), std::move(status), statistics_};
   if (c.status.outcome() == Outcome::non_finite) {
-    // The last good step: the one that the series starts from.
+    // Return the last good state, about which the series was expanded.
     c.t = step_begin_;
     for (int i = 0; i < 3; ++i) {
       c.x.position[i] = std::ldexp(series_.row[0][i], length_exponent_);
@@ -307,8 +308,8 @@ Solution Propagation::result(Status status) const {
   return c;
 }
 
-/// log2 and exp2 to 1e-4, which is plenty for a step: exponent and a cubic in the fraction. Zeros, infinities
-/// and subnormal numbers give what their bits look like, about +-1024.
+/// log2 and exp2 to 1e-4, enough for step-size control: exponent and a cubic in the fraction. Zeros,
+/// infinities and subnormal numbers give values near +-1024.
 double rough_log2(double x) {
   const auto bits = std::bit_cast<std::uint64_t>(x);
   const auto exponent = static_cast<double>(static_cast<std::int64_t>(bits >> 52U & 0x7ffU) - 1023);
@@ -321,8 +322,8 @@ double rough_exp2(double x) {
   return fraction * std::bit_cast<double>(static_cast<std::int64_t>(whole + 1023) << 52U);
 }
 
-/// log2 of the step for which k |r_k| h^(k-1) is the wanted change of the velocity; its square's log2 is
-/// given.
+/// log2 of the step size h for which k |r_k| h^(k-1) is the wanted change of the velocity, given as log2 of
+/// its square.
 struct StepOfTerm {
   std::array<double, kernels::most + 1> twice_log2{}, half_power{};
   StepOfTerm() {
@@ -337,17 +338,17 @@ struct StepOfTerm {
   }
 };
 
-/// Below it no tolerance is worth its overhead.
+/// Smallest adaptive order; lower ones do not pay for their overhead at any tolerance.
 constexpr int least_chosen = 12;
 
-/// Order and step of the adaptive method.
+/// Control of order and step size of the adaptive method.
 class Control {
  public:
   Control(const AnalyticContinuation& method, double cost_exponent)
       : wanted_(2 * std::log2(method.tolerance)),
         cost_exponent_(cost_exponent),
-        // A circle's series converges everywhere, but like that of exp(i h): terms of the size exp(h v/r)
-        // cancel, and eps of them is an error.
+        // The series of a circle converges everywhere, but like exp(i h): terms of the size exp(h v/r)
+        // cancel, with an error of eps times that size.
         most_(std::max(1.5, std::log(method.tolerance / std::numeric_limits<double>::epsilon()))),
         chooses_(method.order == 0) {
     // The step rho tol^(1/K) for work K^s is best at K = -ln(tol)/s.
@@ -355,7 +356,7 @@ class Control {
                       : method.order;
   }
   [[nodiscard]] int order() const { return order_; }
-  /// Length of the step by the series just made; then the order of the next.
+  /// Step size from the latest series; then chooses the order of the next.
   double step(const Propagation& motion) {
     static const StepOfTerm of_term;
     const double speed_square = motion.speed_square(), wanted = wanted_ + rough_log2(speed_square);
@@ -370,7 +371,8 @@ class Control {
       if (gain < 0.9 * cost_exponent_) order_ = bounded(order_ - 1);
     }
     const double step = rough_exp2(std::min(last, before)),
-                 // The series of a straight line ends, but that of the motion converges to |r|/|v| alone.
+                 // The series of a straight line is finite, but that of the motion converges only for h <
+                 // |r|/|v|.
         most = (motion.is_fast() ? 0.5 : most_) * std::sqrt(motion.square_of(0) / speed_square);
     if (step <= most) return step;
     if (chooses_) order_ = bounded(used - 1);
@@ -380,7 +382,7 @@ class Control {
  private:
   static int bounded(int order) { return std::clamp(order, least_chosen, kernels::most_unrolled); }
   double wanted_, cost_exponent_;
-  double most_;  ///< longest step in units of r/|v|
+  double most_;  ///< largest step size in units of r/|v|
   bool chooses_;
   int order_ = 0;
 };
@@ -434,7 +436,7 @@ Solution propagate(const State& start, double t0, double t1, const Gravity& grav
   while (!motion.arrived()) {
     const double h = method.step / motion.in_time(1), remaining = std::abs(motion.remaining());
     if (motion.is_lost(h)) return motion.result(motion.lost(direction * h));
-    // An interval of n steps, rounded, is n steps.
+    // An interval of n steps takes n steps also with rounding errors.
     const bool last = h * (1 + 1e-9) >= remaining;
     const double taken = direction * (last ? remaining : h);
     motion.expand(order);

@@ -22,7 +22,7 @@ double rest_of_arctangent(double x) {
   return x > 0 ? (std::atanh(b) - b) / (b * x) : (b - std::atan(b)) / (b * -x);
 }
 
-/// In units in which squares are doubles.
+/// convergence_radius() in units in which squares do not overflow.
 double radius_in_range(const State& state, double mu) {
   // In the units |r| = 1, mu = 1.
   const double r = state.position.norm(), speed = std::sqrt(mu / r);
@@ -64,7 +64,8 @@ double convergence_radius(const State& state, double mu) {
     return radius_in_range(state, mu);
   const detail::PowerUnits units(size, mu);
   const State own = units.own(state);
-  // So fast that gravity bends nothing: the series ends where the straight line meets r = 0 in complex time.
+  // At this speed gravity is negligible: the nearest singularity is where the straight line meets r = 0 in
+  // complex time.
   if (!(detail::extent(own.velocity) < 1e70))
     return (state.position / size).norm() / (state.velocity / speed).norm() * (size / speed);
   return std::ldexp(radius_in_range(own, units.own_mu(mu)), units.time);

@@ -19,19 +19,19 @@ constexpr double two_pi = 2 * std::numbers::pi;
 
 using Vec = Vector3<double>;
 
-/// From 0 to 2 pi, the end left out.
+/// Angle in [0, 2 pi).
 double turned_positive(double angle) {
   if (angle >= 0) return angle;
   const double up = angle + two_pi;
   return up < two_pi ? up : 0;
 }
 
-/// A direction in the orbital plane, and the one a quarter turn ahead.
+/// A direction in the orbital plane, and the one 90 degrees ahead.
 struct Axes {
   Vec first, second;
 };
 
-/// sqrt(a/b), also where the quotient is no normal number.
+/// sqrt(a/b), also where a/b overflows or is subnormal.
 double root_of_ratio(double a, double b) {
   const double ratio = a / b;
   if (ratio >= std::numeric_limits<double>::min() && ratio <= std::numeric_limits<double>::max())
@@ -39,13 +39,13 @@ double root_of_ratio(double a, double b) {
   return std::sqrt(a) / std::sqrt(b);
 }
 
-/// Beyond it the rounding of an angle is a whole turn.
+/// Above this the rounding of an angle is a full turn.
 constexpr double largest_angle = 1 / std::numeric_limits<double>::epsilon();
 
-/// The angle at which @p x lies in the plane, from -pi to pi.
+/// Angle of @p x in the plane, from -pi to pi.
 double angle(const Axes& axes, const Vec& x) { return std::atan2(axes.second.dot(x), axes.first.dot(x)); }
 
-/// A position on its conic as the time since the periapsis tells it, in the units |r| = 1 and mu = 1.
+/// Position on a conic relative to the periapsis, in the units |r| = 1 and mu = 1.
 struct SincePeriapsis {
   double e, q;             ///< eccentricity, distance of the periapsis
   double eccentric, time;  ///< E or H, 0 for a parabola; time
@@ -55,12 +55,12 @@ struct SincePeriapsis {
 /// @param p semi-latus rectum, positive
 SincePeriapsis since_periapsis(double alpha, double sigma, double p) {
   SincePeriapsis on{};
-  // 1 - e^2 = alpha p where that has more digits, else e cos nu = p - 1 and e sin nu = sigma p^(1/2).
+  // 1 - e^2 = alpha p where that is more accurate, else e cos nu = p - 1 and e sin nu = sigma p^(1/2).
   on.e = std::abs(alpha * p) < 0.5 ? std::sqrt(1 - alpha * p) : std::hypot(p - 1, sigma * std::sqrt(p));
   on.q = p / (1 + on.e);
   const double s = detail::variable_since_periapsis(alpha, sigma, on.e), k = std::sqrt(std::abs(alpha));
   const Stumpff<double> c = stumpff(alpha * s * s);
-  // s of a fast hyperbola is the logarithm of a large number: what its rounding changes of r.v is carried.
+  // s of a fast hyperbola is the logarithm of a large number: correct its rounding, computed from r.v.
   const double off = alpha < 0 ? (sigma - on.e * s * c.c1) / (on.e * c.c0) : 0;
   const double u1 = s * c.c1 + c.c0 * off, u2 = s * s * c.c2 + s * c.c1 * off;
   on.time = on.q * s + on.e * s * s * s * c.c3 + (on.q + on.e * s * s * c.c2) * off;
@@ -69,7 +69,7 @@ SincePeriapsis since_periapsis(double alpha, double sigma, double p) {
   return on;
 }
 
-/// The elements in units in which squares are doubles.
+/// elements_of() in units in which squares do not overflow.
 Elements elements_in_range(const State& state, double mu) {
   const Vec h = accurate_cross(state.position, state.velocity);
   const double hh = h.norm(), r = state.position.norm(), v = state.velocity.norm();
@@ -91,7 +91,7 @@ Elements elements_in_range(const State& state, double mu) {
   } else {
     e.inclination = normal[2] > 0 ? 0 : two_pi / 2;
   }
-  // Counted from the node; for no inclination the axes of state_of() are used, so that nothing is lost there.
+  // Angles measured from the node; for zero inclination the axes of state_of(), so that they stay exact.
   const Axes axes{node, sine > small ? cross<double>(normal, node) : Vec(0, normal[2] > 0 ? 1 : -1, 0)};
   const double latitude = angle(axes, state.position);
   const SincePeriapsis on =
@@ -104,7 +104,7 @@ Elements elements_in_range(const State& state, double mu) {
     e.periapsis_distance = on.q * r;
     e.time_since_periapsis = on.time * (r / speed);
     e.mean_anomaly = on.time * std::sqrt(std::abs(alpha * r)) * std::abs(alpha * r);
-    // No ellipse is nearer to a circle than rounding of a and q tells.
+    // Rounding of a and q must not make q > a.
     if (alpha > 0) e.periapsis_distance = std::min(e.periapsis_distance, e.semi_major_axis);
   } else {
     e.eccentricity = 0;
@@ -115,13 +115,13 @@ Elements elements_in_range(const State& state, double mu) {
   return e;
 }
 
-/// A state in the plane of a conic, the first axis towards the periapsis; in units of its distance and of
+/// State in the plane of a conic, first axis towards the periapsis; in units of the periapsis distance and
 /// the circular speed there.
 struct InPlane {
   double x, y, vx, vy;
 };
 
-/// By U_0, U_1, U_2 of the universal variable counted from the periapsis.
+/// State from U_0, U_1, U_2 of the universal variable measured from the periapsis.
 InPlane by_universal(const Conic& conic, double u0, double u1, double u2) {
   const double e = conic.eccentricity(), root = std::sqrt(1 + e), r = 1 + e * u2;
   return {1 - u2, root * u1, 0 - u1 / r, root * u0 / r};  // no -0
@@ -132,7 +132,7 @@ InPlane by_time(const Conic& conic, double time) {
   double turns = 0;
   const double t = detail::within_one_turn(u.alpha, time, turns);
   const auto at = detail::solve(u, t).at;
-  // What s is off by; for a fast hyperbola it is the logarithm of a large number.
+  // Correct the rounding of s; for a fast hyperbola s is the logarithm of a large number.
   const double off = (t - at.time) / at.r;
   return by_universal(conic, at.u0 - u.alpha * at.u1 * off, at.u1 + at.u0 * off, at.u2 + at.u1 * off);
 }
@@ -147,7 +147,7 @@ void check_conic(const Conic& c, double mu) {
   }
 }
 
-/// In the user's frame and units.
+/// State in the frame and units of the user.
 State in_space(const Conic& conic, const Orientation& o, const InPlane& p, double mu) {
   const auto [si, ci] = o.inclination;
   const auto [so, co] = o.ascending_node;

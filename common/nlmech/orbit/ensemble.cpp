@@ -30,9 +30,9 @@ const kernels::EnsembleKernel& ensemble_kernel_for(InstructionSet set) {
   return kernels::baseline_ensemble;
 }
 
-/// The order at which orbits of e = 0.1, 0.5 and 0.9 take the least time, measured from 1e-6 to 1e-17 with
-/// AVX-512 and AVX2: 20, 21, 22, 24, 28 and 30 at 1e-8, -9, -10, -12, -15 and -17. An order beside it costs
-/// 1 or 2 percent.
+/// Order of least time for orbits of e = 0.1, 0.5 and 0.9, measured for tolerances from 1e-6 to 1e-17 with
+/// AVX-512 and AVX2: 20, 21, 22, 24, 28 and 30 at 1e-8, -9, -10, -12, -15 and -17. A neighbouring order costs
+/// 1 or 2 percent more.
 int order_for(double tolerance) {
   const auto half = static_cast<int>(std::lround((9.8 - 0.52 * std::log(tolerance)) / 2));
   return 2 * std::clamp(half, 6, kernels::most_ensemble_order / 2);
@@ -62,7 +62,7 @@ void check_options(const TaylorEnsemble& m, const InnerRows& rows) {
   if (!(rows.every > 0)) throw invalid_argument("{}: every must be positive, not {:g}", m.name, rows.every);
 }
 
-/// Why a flight cannot begin.
+/// Failure of an orbit with an invalid start, field or end time; else success.
 Status refusal(const Flight& flight) {
   try {
     check(flight.start, "propagate_all");
@@ -81,7 +81,7 @@ Status refusal(const Flight& flight) {
   return {};
 }
 
-constexpr double never = 1e300;  // a time to go that no step changes, and with which lanes can count
+constexpr double never = 1e300;  // remaining time of an idle lane: finite, and not changed by any step
 
 Vector3<double> vector_at(const kernels::Row* rows, int lane) {
   return {rows[0].lane[lane], rows[1].lane[lane], rows[2].lane[lane]};
@@ -95,20 +95,20 @@ void scale(kernels::Row& row, int lane, int exponent) {
   row.lane[lane] = std::ldexp(row.lane[lane], exponent);
 }
 
-/// The lanes of one thread, each with a flight or idle: flights come in, move side by side, and go out.
+/// The lanes of one thread, each with an orbit or idle.
 class Lanes {
  public:
-  /// @param limit steps of a flight
+  /// @param limit limit of steps of an orbit
   Lanes(const kernels::EnsembleKernel& kernel, const kernels::LaneSettings& settings, const InnerRows& rows,
         std::int64_t limit)
       : kernel_(kernel), settings_(settings), rows_(rows), limit_(limit) {
     for (int i = 0; i < kernels::most_lanes; ++i) idle(i);
   }
-  /// How many may be taken in before the next run().
+  /// Number of free lanes.
   [[nodiscard]] int free() const { return kernel_.lanes - busy_; }
-  /// Is there anything to run?
+  /// Number of busy lanes.
   [[nodiscard]] int busy() const { return busy_; }
-  /// A flight about a point mass, its start and field checked, that has somewhere to go.
+  /// Adds an orbit about a point mass, with checked start and field and a non-zero end time.
   void take_in(std::size_t number, const Flight& flight) {
     const auto place =
         std::find_if(lanes_.begin(), lanes_.begin() + kernel_.lanes, [](const Lane& l) { return !l.busy; });
@@ -130,9 +130,10 @@ class Lanes {
     block_.remaining_low.lane[i] = 0;
     choose_units(i);
   }
-  /// Steps until a lane is free, or some thousand times. Puts what has ended into @p solutions.
+  /// Takes steps until an orbit ends or needs attention, at most 4096. Writes finished orbits to @p
+  /// solutions.
   void run(std::vector<Solution>& solutions) {
-    std::int64_t most = 4096;  // then its caller looks at the clock
+    std::int64_t most = 4096;  // then the caller checks the time limit
     for (int i = 0; i < kernel_.lanes; ++i) {
       const Lane& lane = lanes_[static_cast<std::size_t>(i)];
       if (lane.busy) most = std::min(most, limit_ - (steps_ - lane.first_step));
@@ -160,7 +161,7 @@ class Lanes {
       }
     }
   }
-  /// Ends all flights that are under way.
+  /// Ends all running orbits.
   void stop(const Status& status, std::vector<Solution>& solutions) {
     for (int i = 0; i < kernel_.lanes; ++i) {
       if (lanes_[static_cast<std::size_t>(i)].busy) end(i, status, solutions);
@@ -168,7 +169,7 @@ class Lanes {
   }
 
  private:
-  /// Powers of two in which a lane counts, and what its flight has asked for.
+  /// Units of a lane, powers of two, and the data of its orbit.
   struct Lane {
     bool busy = false;
     bool backwards = false;
@@ -178,7 +179,7 @@ class Lanes {
     std::int64_t first_step = 0, next_row = 1;
   };
 
-  /// A circle that never ends: it disturbs nobody.
+  /// Fills a lane with a circular orbit without end.
   void idle(int lane) {
     lanes_[static_cast<std::size_t>(lane)] = {};
     put(block_.position, lane, {1, 0, 0});
@@ -189,7 +190,8 @@ class Lanes {
     block_.remaining.lane[lane] = block_.next_row.lane[lane] = never;
     block_.remaining_low.lane[lane] = block_.least_step.lane[lane] = 0;
   }
-  /// The shorter of (r^3/mu)^(1/2) and r/|v| becomes a time near 1, as in Propagation of continuation.cpp.
+  /// Chooses units in which the smaller of (r^3/mu)^(1/2) and r/|v| is near 1, as Propagation in
+  /// continuation.cpp.
   void choose_units(int i) {
     Lane& lane = lanes_[static_cast<std::size_t>(i)];
     const double v = vector_at(block_.velocity, i).stableNorm();
@@ -197,7 +199,7 @@ class Lanes {
     const double mu = std::ldexp(lane.mu, 2 * lane.time - 3 * lane.length);
     int time = (3 * length - std::ilogb(mu)) / 2;
     if (v > 0) time = std::min(time, length - std::ilogb(v));
-    // What remains must stay a number, so that a flight that cannot go on knows its time.
+    // The remaining time must stay finite, so that the time of a failed orbit is known.
     time = std::max(time, std::ilogb(lane.until) - 1000 - lane.time);
     for (int k = 0; k < 3; ++k) {
       for (kernels::Row* rows : {block_.position, block_.position_low}) scale(rows[k], i, -length);
@@ -210,9 +212,9 @@ class Lanes {
     block_.least_step.lane[i] = std::ldexp(eps * lane.until, -lane.time);
     await_row(i);
   }
-  /// From now to the time @p t, in the lane's units.
+  /// Time from now to @p t, in the units of the lane.
   [[nodiscard]] double row_after_now(const Lane& lane, int i, double t) const {
-    // until - t as a sum of two, exact; what remains is one already.
+    // until - t as an exact sum of two doubles; the remaining time is stored as one already.
     const double rest = lane.until - t, back = rest - lane.until,
                  error = (lane.until - (rest - back)) - (t + back);
     return (block_.remaining.lane[i] - std::ldexp(rest, -lane.time)) +
@@ -221,7 +223,7 @@ class Lanes {
   void await_row(int i) {
     const Lane& lane = lanes_[static_cast<std::size_t>(i)];
     const double t = static_cast<double>(lane.next_row) * rows_.every;
-    // The end has its own row; rounding of k DT makes no second one.
+    // No row next to the end, which has its own row: rounding of k DT must not add another.
     block_.next_row.lane[i] = lane.until - t > 1e-9 * rows_.every ? row_after_now(lane, i, t) : never;
   }
   void give_rows(int i, double taken) {
@@ -327,7 +329,7 @@ struct Motion {
   }
 };
 
-/// A flight in its own units, in which |r| and mu are near 1 at the start.
+/// An orbit in scaled units, in which |r| and mu are near 1 at the start.
 class Leg {
  public:
   Leg(std::size_t number, const Flight& flight, const InnerRows& rows,
@@ -342,7 +344,7 @@ class Leg {
   Leg(const Leg&) = delete;
   Leg& operator=(const Leg&) = delete;
 
-  /// What is to be integrated; refers to this.
+  /// The initial value problem for the integrator; it refers to this object.
   [[nodiscard]] ivp::Start start(std::int64_t steps) {
     const State s = units_.own(flight_.start);
     ivp::Start start{&system_, ivp::State(6), 0, std::copysign(end_, flight_.until), {}, {.steps = steps}};
@@ -350,7 +352,7 @@ class Leg {
     start.observer = [this](const ivp::Step& step) { return see(step); };
     return start;
   }
-  /// In the user's units.
+  /// Solution in the units of the user.
   [[nodiscard]] Solution users(const ivp::Solution& end) const {
     return {end.status.ok() ? flight_.until : std::ldexp(end.t, units_.time), users(end.x), end.status,
             end.statistics};
@@ -363,16 +365,16 @@ class Leg {
     return gravity;
   }
   [[nodiscard]] State users(const ivp::State& x) const { return units_.users({x.head<3>(), x.tail<3>()}); }
-  /// @return may the flight go on?
+  /// Observer of each step. @return false to stop
   bool see(const ivp::Step& step) {
     if (rows_.sink) give_rows(step);
-    constexpr int clock_every = 64;  // a clock that is read at every step would cost as much as the step
+    constexpr int clock_every = 64;  // reading the clock at every step would cost as much as the step
     if (steps_++ % clock_every == 0 && out_of_time_()) return false;
-    // Towards the end a step is what remains, or half of it, and may be short.
+    // Near the end a step is the remaining time, or half of it, and may be short.
     const double length = std::abs(step.t1 - step.t0), rest = end_ - std::abs(step.t1);
     return length > eps * end_ || rest <= 2 * length;
   }
-  /// The rows within a step, but none so near the end that rounding alone parts them.
+  /// Outputs the rows within a step, without those that equal the end to rounding.
   void give_rows(const ivp::Step& step) {
     const double sign = flight_.until < 0 ? -1 : 1, until = std::abs(flight_.until);
     for (;; ++next_row_) {
@@ -387,21 +389,19 @@ class Leg {
   const InnerRows& rows_;
   const std::function<bool()>& out_of_time_;
   detail::PowerUnits units_;
-  /// Of the time, without its sign, in own units; bounded, since the integration needs a number: every step
-  /// is lost in the largest one.
+  /// |end time| in scaled units, bounded by the largest double, in which every step is lost.
   double end_;
   ivp::System system_;
   std::int64_t next_row_ = 1, steps_ = 0;
 };
 
-/// Moves flights about bodies with zonal harmonics, whose starts and fields are checked and which have
-/// somewhere to go, by ivp::integrate_all() in units that are powers of two. What it does not bring to its
-/// end keeps its failure, with a time in those units. A step that is lost in the time, as Propagation and
-/// Lanes understand it, is one: `interrupted`.
-/// @param which the numbers of these flights
-/// @param steps of each flight
-/// @param out_of_time asked by all threads; what is under way then is `interrupted`, too
-/// @param solutions by number
+/// Propagates orbits about bodies with zonal harmonics, with checked starts and fields and non-zero end
+/// times, by ivp::integrate_all() in units that are powers of two. A failed orbit keeps its failure, with a
+/// time in those units; a step that is lost in the time ends with `interrupted`.
+/// @param which indices of these orbits
+/// @param steps limit of steps of each orbit
+/// @param out_of_time called by all threads; when true, running orbits end with `interrupted`
+/// @param solutions results, by index
 void fly_in_zonal_fields(std::span<const Flight> flights, const std::vector<std::size_t>& which,
                          const TaylorEnsemble& method, const InnerRows& rows, std::int64_t steps,
                          const std::function<bool()>& out_of_time, std::vector<Solution>& solutions) {
@@ -409,7 +409,8 @@ void fly_in_zonal_fields(std::span<const Flight> flights, const std::vector<std:
   std::vector<ivp::Start> starts;
   for (const std::size_t number : which)
     starts.push_back(legs.emplace_back(number, flights[number], rows, out_of_time).start(steps));
-  // Position and velocity are near 1 at the start; a small absolute part lets a component pass through 0.
+  // Position and velocity are near 1 at the start; the small absolute tolerance is for components that pass
+  // through 0.
   const ivp::Series series{.relative_tolerance = method.tolerance,
                            .absolute_tolerance = method.tolerance / 32,
                            .order = method.order};
@@ -418,7 +419,7 @@ void fly_in_zonal_fields(std::span<const Flight> flights, const std::vector<std:
   for (std::size_t i = 0; i < which.size(); ++i) solutions[which[i]] = legs[i].users(ends[i]);
 }
 
-/// What all threads share: flights are handed out some at a time, and who flies which does not matter.
+/// Data shared by all threads; orbits are distributed in portions.
 struct Ensemble {
   std::span<const Flight> flights;
   const TaylorEnsemble& method;
@@ -427,7 +428,7 @@ struct Ensemble {
   const kernels::EnsembleKernel& kernel;
   kernels::LaneSettings settings;
   std::vector<Solution> solutions;
-  std::vector<char> is_zonal;  // by flight; bytes, which threads write side by side
+  std::vector<char> is_zonal;  // per orbit; bytes, which threads may write concurrently
   Stopwatch watch;
   std::atomic<std::size_t> next = 0;
 
@@ -439,10 +440,11 @@ struct Ensemble {
                        limits.seconds);
   }
 
-  /// Of one thread.
+  /// Work of one thread.
   void work() {
     Lanes lanes(kernel, settings, rows, limits.steps);
-    // Few flights are shared among all threads, and leave lanes idle: the first thread would take them all.
+    // Distribute few orbits among all threads, with idle lanes; otherwise the first thread would take them
+    // all.
     const std::size_t threads = threads_for(method.threads),
                       portion = std::clamp<std::size_t>((flights.size() + threads - 1) / threads, 1, 16);
     std::size_t number = 0, end = 0;
@@ -462,8 +464,8 @@ struct Ensemble {
     }
   }
 
-  /// What work() has left: flights with zonal terms. One that fails is repeated by AnalyticContinuation, for
-  /// a sentence in the user's units, and because it may arrive.
+  /// Propagates the orbits with zonal terms, which work() skips. A failed one is repeated by
+  /// AnalyticContinuation, which may succeed, or else gives a message in the units of the user.
   void fly_the_rest() {
     std::vector<std::size_t> rest;
     for (std::size_t i = 0; i < is_zonal.size(); ++i) {
@@ -482,7 +484,7 @@ struct Ensemble {
 
  private:
   [[nodiscard]] double left() const { return std::max(0.0, limits.seconds - watch.seconds()); }
-  /// By itself, if there is time; else it stays where it is.
+  /// Repeats one orbit if time is left; otherwise it keeps its state.
   void repeat(std::size_t number, Solution& solution) const {
     if (!out_of_time()) {
       Solution again = alone(number, std::abs(solution.t));
@@ -494,7 +496,7 @@ struct Ensemble {
     }
     solution.status = too_late();
   }
-  /// @param shown up to where rows have been given already
+  /// @param shown time up to which rows have been output
   [[nodiscard]] Solution alone(std::size_t number, double shown) const {
     const Flight& flight = flights[number];
     auto count = std::max<std::int64_t>(1, static_cast<std::int64_t>(shown / rows.every));

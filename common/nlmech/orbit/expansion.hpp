@@ -1,6 +1,6 @@
 /// @file
-/// Taylor series in time of the motion about a centre, for any type of number, order and zonal field; and
-/// reference orbits in extended precision by them.
+/// Taylor series in time of the motion about a centre, for any number type, order and zonal field; and
+/// reference orbits in extended precision.
 #pragma once
 
 #include <algorithm>
@@ -13,8 +13,8 @@
 
 namespace nlmech::orbit {
 
-/// The recursion of analytic continuation, Eqs 3.61-3.68 of Elgohary 2015 as corrected, in normalised
-/// coefficients x_n = x^(n)/n!, which takes the binomial coefficients out of Leibniz' rule:
+/// The recurrence of analytic continuation, Eqs 3.61-3.68 of Elgohary 2015 as corrected, in normalised
+/// coefficients x_n = x^(n)/n!, which have no binomial coefficients in Leibniz' rule:
 ///
 ///     f = r.r,  g_p = f^(-p/2):   f_0 g_n = -(1/n) sum_{m=1}^{n} ((p/2) m + n - m) f_m g_{n-m}     (3.66)
 ///     r'' = -mu g_3 r:            r_{n+2} = -mu sum_{m=0}^{n} r_m g_{n-m} / ((n + 1)(n + 2))       (3.68)
@@ -23,20 +23,20 @@ namespace nlmech::orbit {
 ///
 ///     r'' = mu [(-g_3 + q sum_k J_k w_k P'_{k+1}(s)) r - z^ sum_k J_k w_k P'_k(s)],
 ///
-/// the Legendre polynomials and their derivatives by their recurrences, products of series by Cauchy's
-/// formula. Quotients by integers are divisions: rounded reciprocals are wrong by the same share in every
-/// step and let the energy drift linearly. The sums have four independent parts.
+/// with the Legendre polynomials and their derivatives by recurrences and products of series by Cauchy's
+/// formula. Quotients by integers are divisions: rounded reciprocals have the same relative error in every
+/// step, and the energy drifts linearly. The sums have four independent parts.
 ///
-/// Storage is allocated when the object is made and never after. The kernels of AnalyticContinuation are the
-/// same recursion for a point mass, faster; this one is for everything else and for extended precision.
+/// Storage is allocated only at construction. The kernels of AnalyticContinuation are a faster form of this
+/// recurrence for a point mass; this class serves all other cases and extended precision.
 ///
-/// Tests hold coefficients to those of Kepler's motion in extended precision, and steps to the order that is
-/// the lower of both degrees (observed within 0.1 to 0.3).
+/// Tests compare coefficients with those of Kepler motion in extended precision, and check the order of a
+/// step, the lower of both degrees (observed within 0.1 to 0.3).
 template <class T>
 class Expansion {
  public:
-  /// For coefficients up to @p order, at least 2, in @p gravity (both not checked).
-  /// @param true_division false: multiplies by rounded -mu/((n + 1)(n + 2)), to show what that costs
+  /// Storage for coefficients up to @p order, at least 2, in the field @p gravity (both not checked).
+  /// @param true_division false: multiplies by rounded -mu/((n + 1)(n + 2)), to show the error
   Expansion(const BasicGravity<T>& gravity, int order, bool true_division = true)
       : gravity_(gravity), degree_(gravity.degree()), order_(order), true_division_(true_division) {
     for (Row* row : {&f_, &g_, &q_, &sine_, &axial_, &radial_, &field_, &square_}) resize(*row);
@@ -46,13 +46,13 @@ class Expansion {
       for (Row& row : *family) resize(row);
   }
 
-  /// The same with mu and R in other units.
+  /// Sets mu and R in other units.
   void set_units(const T& mu, const T& radius) {
     gravity_.mu = mu;
     gravity_.radius = radius;
   }
 
-  /// The coefficients about @p s, up to @p order, at most the one of the constructor.
+  /// Computes the coefficients about @p s, up to @p order, at most that of the constructor.
   void expand(const BasicState<T>& s, int order) {
     for (std::size_t i = 0; i < 3; ++i) {
       r_[i][0] = s.position[static_cast<int>(i)];
@@ -75,15 +75,14 @@ class Expansion {
     // [coefficient by coefficient]
   }
 
-  /// r_k, from the latest expand().
+  /// r_k of the latest expand().
   [[nodiscard]] Vector3<T> coefficient(int k) const {
     const auto i = static_cast<std::size_t>(k);
     return {r_[0][i], r_[1][i], r_[2][i]};
   }
 
-  /// What the state changes by within the time @p h: the position by the series to @p position_degree, the
-  /// velocity to @p velocity_degree (the coefficient velocity_degree + 1 of the position counts). By Horner's
-  /// rule.
+  /// Change of the state in the time @p h by Horner's rule: the position series to @p position_degree, the
+  /// velocity series to @p velocity_degree (which uses the coefficient velocity_degree + 1 of the position).
   [[nodiscard]] BasicState<T> increments(const T& h, int position_degree, int velocity_degree) const {
     BasicState<T> change{coefficient(position_degree),
                          T(velocity_degree + 1) * coefficient(velocity_degree + 1)};
@@ -108,7 +107,7 @@ class Expansion {
     for (; m <= n; ++m) part[m % 4] += a[m] * b[n - m];
     return (part[0] + part[1]) + (part[2] + part[3]);
   }
-  /// Of a by itself, each product once.
+  /// sum_{m=0}^{n} a_m a_{n-m}, each product once.
   static T square(const Row& a, std::size_t n) {
     T sum = T(0);
     for (std::size_t m = 0; 2 * m < n; ++m) sum += a[m] * a[n - m];
@@ -132,7 +131,7 @@ class Expansion {
     g[n] = -(part[0] + part[1]) / (T(2 * static_cast<int>(n)) * f_[0]);
   }
 
-  /// Coefficient n of all that the zonal terms are made of; field_ and axial_ are what expand() uses.
+  /// Coefficient n of all series of the zonal terms; expand() uses field_ and axial_.
   void zonal(std::size_t n) {
     power(q_, 1, n);
     sine_[n] = product(r_[2], q_, n);
@@ -141,7 +140,7 @@ class Expansion {
     legendre_[1][n] = sine_[n];
     slope_[1][n] = legendre_[0][n];
     const std::size_t top =
-        std::min(static_cast<std::size_t>(degree_) + 1, most - 1);  // as compilers cannot know
+        std::min(static_cast<std::size_t>(degree_) + 1, most - 1);  // bound for the compiler
     for (std::size_t k = 1; k < top; ++k) {
       const T by_sine = product(sine_, legendre_[k], n);
       slope_[k + 1][n] = product(sine_, slope_[k], n) + T(k + 1) * legendre_[k][n];
@@ -170,9 +169,10 @@ class Expansion {
   std::array<Row, most> legendre_, slope_, weight_;  ///< P_k, P'_k and w_k at [k]
 };
 
-/// Moves @p s by @p time, of either sign, with series of @p order (at least 4) whose step makes the last
-/// terms of the velocity @p tolerance times the larger of |v| and the circular speed. Two calls with other
-/// orders and tolerances tell the digits. Not checked: a body that falls into the centre never arrives.
+/// Propagates @p s by @p time, of either sign, with series of @p order (at least 4). The step size makes the
+/// last terms of the velocity @p tolerance times the larger of |v| and the circular speed. Compare two calls
+/// with different orders and tolerances to estimate the error. Not checked: the loop does not end for a body
+/// that falls into the centre.
 template <class T>
 [[nodiscard]] BasicState<T> continue_analytically(BasicState<T> s, T time, const BasicGravity<T>& gravity,
                                                   int order, const T& tolerance) {

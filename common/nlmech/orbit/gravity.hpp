@@ -1,5 +1,5 @@
 /// @file
-/// The attraction of a point mass or of a body with zonal harmonics: energy and acceleration.
+/// Gravity of a point mass or of a body with zonal harmonics: energy and acceleration.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@ struct BasicGravity {
   static constexpr int least_degree = 2;  ///< k of zonal[0]
   static constexpr int most_degree = 6;   ///< k of the last one
   T mu = T(1);                            ///< gravitational parameter, positive
-  T radius = T(1);                        ///< R, positive; of no meaning without zonal terms
+  T radius = T(1);                        ///< R, positive; unused without zonal terms
   std::array<T, 5> zonal = {};            ///< J_2 to J_6; zeros: a point mass
 
   /// The largest k with J_k other than 0; 0 for a point mass.
@@ -25,7 +25,7 @@ struct BasicGravity {
     }
     return 0;
   }
-  /// The same in another type of number.
+  /// The same field in another number type.
   template <class S>
   [[nodiscard]] BasicGravity<S> as() const {
     BasicGravity<S> g;
@@ -43,13 +43,14 @@ using Gravity = BasicGravity<double>;
 /// or 1: the point mass. @throws std::invalid_argument for another degree
 [[nodiscard]] Gravity earth(int degree = 0);
 
-/// @throws std::invalid_argument naming mu, the radius or a J that cannot be meant
+/// @throws std::invalid_argument with the name and value of an invalid mu, radius or J
 void check(const Gravity& gravity);
 
-/// @throws std::invalid_argument if a component is not finite or the position is 0; @p who begins the text
+/// @throws std::invalid_argument if a component is not finite or the position is 0. @param who start of the
+/// message
 void check(const State& state, const char* who);
 
-/// Energy a unit mass in the field: v.v/2 less the potential. Kept by the motion.
+/// Energy per unit mass in the field: v.v/2 minus the potential; constant along the motion.
 template <class T>
 [[nodiscard]] T energy(const BasicState<T>& s, const BasicGravity<T>& gravity) {
   using std::sqrt;
@@ -67,8 +68,8 @@ template <class T>
 
 /// r'' at @p r: mu q^3 [(-1 + sum_k J_k A_k) r - z^ R sum_k J_k A_{k-1}] with q = 1/|r|, s = z q, u = R q and
 /// A_k = u^k P'_{k+1}(s), for which k A_k = (2k + 1) u s A_{k-1} - (k + 1) u^2 A_{k-2}: the formula that
-/// Expansion differentiates, in the fewest products. With T = Dual<double, 3> also its gradient. A point mass
-/// costs no more than that.
+/// Expansion differentiates, with the fewest products. With T = Dual<double, 3> also its gradient. For a
+/// point mass the zonal terms are skipped.
 /// @param r not 0; not checked
 template <class T>
 [[nodiscard]] Vector3<T> acceleration(const Vector3<T>& r, const Gravity& gravity) {

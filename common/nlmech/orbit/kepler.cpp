@@ -16,12 +16,12 @@ void check_arguments(const State& start, double time, double mu, const char* who
   if (!std::isfinite(time)) throw invalid_argument("{}: the time must be finite, not {}", who, time);
 }
 
-/// Position, velocity, mu and time.
+/// Number of data: position, velocity, mu and time.
 constexpr int data = 8;
 using D = Dual<double, data>;
 
-/// The end of a flyby with its derivatives, in units of r_0. The roots are found in double; what they are off
-/// by carries the derivatives.
+/// State at the end of a flyby with its derivatives, in units of r_0. The roots are computed in double; the
+/// correction of their error has the derivatives.
 BasicState<D> flyby_with_derivatives(const Vector3<D>& direction, const Vector3<D>& v, const D& time) {
   const detail::Flyby<D> flyby(direction, v);
   Vector3<double> plain_direction, plain_v;
@@ -34,16 +34,16 @@ BasicState<D> flyby_with_derivatives(const Vector3<D>& direction, const Vector3<
   return flyby.state(D(plain.at_time(wanted.value)), wanted);
 }
 
-/// A fast body on its way to the centre, by universal variables with k + sigma = (p - 2)/(k - sigma), which
-/// is small, taken out of the sums, so that nothing cancels. Units and times as in Universal.
+/// A fast body approaching the centre, by universal variables. The small k + sigma = (p - 2)/(k - sigma) is
+/// separated from the sums, so that nothing cancels. Units and times as in Universal.
 template <class T>
 struct Approach {
   T k;       ///< (-alpha)^(1/2)
   T excess;  ///< k + sigma
 
-  /// Everything at one s, as in Universal.
+  /// All quantities at one s, as in Universal.
   struct At {
-    T time;        ///< since r_0
+    T time;        ///< time since r_0
     T r;           ///< distance
     T u1, u2, u3;  ///< U_n
   };
@@ -54,8 +54,8 @@ struct Approach {
     const T u1 = s * c.c1, u2 = s * s * c.c2, u3 = s * s * s * c.c3;
     return {(1 - fade) / k + excess * u2 + u3, fade + excess * u1 + u2, u1, u2, u3};
   }
-  /// s at a time, to the square root of rounding, by Newton's iteration from its lower bound: x grows by 1 a
-  /// step at most, up to 36 for the nearest double to the centre.
+  /// s at a time, to the square root of rounding, by Newton's iteration from a lower bound: x grows by at
+  /// most 1 per step, up to 36 for the double nearest to the centre.
   [[nodiscard]] T at_time(const T& wanted) const {
     T s = wanted, change = s;
     for (int i = 0; i < 100 && std::abs(change) * k > 1e-8; ++i) {
@@ -80,15 +80,14 @@ LagrangeCoefficients<D> approach_with_derivatives(const Vector3<D>& direction, c
   return {1 - at.u2, sign * (t - at.u3), -sign * at.u1 / at.r, 1 - at.u2 / at.r, 0};
 }
 
-/// Is a hyperbola integrated inwards still on a nearly straight line to where it will be? Derivatives from
-/// the periapsis, whose eccentricity changes by v^2 with the data, cancel there by as much. A straight line
-/// leaves the part 1 - |v t| of the distance; gravity bends it by 1/(v^2 that), less than v^(-1/2)/8 here.
+/// Is an incoming hyperbola nearly straight up to the end? There derivatives from the periapsis cancel by the
+/// factor v^2 by which its eccentricity depends on the data. On a straight line the part 1 - |v t| of the
+/// distance remains; gravity deflects it by 1/(v^2 (1 - |v t|)), less than v^(-1/2)/8 here.
 bool is_approach(double speed, double time) {
   return (1 - speed * std::abs(time)) * speed * std::sqrt(speed) > 8;
 }
 
-/// The moved state with its derivatives, found as by kepler_state(), and on an approach without the
-/// periapsis.
+/// Propagated state with its derivatives, as kepler_state(); on an approach without the periapsis.
 BasicState<D> with_derivatives(const State& start, double time, double mu) {
   BasicState<D> s;
   for (int i = 0; i < 3; ++i) {
@@ -123,19 +122,19 @@ double sum_of_sensitivities(const Vector3<D>& result, const double (&size)[data]
   double sum = 0;
   const double length = std::hypot(result[0].value, result[1].value, result[2].value);
   for (std::size_t j = 0; j < data; ++j) {
-    // The quotient first: derivatives by the time of a fast flight have squares beyond all doubles.
+    // Divide first: squares of time derivatives of a fast orbit overflow.
     const double unit = size[j] / length;
     sum += std::hypot(result[0].partial[j] * unit, result[1].partial[j] * unit, result[2].partial[j] * unit);
   }
   return sum < std::numeric_limits<double>::infinity() ? sum : std::numeric_limits<double>::infinity();
 }
 
-/// A problem with |r| and mu near 1.
+/// Kepler's problem in units with |r| and mu near 1.
 struct Scaled {
   State start;
   double time = 0, mu = 1;
   detail::PowerUnits units;
-  bool possible = true;  ///< neither too fast nor too long for doubles
+  bool possible = true;  ///< are speed and time within the range of doubles?
 
   Scaled(const State& s, double t, double m) : start(s), time(t), mu(m) {
     const double size = detail::extent(s.position), speed = detail::extent(s.velocity);
@@ -158,8 +157,8 @@ KeplerCondition condition_of(const Scaled& s) {
   return {sum_of_sensitivities(end.position, size), sum_of_sensitivities(end.velocity, size)};
 }
 
-/// How a relative error of the data changes the mean anomaly of an ellipse, times that error. At an apoapsis
-/// the place does not show it to first order.
+/// Condition number of the mean anomaly of an ellipse. At an apoapsis the position does not depend on it to
+/// first order.
 double phase_condition(const Scaled& s) {
   const double r0 = s.start.position.norm(), v0 = s.start.velocity.norm(), circular = s.mu / r0;
   const double share = v0 * v0 / circular, alpha = 2 - share;
@@ -167,14 +166,14 @@ double phase_condition(const Scaled& s) {
   return std::abs(s.time) * std::sqrt(circular * alpha) * alpha / r0 * (2 + 1.5 * (2 + share) / alpha);
 }
 
-/// Can kappa be large? By how far the body moves in the time, in units of its distance at the end, with the
-/// error of the energy; by how near the centre it ends; and by how near a fast body passes.
+/// Can kappa be large? Estimate from the distance travelled relative to the final distance, with the error of
+/// the energy; from the final distance from the centre; and from the closest passage of a fast body.
 bool may_be_large(const Scaled& s, const State& end, double much) {
   const double r0 = s.start.position.norm(), v0 = s.start.velocity.norm(), r = end.position.norm(),
                v = end.velocity.norm(), time = std::abs(s.time), circular = s.mu / r0;
   const double share = v0 * v0 / circular, alpha = 2 - share;
-  // Rounding changes 2 - share = r_0/a by (2 + share) eps. That moves the end in proportion to it; but near
-  // the parabola, while no period is over, in proportion to how far out the end is.
+  // Rounding changes 2 - share = r_0/a by (2 + share) eps. The end changes in proportion to the relative
+  // error; near the parabola, before one period, in proportion to the final distance.
   const bool swings = alpha > 0 && time * std::sqrt(circular * alpha) * alpha > r0;
   const double of_energy = 1 / std::abs(alpha),
                growth = 1 + (2 + share) * (swings ? of_energy : std::min(of_energy, 1 + r / r0));
@@ -182,9 +181,9 @@ bool may_be_large(const Scaled& s, const State& end, double much) {
   return share > 3 && !(cross(s.start.position, s.start.velocity).norm() > r0 * v0 / much);
 }
 
-/// kappa of the position, or of the mean anomaly if that is larger, if it is @p least or more; else 0.
+/// kappa of the position, or of the mean anomaly if larger, if it is at least @p least; else 0.
 double condition_if_large(const Scaled& s, const State& end, double least) {
-  // The estimate is rough: 1e4 on the safe side.
+  // The estimate is rough: safety factor 1e4.
   if (!may_be_large(s, end, least / 1e4)) return 0;
   const double kappa = std::max(condition_of(s).position, phase_condition(s));
   return kappa < least ? 0 : kappa;

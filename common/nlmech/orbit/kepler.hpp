@@ -1,5 +1,5 @@
 /// @file
-/// Kepler's problem solved in closed form, by Lagrange's F and G in universal variables, for every conic.
+/// Solution of Kepler's problem by Lagrange's F and G in universal variables, for every conic.
 #pragma once
 
 #include <cmath>
@@ -19,10 +19,10 @@ struct LagrangeCoefficients {
   int iterations;  ///< evaluations of Kepler's equation; at least 1
 };
 
-/// The coefficients for the state @p s after @p time of either sign, in any type of number with the usual
-/// functions. Ellipses, parabolas, hyperbolas and straight lines; whole revolutions are left out first, so
-/// that their number costs nothing. A straight line passes through the centre as the limit of thin ellipses
-/// does: it returns.
+/// Coefficients for the state @p s after @p time of either sign, in any number type with the usual functions,
+/// for ellipses, parabolas, hyperbolas and straight lines. Whole revolutions are subtracted first, so their
+/// number does not affect the cost. A body on a straight line returns from the centre, as in the limit of
+/// thin ellipses.
 /// @param s finite, position not 0; not checked  @param mu positive; not checked
 template <class T>
 [[nodiscard]] LagrangeCoefficients<T> lagrange_coefficients(const BasicState<T>& s, const T& time,
@@ -38,7 +38,7 @@ template <class T>
           iterations + 1};
 }
 
-/// The state that the coefficients lead to.
+/// The state given by Lagrange's coefficients.
 template <class T>
 [[nodiscard]] BasicState<T> moved(const BasicState<T>& s, const LagrangeCoefficients<T>& c) {
   return {c.f * s.position + c.g * s.velocity, c.f_rate * s.position + c.g_rate * s.velocity};
@@ -46,11 +46,11 @@ template <class T>
 
 namespace detail {
 
-/// A hyperbola that is entered from far, where the terms of F and G cancel: times are counted from the
-/// periapsis, t_p = r_p s + e s^3 c_3, in which nothing does. On a fast one s k, k = (-alpha)^(1/2), is the
-/// logarithm of a large number, so that s in double precision is not exact enough; what it is off by is
-/// carried as a small number beside. Units as in Universal. Nothing is divided by the angular momentum, so
-/// that straight lines have derivatives too.
+/// Hyperbola entered from far away, where the terms of F and G cancel. Times are measured from the periapsis,
+/// t_p = r_p s + e s^3 c_3, without cancellation. On a fast hyperbola s k, k = (-alpha)^(1/2), is the
+/// logarithm of a large number, and s in double precision is not accurate enough; its error is stored as a
+/// small correction. Units as in Universal. There is no division by the angular momentum, so straight lines
+/// have derivatives too.
 template <class T>
 struct Flyby {
   Vector3<T> direction, across;  ///< along r_0, and the part of the velocity across it
@@ -64,48 +64,48 @@ struct Flyby {
     across = v - sigma * direction;
     p = across.dot(across);
     const T x = p - 1;
-    const auto size = 1 + value_of(v.dot(v));  // e is less; its square may not be a double
+    const auto size = 1 + value_of(v.dot(v));  // bound of e, whose square may overflow
     e = size < 1e60 ? sqrt(x * x + sigma * sigma * p)
                     : size * sqrt((x / size) * (x / size) + (sigma / size * sigma) * (p / size));
     rp = p / (1 + e);
   }
 
-  /// Everything at one s.
+  /// All quantities at one s.
   struct At {
-    T time, r;       ///< since the periapsis; distance
+    T time, r;       ///< time since the periapsis; distance
     T radial, rise;  ///< r.v = dr/ds, and its derivative
   };
   [[nodiscard]] At at(const T& s) const {
     const Stumpff<T> c = stumpff(T(alpha * s * s));
     return {rp * s + e * s * s * s * c.c3, rp + e * s * s * c.c2, e * s * c.c1, e * c.c0};
   }
-  /// s at r_0, rounded.
+  /// s at r_0, with rounding error.
   [[nodiscard]] T begin() const { return variable_since_periapsis(alpha, sigma, e); }
-  /// Time of r_0 since the periapsis, @p s being begin(): what that is off by is seen in r.v.
+  /// Time of r_0 since the periapsis, for @p s = begin(); its rounding error is corrected by r.v.
   [[nodiscard]] T begin_time(const T& s) const {
     const At a = at(s);
     return a.time + a.r * (sigma - a.radial) / a.rise;
   }
-  /// s at a time since the periapsis, rounded. Kepler's equation from the periapsis is the universal one with
-  /// r_0 = r_p and sigma = 0: in the unit r_p it would be singular for straight lines, so it is solved here,
-  /// by Newton's iteration on a function without inflection for s > 0, from beyond the root.
+  /// s at a time since the periapsis, with rounding error. Kepler's equation from the periapsis is the
+  /// universal one with r_0 = r_p and sigma = 0; in the unit r_p it is singular for straight lines. It is
+  /// solved here by Newton's iteration on a function without inflection for s > 0, from above the root.
   [[nodiscard]] T at_time(const T& wanted) const {
     using std::abs;
     using std::asinh;
     using std::sqrt;
     const T k = sqrt(-alpha), goal = abs(wanted);
-    // From e (sinh H - H) <= N: H is at most asinh(N/e) plus asinh of what that leaves out.
+    // From e (sinh H - H) <= N: upper bound of H by asinh(N/e) and one correction.
     const T n = goal * k * -alpha;
     T s = (asinh(T(n / e)) + asinh(T(asinh(T(n / e)) / e)) + 1) / k;
     for (int i = 0; i < 200; ++i) {
       const At a = at(s);
       const T next = s - (a.time - goal) / a.r;
-      if (!(next < s)) break;  // monotone until rounding
+      if (!(next < s)) break;  // monotone up to rounding
       s = next;
     }
     return wanted < 0 ? T(-s) : s;
   }
-  /// The state at the time @p wanted since the periapsis, @p s being at_time(wanted) or its value alone.
+  /// State at the time @p wanted since the periapsis, for @p s = at_time(wanted) or its plain value.
   /// Directions by cos nu = p/(e r) - 1/e and sin nu/p^(1/2) = (dr/dt)/e.
   [[nodiscard]] BasicState<T> state(const T& s, const T& wanted) const {
     const At a = at(s);
@@ -121,9 +121,9 @@ struct Flyby {
 
 }  // namespace detail
 
-/// The state that Kepler's motion leads to, in any type of number: by Lagrange's coefficients, or, where
-/// their terms would cancel (a hyperbola integrated towards its periapsis) or hold exponentials of large
-/// numbers (one integrated a million distances away), by anomalies. Arguments as of lagrange_coefficients().
+/// State after Kepler motion, in any number type: by Lagrange's coefficients, or by Flyby where their terms
+/// cancel (a hyperbola towards its periapsis) or contain exponentials of large numbers (a hyperbola to a
+/// million distances). Arguments as of lagrange_coefficients().
 template <class T>
 [[nodiscard]] BasicState<T> kepler_state(const BasicState<T>& s, const T& time, const T& mu,
                                          int* evaluations = nullptr) {
@@ -142,48 +142,47 @@ template <class T>
   return moved(s, c);
 }
 
-/// A state on a conic.
+/// Result of propagate_kepler().
 struct KeplerSolution {
-  State state;  ///< at the asked time; the given one after a failure
-  /// success; `collision` if the body is in the centre at that very time; `outside_validity` if the rounding
-  /// of the data leaves the place undetermined (64 kappa eps >= 1, not one digit: too many revolutions, or a
-  /// passage so near the centre that its side is not known), or if the state at that time is beyond the range
+  State state;  ///< state at the requested time; the initial one after a failure
+  /// success; `collision` if the body is in the centre at that time; `outside_validity` if rounding of the
+  /// data leaves the position undetermined (64 kappa eps >= 1, no correct digit: too many revolutions, or a
+  /// passage so near the centre that its side is unknown), or if the state at that time is beyond the range
   /// of doubles
   Status status;
   int iterations = 0;  ///< evaluations of Kepler's equation; 0 on hyperbolas integrated inwards
 };
 
-/// Moves @p start by @p time, of either sign, on its conic. The error is at most 8 kappa eps of |r| and |v|,
-/// kappa from kepler_condition(): the data themselves, rounded to double precision, say no more (tests hold
-/// it to Kepler's equation solved in 50 digits, over ellipses, parabolas, hyperbolas and straight lines, and
-/// a million revolutions). No success where 64 kappa eps >= 1 for the position or
-/// for the mean anomaly of an ellipse. Any units: what is far from 1
-/// is scaled by powers of two.
+/// Propagates @p start by @p time, of either sign, on its conic. The error is at most 8 kappa eps of |r| and
+/// |v| with the condition number kappa of kepler_condition(), the size of the effect of rounding the data
+/// (tests compare with Kepler's equation in 50 digits, for ellipses, parabolas, hyperbolas and straight
+/// lines, and a million revolutions). No success where 64 kappa eps >= 1 for the position or for the mean
+/// anomaly of an ellipse. Any units: extreme values are scaled by powers of two.
 /// @throws std::invalid_argument for a position 0, mu not positive, or anything not finite
 [[nodiscard]] KeplerSolution propagate_kepler(const State& start, double time, double mu);
 
-/// How relative errors of the data grow on the way.
+/// Condition numbers of Kepler's problem: growth of relative errors of the data.
 struct KeplerCondition {
-  double position = 0;  ///< of |r|, relative
-  double velocity = 0;  ///< of |v|, relative
+  double position = 0;  ///< condition number of the position, relative to |r|
+  double velocity = 0;  ///< condition number of the velocity, relative to |v|
 };
 
-/// kappa = sum over the data d of |d(result)/d(d)| |d|/|result|, d the components of position and velocity
-/// (each with the length of its vector), mu and the time. It grows linearly with the number of revolutions,
-/// because an error of the velocity changes the period. Derivatives by dual numbers: to 0.1 %, or that of
-/// data changed by 8 eps (random tests hold it to differences in 100 digits, up to 1e12); finite on every
-/// conic, straight lines and the fastest flybys included; infinite where it is no double (a body more than
-/// 1e150 times as fast as a circular orbit, or in the centre).
+/// Condition number kappa = sum over the data d of |d(result)/d(d)| |d|/|result|; d are the components of
+/// position and velocity (each with the norm of its vector), mu and the time. It grows linearly with the
+/// number of revolutions, because an error of the velocity changes the period. Derivatives by dual numbers,
+/// to 0.1 %, or equal to that of data changed by 8 eps (random tests compare with differences in 100 digits,
+/// up to 1e12). Finite on every conic, including straight lines and the fastest flybys; infinite where it
+/// overflows (a body more than 1e150 times as fast as a circular orbit, or in the centre).
 /// @throws std::invalid_argument as propagate_kepler
 [[nodiscard]] KeplerCondition kepler_condition(const State& start, double time, double mu);
 
-/// kappa from which on not one digit of a position is left: its error may be 8 kappa eps, an eighth then.
+/// kappa above which a position has no correct digit: its error bound 8 kappa eps is then 1/8.
 inline constexpr double no_digit = 1 / (64 * std::numeric_limits<double>::epsilon());
 
-/// kappa of the position @p end, or of the mean anomaly of an ellipse if that is larger, if it is @p least or
-/// more; else 0. Costs little where kappa is far below. propagate_kepler() refuses what this gives for
-/// no_digit, whatever the conic.
-/// @param end where the motion is known to be after @p time
+/// kappa of the position @p end, or of the mean anomaly of an ellipse if larger, if it is at least @p least;
+/// else 0. Cheap where kappa is far below. propagate_kepler() fails where it is not 0 for no_digit, for every
+/// conic.
+/// @param end known state after @p time
 /// @throws std::invalid_argument as propagate_kepler
 [[nodiscard]] double large_condition(const State& start, const State& end, double time, double mu,
                                      double least = no_digit);

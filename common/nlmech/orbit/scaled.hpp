@@ -1,5 +1,6 @@
 /// @file
-/// States in units that are powers of two, in which squares and cubes are doubles. Internal to the component.
+/// States in units that are powers of two, in which squares and cubes do not overflow. Internal to the
+/// component.
 #pragma once
 
 #include <algorithm>
@@ -9,13 +10,13 @@
 
 namespace nlmech::orbit::detail {
 
-/// Above it (times the circular speed) gravity is nothing that doubles could tell, and e^2 is none.
+/// Speed, in circular speeds, above which gravity is below rounding and e^2 overflows.
 inline constexpr double fastest = 1e150;
 
-/// Is a number so far from 1 that powers of it may not be doubles?
+/// Is a number so far from 1 that its powers may overflow or underflow?
 [[nodiscard]] inline bool is_extreme(double size) { return !(size > 1e-60 && size < 1e60); }
 
-/// The largest component of a vector.
+/// Largest absolute component of a vector.
 [[nodiscard]] inline double extent(const Vector3<double>& v) {
   return std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
 }
@@ -25,8 +26,8 @@ inline constexpr double fastest = 1e150;
   return {std::ldexp(v[0], exponent), std::ldexp(v[1], exponent), std::ldexp(v[2], exponent)};
 }
 
-/// Units 2^length of length and 2^time of time, in which |r| and mu are near 1. They change no digit, but
-/// where a number becomes less than the least normal double.
+/// Units 2^length of length and 2^time of time, in which |r| and mu are near 1. Scaling is exact except for
+/// subnormal results.
 struct PowerUnits {
   int length = 0, time = 0;  ///< exponents
 
@@ -34,11 +35,11 @@ struct PowerUnits {
   /// @param size of the position, positive @param mu positive
   PowerUnits(double size, double mu) : length(std::ilogb(size)), time((3 * length - std::ilogb(mu)) / 2) {}
 
-  /// In these units.
+  /// State in these units.
   [[nodiscard]] State own(const State& s) const {
     return {times_power_of_two(s.position, -length), times_power_of_two(s.velocity, time - length)};
   }
-  /// In the user's.
+  /// State in the units of the user.
   [[nodiscard]] State users(const State& s) const {
     return {times_power_of_two(s.position, length), times_power_of_two(s.velocity, length - time)};
   }

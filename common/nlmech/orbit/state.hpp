@@ -1,5 +1,5 @@
 /// @file
-/// Position and velocity about a centre of attraction, and what Kepler's motion keeps of them.
+/// Position and velocity about a centre of attraction, and the integrals of Kepler motion.
 #pragma once
 
 #include <cmath>
@@ -12,7 +12,7 @@ namespace nlmech::orbit {
 template <class T>
 using Vector3 = Vector<T, 3>;
 
-/// Where a body is and how it moves, in any consistent units.
+/// Position and velocity of a body, in any consistent units.
 template <class T>
 struct BasicState {
   Vector3<T> position;  ///< r, from the centre of attraction
@@ -21,7 +21,8 @@ struct BasicState {
 /// In double precision.
 using State = BasicState<double>;
 
-/// Energy a unit mass, E = v.v/2 - mu/r (Elgohary 2015, Eq. 3.70). Rounded: within 4 eps (v.v/2 + mu/r).
+/// Energy per unit mass, E = v.v/2 - mu/r (Elgohary 2015, Eq. 3.70). Rounding error at most 4 eps (v.v/2 +
+/// mu/r).
 template <class T>
 [[nodiscard]] T energy(const BasicState<T>& s, const T& mu) {
   using std::sqrt;
@@ -34,27 +35,28 @@ template <class T>
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-/// a b - c d with one rounding of the difference (W. Kahan's scheme of two fused multiply-adds): within 2 eps
-/// of itself, however nearly the products cancel.
+/// a b - c d with one rounding of the difference (W. Kahan's scheme of two fused multiply-adds): relative
+/// error at most 2 eps, however nearly the products cancel.
 [[nodiscard]] inline double difference_of_products(double a, double b, double c, double d) {
   const double cd = c * d, rounding = std::fma(-c, d, cd);
   return std::fma(a, b, -cd) + rounding;
 }
 
-/// a x b, each component within 2 eps of itself: at right angles to both even if they are nearly parallel.
+/// a x b with relative errors of at most 2 eps per component: normal to both even if they are nearly
+/// parallel.
 [[nodiscard]] inline Vector3<double> accurate_cross(const Vector3<double>& a, const Vector3<double>& b) {
   return {difference_of_products(a[1], b[2], a[2], b[1]), difference_of_products(a[2], b[0], a[0], b[2]),
           difference_of_products(a[0], b[1], a[1], b[0])};
 }
 
-/// Angular momentum a unit mass, h = r x v.
+/// Angular momentum per unit mass, h = r x v.
 template <class T>
 [[nodiscard]] Vector3<T> angular_momentum(const BasicState<T>& s) {
   return cross(s.position, s.velocity);
 }
 
-/// The Laplace vector over mu, e = v x h/mu - r/|r|: it points to the periapsis and is as long as the
-/// eccentricity. Rounded: within 8 eps (1 + r v.v/mu).
+/// Eccentricity vector (Laplace vector over mu), e = v x h/mu - r/|r|: points to the periapsis, its norm is
+/// the eccentricity. Rounding error at most 8 eps (1 + r v.v/mu).
 template <class T>
 [[nodiscard]] Vector3<T> eccentricity_vector(const BasicState<T>& s, const T& mu) {
   using std::sqrt;

@@ -1,5 +1,5 @@
 /// @file
-/// Stumpff's functions, and Kepler's equation in universal variables by them, for any type of number.
+/// Stumpff functions, and Kepler's equation in universal variables, for any number type.
 #pragma once
 
 #include <algorithm>
@@ -15,8 +15,8 @@ namespace nlmech::orbit {
 
 /// c_n(psi) = sum_{k>=0} (-psi)^k/(2k + n)!, n = 0 to 3.
 ///
-/// Tests hold c2 and c3 to 8 eps of themselves, c0 and c1 to 8 eps of max(1, |c|), and all to 1e-47 in 50
-/// digits.
+/// Tests check relative errors of c2 and c3 up to 8 eps, errors of c0 and c1 up to 8 eps max(1, |c|), and all
+/// to 1e-47 in 50 digits.
 template <class T>
 struct Stumpff {
   T c0;  ///< cos sqrt(psi), or cosh sqrt(-psi)
@@ -27,7 +27,7 @@ struct Stumpff {
 
 namespace detail {
 
-/// c_2 and c_3 by their power series. A factor of a Horner step is a quotient of small integers.
+/// c_2 and c_3 by their power series. Each Horner step divides by a product of small integers.
 template <class T>
 [[nodiscard]] Stumpff<T> stumpff_series(const T& psi) {
   using Number = decltype(value_of(psi));
@@ -43,12 +43,12 @@ template <class T>
   return {1 - psi * c2, 1 - psi * c3, c2, c3};
 }
 
-/// The same for double: reciprocals of factorials in place of divisions, two sums at once.
+/// c_2 and c_3 for double: reciprocals of factorials in place of divisions, both sums in one loop.
 [[nodiscard]] inline Stumpff<double> stumpff_series(double psi) {
   constexpr int terms = 12;
   static constexpr auto inverse_factorial = [] {
     std::array<double, 2 * terms + 4> f = {1};
-    double product = 1;  // rounded from 23! on, by less than an ulp in all
+    double product = 1;  // exact up to 22!; the total rounding error is below one ulp
     for (std::size_t i = 1; i < f.size(); ++i) f[i] = 1 / (product *= static_cast<double>(i));
     return f;
   }();
@@ -62,9 +62,9 @@ template <class T>
 
 }  // namespace detail
 
-/// All four for any finite @p psi, without cancellation: by power series for |psi| <= 4, else by functions of
-/// the half argument. c_2 and c_3 are within 8 eps of themselves for psi <= pi^2 (one revolution of
-/// propagate_kepler, which leaves out whole ones); infinite where cosh would be.
+/// Stumpff functions for any finite @p psi, without cancellation: by power series for |psi| <= 4, else by
+/// functions of the half argument. Relative errors of c_2 and c_3 are at most 8 eps for psi <= pi^2 (the
+/// range of propagate_kepler(), which subtracts whole revolutions); infinite where cosh overflows.
 template <class T>
 [[nodiscard]] Stumpff<T> stumpff(const T& psi) {
   using std::cos;
@@ -84,18 +84,19 @@ template <class T>
 
 namespace detail {
 
-/// The motion from a state, in the units |r_0| = 1 and mu = 1. The universal variable s has ds/dt = 1/r;
+/// Kepler motion from a state, in the units |r_0| = 1 and mu = 1. The universal variable s satisfies ds/dt =
+/// 1/r;
 ///
 ///     t = U_1 + sigma U_2 + U_3,   r = U_0 + sigma U_1 + U_2,   U_n = s^n c_n(alpha s^2)
 ///
 /// with sigma = r_0.v_0 and alpha = 1/a (R. H. Battin, An introduction to the mathematics and methods of
-/// astrodynamics, AIAA 1999, section 4.5). t grows with s for every conic, so the root is the only one.
+/// astrodynamics, AIAA 1999, section 4.5). t increases with s for every conic, so the root is unique.
 template <class T>
 struct Universal {
   T alpha;  ///< 1/a
   T sigma;  ///< r_0.v_0
 
-  /// Everything at one s.
+  /// All quantities at one s.
   struct At {
     T s, u0, u1, u2, u3;
     T time, r;
@@ -109,7 +110,7 @@ struct Universal {
   }
 };
 
-/// The universal variable of a position, counted from the periapsis, in the units |r_0| = 1 and mu = 1.
+/// Universal variable of a position, measured from the periapsis, in the units |r_0| = 1 and mu = 1.
 /// @param e eccentricity; not read for ellipses, and positive for other conics
 template <class T>
 [[nodiscard]] T variable_since_periapsis(const T& alpha, const T& sigma, const T& e) {
@@ -125,21 +126,21 @@ template <class T>
   return asinh(T(sigma * k / e)) / k;
 }
 
-/// Where a search for the root stands.
+/// Result of solve().
 template <class T>
 struct Solved {
-  typename Universal<T>::At at;  ///< at the root
-  int iterations = 0;            ///< evaluations
+  typename Universal<T>::At at;  ///< quantities at the root
+  int iterations = 0;            ///< number of evaluations
 };
 
-/// A start for the root at time @p t > 0.
+/// Initial guess of the root at time @p t > 0.
 template <class T>
 [[nodiscard]] T guess(const Universal<T>& u, const T& t) {
   using std::log;
   using std::pow;
   using std::sqrt;
-  if (u.alpha > 0) return t * u.alpha;  // M in place of E: off by e at most
-  // s + s^3/6 = t, the parabola from its vertex; less where the hyperbola has bent away: t ~ (e/2) exp(..).
+  if (u.alpha > 0) return t * u.alpha;  // M in place of E: error at most e
+  // s + s^3/6 = t, the parabola from its vertex; less on a hyperbola far out: t ~ (e/2) exp(..).
   const T w = 3 * t + (t < T(1e10) ? T(sqrt(8 + 9 * t * t)) : 3 * t), root = pow(w, T(1) / 3);
   T s = root - 2 / root;
   if (u.alpha < 0) {
@@ -150,9 +151,9 @@ template <class T>
 }
 
 /// The root at time @p t, of either sign, by Laguerre's iteration with n = 5 (B. A. Conway, An improved
-/// algorithm due to Laguerre for the solution of Kepler's equation, Celest. Mech. 39 (1986) 199-211) between
-/// bounds that close in on it: an iterate that leaves them, or every eighth one, is replaced by the middle,
-/// so that the search ends for every orbit. Ellipses cost 3 to 7 evaluations.
+/// algorithm due to Laguerre for the solution of Kepler's equation, Celest. Mech. 39 (1986) 199-211)
+/// safeguarded by a bracket: bisection replaces an iterate outside it, and every eighth one, so the iteration
+/// ends for every orbit. Ellipses need 3 to 7 evaluations.
 template <class T>
 [[nodiscard]] Solved<T> solve(const Universal<T>& forwards, const T& time) {
   using std::abs;
@@ -162,7 +163,7 @@ template <class T>
   const bool back = time < 0;
   const Universal<T> u{forwards.alpha, back ? T(-forwards.sigma) : forwards.sigma};
   const T t = abs(time);
-  // Laguerre's next error is the cube of this one, in units of s and of the length r/r' on which r changes.
+  // Laguerre's iteration is cubic: errors in units of s, and of the scale r/r' on which r changes.
   static const T enough = pow(eps, T(2) / 5), straight = pow(eps, T(1) / 3);
   const auto converged = [&](const T& from, const T& to, const auto& at) {
     const T change = abs(to - from);
@@ -184,7 +185,7 @@ template <class T>
     const bool inside = next > low && next < high;
     if (!inside || found.iterations % 8 == 7) {
       if (inside && converged(s, next, at)) {
-        settled = true;  // converged: no need of the middle
+        settled = true;  // converged, no bisection needed
       } else if (high < std::numeric_limits<T>::infinity()) {
         next = low + (high - low) / 2;
         settled = next == low || next == high || high - low <= eps * high;
@@ -203,8 +204,8 @@ template <class T>
   return found;
 }
 
-/// @p time less whole revolutions of an ellipse, by which it becomes half a period at most. @p turns: how
-/// many.
+/// Subtracts whole revolutions of an ellipse from @p time; the result is at most half a period. @p turns
+/// receives their number.
 template <class T>
 [[nodiscard]] T within_one_turn(const T& alpha, const T& time, T& turns) {
   using std::acos;

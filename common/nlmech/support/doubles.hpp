@@ -1,5 +1,5 @@
 /// @file
-/// Two constants of double precision that most sources need.
+/// Two constants of double precision.
 #pragma once
 
 #include <limits>
@@ -9,7 +9,7 @@ namespace nlmech {
 /// The spacing of doubles at 1, 2^-52.
 inline constexpr double eps = std::numeric_limits<double>::epsilon();
 
-/// Not a number: what stands where there is no result.
+/// Not a number, in place of a missing result.
 inline constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace nlmech

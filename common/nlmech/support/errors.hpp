@@ -1,5 +1,5 @@
 /// @file
-/// The two ways in which a program of this suite ends early. Mistakes of a programmer throw
+/// Exceptions that end a program of this suite: wrong input, and failures. Programming errors throw
 /// std::invalid_argument or std::logic_error instead.
 #pragma once
 
@@ -11,7 +11,7 @@
 
 namespace nlmech {
 
-/// What the user gave is wrong: the command line, or a cell of a file. Programs end with exit code 2.
+/// Wrong user input: the command line, or a cell of a file. Programs end with exit code 2.
 class InputError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -22,10 +22,10 @@ class Failure : public std::runtime_error {
  public:
   /// @param status not success
   explicit Failure(Status status) : std::runtime_error(status.text()), status_(std::move(status)) {}
-  /// @param sentence what could not be done, and why
+  /// @param sentence what failed, and why
   explicit Failure(const std::string& sentence) : std::runtime_error(sentence) {}
 
-  /// Success if the failure is not one of a computation (a full disk, say).
+  /// Status of the failed computation; success if the failure has another cause, such as a full disk.
   [[nodiscard]] const Status& status() const noexcept { return status_; }
 
  private:

@@ -14,7 +14,7 @@ constexpr InstructionSet all_sets[] = {InstructionSet::baseline, InstructionSet:
                                        InstructionSet::avx512};
 constexpr const char* variable = "NLMECH_INSTRUCTION_SET";
 
-// The compiler's run-time test asks the processor and also the operating system, which must save the wide
+// The run-time test of the compiler covers the processor and the operating system, which must save the wide
 // registers.
 bool executable(InstructionSet set) noexcept {
   if (set == InstructionSet::baseline) return true;
@@ -27,7 +27,7 @@ bool executable(InstructionSet set) noexcept {
 #endif
 }
 
-/// The largest set that this processor executes, or the one that the environment names.
+/// The largest set that this processor executes, or the one given by the environment variable.
 InstructionSet chosen_set() {
   const char* const text = std::getenv(variable);
   const std::string name = text == nullptr ? "" : text;

@@ -9,22 +9,22 @@ namespace {
 
 struct Character {
   std::size_t length = 1;  ///< in bytes
-  bool printable = false;  ///< it may go to a terminal as it is
+  bool printable = false;  ///< safe for a terminal without escaping
 };
 
 constexpr bool between(std::uint32_t x, std::uint32_t low, std::uint32_t high) {
   return x >= low && x <= high;
 }
 
-/// Characters that nobody sees and that change what others look like: controls, separators of lines, marks
-/// of direction, the byte order mark.
+/// Invisible characters that change the display of others: control characters, line separators, marks of
+/// direction, byte order mark.
 bool is_control(std::uint32_t code) {
   return code < 0x20 || between(code, 0x7f, 0x9f) || between(code, 0x200b, 0x200f) ||
          between(code, 0x2028, 0x202e) || between(code, 0x2060, 0x206f) || code == 0xfeff;
 }
 
-/// The first character of a text that is not empty. A byte that begins no whole character of UTF-8 is one
-/// by itself.
+/// The first character of a non-empty text. A byte that does not start a complete UTF-8 character counts as
+/// one character.
 Character first_character(std::string_view text) {
   const auto byte = [text](std::size_t i) { return static_cast<std::uint8_t>(text[i]); };
   const std::uint8_t lead = byte(0);

@@ -1,13 +1,13 @@
 /// @file
-/// Roots between two places with different signs. For sources that are compiled with Boost.
+/// Root of a function in a bracket. For sources compiled with Boost.
 #pragma once
 
 #include <boost/math/tools/roots.hpp>
 
 namespace nlmech {
 
-/// Where @p f changes its sign between @p low and @p high, to the last bit: of the two doubles the lower one;
-/// an end where it does not, which Boost would throw for.
+/// Position of the sign change of @p f between @p low and @p high, by bisection to the last bit: the lower of
+/// the two adjacent doubles. Without a sign change: @p high if f(high) = 0, else @p low; Boost would throw.
 template <class F>
 [[nodiscard]] double sign_change(const F& f, double low, double high) {
   const double first = f(low), last = f(high);

@@ -1,6 +1,5 @@
 /// @file
-/// What an integration gives back, what an observer sees of it on the way, and what bounds it: one vocabulary
-/// for states of any type.
+/// Result of an integration, argument of its observers, and its limits, for states of any type.
 #pragma once
 
 #include <cstdint>
@@ -13,16 +12,16 @@
 
 namespace nlmech {
 
-/// The end of an integration. After a failure, time and state are those of the last good step.
+/// Result of an integration. After a failure, time and state are those of the last good step.
 template <class State>
 struct BasicSolution {
-  double t = 0;           ///< time reached; the asked end time exactly, if the status is success
+  double t = 0;           ///< time reached; exactly the requested end time after success
   State x;                ///< state at that time
-  Status status;          ///< success, or which failure, where, and what to change
-  Statistics statistics;  ///< what it cost
+  Status status;          ///< success, or the failure with place and remedy
+  Statistics statistics;  ///< work counters
 };
 
-/// Evaluates the solution within one step; a method's stepper has one.
+/// Dense output: evaluates the solution within one step.
 template <class State>
 class BasicDenseOutput {
  public:
@@ -32,23 +31,23 @@ class BasicDenseOutput {
   /// Copies.
   BasicDenseOutput& operator=(const BasicDenseOutput&) = default;
   virtual ~BasicDenseOutput() = default;
-  /// State at @p t within the latest step, in the accuracy that the method's header states.
+  /// State at @p t within the latest step; the header of the method states the accuracy.
   virtual void at(double t, State& x) const = 0;
 };
 
-/// One accepted step as an observer sees it. The references hold only during the call.
+/// One accepted step, as passed to an observer. The references are valid only during the call.
 template <class State, class States>
 struct BasicStep {
-  std::int64_t index;             ///< counts from 1
-  double t0;                      ///< begin of the step
-  double t1;                      ///< its end; smaller than t0 if the integration runs backwards
-  const State& x0;                ///< state at t0
-  const State& x1;                ///< state at t1
-  std::span<const double> times;  ///< times within (t0, t1] where the method has values of its own, t1 last:
-                                  ///< nodes of a collocation, refined output of ode45; often t1 alone
-  const States& states;           ///< states at these times, at least as many as times
+  std::int64_t index;                    ///< number of the step, from 1
+  double t0;                             ///< start of the step
+  double t1;                             ///< end of the step; smaller than t0 in backward integration
+  const State& x0;                       ///< state at t0
+  const State& x1;                       ///< state at t1
+  std::span<const double> times;         ///< times in (t0, t1] at which the method computes values, t1 last:
+                                         ///< collocation nodes, refined output of ode45; often t1 only
+  const States& states;                  ///< states at these times, at least as many as times
   const BasicDenseOutput<State>& dense;  ///< state at any time within the step
-  /// The same as a value, at t1 x1 itself.
+  /// State at @p t by value; x1 itself at t1.
   [[nodiscard]] State at(double t) const {
     State x = x1;
     if (t != t1) dense.at(t, x);
@@ -56,16 +55,16 @@ struct BasicStep {
   }
 };
 
-/// Called after each accepted step; returns true to go on, false to end with `interrupted`.
+/// Callback after each accepted step; returns true to continue, false to stop with `interrupted`.
 template <class Step>
 using BasicObserver = std::function<bool(const Step&)>;
 
-/// Bounds on the work and on the steps of one integration, for every method and peer.
+/// Limits of work and step size of one integration, for all methods and compared libraries.
 struct Limits {
   std::int64_t steps = 100'000'000;                          ///< accepted and rejected steps: step_limit
   double seconds = std::numeric_limits<double>::infinity();  ///< wall time: time_limit
-  /// Longest step of a method that chooses its steps, positive; to rounding of the time. Methods of fixed
-  /// step take the step that they are given.
+  /// Largest step size of adaptive methods, positive; to rounding of the time. Methods with fixed step size
+  /// ignore it.
   double largest_step = std::numeric_limits<double>::infinity();
 };
 

@@ -1,6 +1,5 @@
 /// @file
-/// How a computation ended: one enumeration for the whole library, and a sentence that says where and what to
-/// change.
+/// Outcome of a computation: one enumeration for the whole library, and a message with place and remedy.
 #pragma once
 
 #include <cstdint>
@@ -9,9 +8,9 @@
 
 namespace nlmech {
 
-/// Every way in which a computation of this library can end. Cheap to copy: kernels return it point by point.
+/// Outcomes of all computations of this library. Cheap to copy: kernels return one per point.
 enum class Outcome : std::uint8_t {
-  success,           ///< done, within what was asked
+  success,           ///< completed as requested
   step_limit,        ///< the allowed number of steps or iterations was used up
   time_limit,        ///< the allowed wall time was used up
   step_underflow,    ///< the step became too small to move the independent variable
@@ -20,18 +19,18 @@ enum class Outcome : std::uint8_t {
   singular_matrix,   ///< a matrix that must be inverted is singular to working precision
   not_converged,     ///< an iteration stalled above its tolerance
   spurious_root,     ///< a root of the discrete equations that is no solution of the problem
-  wrong_branch,      ///< a solution of the problem, on another branch than the one asked for
+  wrong_branch,      ///< a solution of the problem on another branch than the requested one
   at_pole,           ///< the argument lies on a pole of the function
   collision,         ///< two bodies met, or a trajectory reached a singular centre
-  outside_validity,  ///< the method does not hold here; another one does
+  outside_validity,  ///< outside the range of validity of the method
   infeasible,        ///< the constraints contradict each other
   interrupted        ///< stopped by the caller
 };
 
-/// The enumerator's own spelling, as it appears in tables and on standard error: "step_limit".
+/// Name of the enumerator, as in tables and on standard error: "step_limit".
 [[nodiscard]] std::string_view to_string(Outcome outcome) noexcept;
 
-/// An outcome with its sentence. A failure without a sentence cannot be made.
+/// An outcome with its message. Every failure has a message.
 class [[nodiscard]] Status {
  public:
   /// Success; carries no text and allocates nothing.
@@ -43,9 +42,9 @@ class [[nodiscard]] Status {
 
   /// Is it a success?
   [[nodiscard]] bool ok() const noexcept { return outcome_ == Outcome::success; }
-  /// Which way it ended.
+  /// The outcome.
   [[nodiscard]] Outcome outcome() const noexcept { return outcome_; }
-  /// Empty for success.
+  /// The message; empty for success.
   [[nodiscard]] const std::string& sentence() const noexcept { return sentence_; }
   /// "outside_validity: series of order 4, ..." or "success".
   [[nodiscard]] std::string text() const;

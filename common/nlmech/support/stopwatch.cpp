@@ -37,7 +37,7 @@ Timing time_repeats(const std::function<void()>& work, int repeats) {
 }
 
 Timing repeated_timing(const std::function<void()>& work, double first, bool quick) {
-  constexpr double enough = 0.005;  // s, of all repeats: some hundred settings, a second in all
+  constexpr double enough = 0.005;  // s, for all repeats: a few hundred settings then take about a second
   if (quick || first > enough) return {first, first, first, 1};
   return timed(work, std::clamp(static_cast<int>(enough / first), 1, 5));
 }

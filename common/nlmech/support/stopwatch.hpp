@@ -1,5 +1,5 @@
 /// @file
-/// Wall-clock time, and the median of repeats: the only timing that this suite reports.
+/// Wall-clock time, and the median of repeated timings, as reported by this suite.
 #pragma once
 
 #include <chrono>
@@ -8,10 +8,10 @@
 
 namespace nlmech {
 
-/// Starts when made. The clock never runs backwards.
+/// Stopwatch on a monotonic clock; starts at construction.
 class Stopwatch {
  public:
-  /// Since it was made.
+  /// Seconds since construction.
   [[nodiscard]] double seconds() const {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
   }
@@ -20,24 +20,24 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// The middle value; the mean of the two middle ones for an even count.
+/// Median; the mean of the two middle values for an even count.
 /// @throws std::invalid_argument if @p values is empty
 [[nodiscard]] double median(std::vector<double> values);
 
-/// Timings of one piece of work. A wide gap between smallest and largest says that the machine was busy.
+/// Timings of repeated calls. A large difference between smallest and largest indicates a busy machine.
 struct Timing {
-  double median = 0;    ///< seconds a call
+  double median = 0;    ///< median of the seconds per call
   double smallest = 0;  ///< seconds of the fastest call
   double largest = 0;   ///< seconds of the slowest call
-  int repeats = 0;      ///< counted calls, after one that warms up
+  int repeats = 0;      ///< number of timed calls, without the warm-up
 };
 
-/// Calls @p work once to warm up, then @p repeats times, each call timed by itself.
+/// Calls @p work once as warm-up, then @p repeats times, and times each call.
 /// @throws std::invalid_argument if @p repeats is below 1
 [[nodiscard]] Timing time_repeats(const std::function<void()>& work, int repeats);
 
-/// Up to five repeats in 5 ms, warmed up by the call that took @p first; where that took longer it counts by
-/// itself, as any does if @p quick.
+/// Times up to five repeats in 5 ms in total; the call that took @p first seconds was the warm-up. If @p
+/// first is above 5 ms or @p quick is true, returns @p first as the only timing.
 [[nodiscard]] Timing repeated_timing(const std::function<void()>& work, double first, bool quick);
 
 }  // namespace nlmech

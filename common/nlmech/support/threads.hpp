@@ -1,5 +1,5 @@
 /// @file
-/// Work shared out among threads.
+/// Distribution of work among threads.
 #pragma once
 
 #include <cstddef>
@@ -7,17 +7,17 @@
 
 namespace nlmech {
 
-/// How many threads there are to be. @param threads asked for; 0: one a processor @return 1 or more
+/// Number of threads to use. @param threads requested number; 0: one per processor @return 1 or more
 [[nodiscard]] std::size_t threads_for(int threads);
 
-/// Does @p work in @p count threads at once, this one among them; none is begun for a count of 0 or 1. The
-/// first exception is thrown again once all have ended.
+/// Runs @p work in @p count threads, including the calling one; starts none for a count of 0 or 1. Rethrows
+/// the first exception after all threads have ended.
 void in_threads(std::size_t count, const std::function<void()>& work);
 
-/// Calls @p work with portions of the numbers from 0 up to @p count, each number in one portion; which thread
-/// gets which is not said. After an exception no more are handed out, and it is thrown again at the end.
-/// @param portion how many numbers at a time, 1 or more
-/// @param threads as threads_for() takes them
+/// Calls @p work for portions of the indices 0 to @p count - 1, each index once, in unspecified threads.
+/// After an exception no further portions are started; the exception is rethrown at the end.
+/// @param portion number of indices per call, 1 or more
+/// @param threads as for threads_for()
 void share_out(std::size_t count, std::size_t portion, int threads,
                const std::function<void(std::size_t begin, std::size_t end)>& work);
 

@@ -64,7 +64,7 @@ class Pass {
       const double length = std::hypot(weight_ * norm, way_.norm());
       w_ *= -s * c * (length / slope) * (length / slope);
     } else {
-      w_ *= -weight_ * norm / slope;  // the limit for a path that starts along -B^T F
+      w_ *= -weight_ * norm / slope;  // limit phi -> 0 for a path that starts along -B^T F
     }
     return w_.allFinite() ? Outcome::success : Outcome::singular_matrix;
   }
@@ -73,7 +73,7 @@ class Pass {
   SolverRun& run_;
   VectorXd origin_, way_, w_, f_;
   double weight_ = method_.weight;
-  int taken_ = 0;  // steps of this pass
+  int taken_ = 0;  // steps taken in this pass
 };
 
 }  // namespace
@@ -105,7 +105,7 @@ void check(const ScalarHomotopy& method) {
   require(method.steps >= 0, "steps", static_cast<double>(method.steps), "0 or positive");
 }
 
-/// A point of the flow: where, F, and the velocity.
+/// A point of the flow: x, F and the velocity.
 struct Point {
   explicit Point(Eigen::Index n) : x(n), f(n), velocity(n) {}
   Eigen::VectorXd x, f, velocity;
@@ -169,14 +169,14 @@ class HomotopyFlow {
   }
   //! [scalar homotopy flow]
 
-  // Euler's rule, and F and the velocity at its end.
+  // One step of Euler's method; evaluates F and the velocity at its end.
   Outcome step() {
     if (report_.statistics.steps >= method_.steps) return Outcome::step_limit;
     next_.x = now_.x + method_.step * now_.velocity;
     Outcome outcome = residual(next_);
     if (outcome == Outcome::success && next_.norm > method_.tolerance)
       outcome = velocity(next_, report_.time + method_.step);
-    // A vanishing gradient at the end is the next step's business; it has to be seen there.
+    // Accept a point with vanishing gradient; the returned outcome ends the iteration afterwards.
     if (outcome != Outcome::success && outcome != Outcome::singular_matrix) return outcome;
     std::swap(now_, next_);
     report_.time += method_.step;

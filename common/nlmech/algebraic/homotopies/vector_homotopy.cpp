@@ -11,10 +11,10 @@ namespace {
 
 using Eigen::VectorXd;
 
-/// H of a start x(0), with F(x(0)). dH/dx = matrix_scale() B + matrix_shift() I.
+/// The homotopy H for a start x(0), with F(x(0)). dH/dx = matrix_scale() B + matrix_shift() I.
 class HomotopyFunction {
  public:
-  /// @param function which
+  /// @param function choice of H
   /// @param origin x(0)
   /// @param first F(x(0))
   HomotopyFunction(Homotopy function, const Eigen::VectorXd& origin, const Eigen::VectorXd& first)
@@ -36,9 +36,9 @@ class HomotopyFunction {
       h = first_;
     }
   }
-  /// Of B in dH/dx.
+  /// Factor of B in dH/dx.
   [[nodiscard]] double matrix_scale(double t) const { return function_ == Homotopy::fixed_point ? t : 1; }
-  /// Of I in dH/dx.
+  /// Factor of I in dH/dx.
   [[nodiscard]] double matrix_shift(double t) const { return function_ == Homotopy::fixed_point ? 1 - t : 0; }
   /// |F(x(0))|
   [[nodiscard]] double scale() const { return first_.norm(); }
@@ -48,7 +48,7 @@ class HomotopyFunction {
   Eigen::VectorXd origin_, first_;
 };
 
-/// One step of Newton at t = 1, from the iterate to the trial point, with F there.
+/// One Newton step at t = 1 from the iterate to the trial point; evaluates F there.
 /// @param update workspace
 Outcome newton_trial(SolverRun& run, LinearSolver& solver, const Eigen::VectorXd& x, const Eigen::VectorXd& f,
                      Eigen::VectorXd& update) {
@@ -63,7 +63,7 @@ Outcome newton_trial(SolverRun& run, LinearSolver& solver, const Eigen::VectorXd
   return run.trial_norm < HUGE_VAL ? Outcome::success : Outcome::non_finite;
 }
 
-constexpr double off_path = 100;  // a path's global error, in parts of what a step is allowed
+constexpr double off_path = 100;  // largest distance from the path, in units of the tolerance of a step
 constexpr const char* vector_name = "vector-homotopy";
 
 class HomotopyPath {
@@ -84,9 +84,9 @@ class HomotopyPath {
   }
 
  private:
-  static constexpr double shortest_ = 1e-10;  // of steps
+  static constexpr double shortest_ = 1e-10;  // smallest step size
 
-  // Eq. 2.10, where F is known.
+  // Velocity of Eq. 2.10 for known F.
   Outcome velocity(const VectorXd& x, double t, const VectorXd& f, VectorXd& v) {
     run_.linearise(x);
     ++run_.statistics().factorisations;
@@ -103,7 +103,7 @@ class HomotopyPath {
     return velocity(place_, t, f_, v);
   }
 
-  // Error of the rule in parts of what is allowed; the velocity at the end is in k4_.
+  // Error estimate divided by the tolerance; leaves the velocity at the end in k4_.
   double error_of(double h) {
     place_ = run_.x + h / 2 * k1_;
     if (stage(t_ + h / 2, k2_) != Outcome::success) return HUGE_VAL;
@@ -116,8 +116,8 @@ class HomotopyPath {
     place_ = h * (-5.0 / 72 * k1_ + 1.0 / 12 * k2_ + 1.0 / 9 * k3_ - 1.0 / 8 * k4_);
     const double allowed = method_.accuracy * (1 + run_.trial.norm());
     const double part = place_.norm() / allowed;
-    // Past a turning point the flow goes on where no path is. Newton's step back to it, by the factors at
-    // hand, tells.
+    // Past a turning point the flow leaves the path. Newton's step with the existing factors estimates the
+    // distance.
     h_.value(run_.trial, t_ + h, run_.trial_f, side_);
     if (solver_.solve(side_, place_) != Outcome::success || !(place_.norm() <= off_path * allowed))
       return HUGE_VAL;
@@ -180,10 +180,10 @@ Report find_root(const VectorHomotopy& method, Equations& equations, VectorXd& x
 
 namespace {
 
-constexpr int corrections = 6;  // of a step; more mean that it is too long
+constexpr int corrections = 6;  // corrections allowed in a step; more mean that it is too long
 constexpr const char* chow_yorke = "chow-yorke";
 
-/// The path in z = (x, t). All vectors of it are of n + 1 components.
+/// The path in z = (x, t); its vectors have n + 1 components.
 class AugmentedPath {
  public:
   AugmentedPath(const ChowYorke& method, SolverRun& run)
@@ -216,7 +216,7 @@ class AugmentedPath {
   }
 
  private:
-  static constexpr double shortest_ = 1e-10;  // of steps
+  static constexpr double shortest_ = 1e-10;  // smallest step size
 
   Outcome refuse() {
     step_ /= 2;
@@ -241,7 +241,7 @@ class AugmentedPath {
     return solver_.factorise_bordered(run_.equations(), h_.matrix_scale(t), h_.matrix_shift(t), column_, row);
   }
 
-  // Unit tangent at z, whose F is in f_, on the side of `row`.
+  // Unit tangent at z with tangent.row > 0; f_ holds F at z.
   Outcome follow(const VectorXd& z, const VectorXd& row, VectorXd& tangent) {
     x_ = z.head(n_);
     Outcome outcome = factorise(z[n_], row);
@@ -257,8 +257,8 @@ class AugmentedPath {
     return Outcome::success;
   }
 
-  // Towards greater t; where dH/dx is singular the border of t alone is not enough, and any other row that is
-  // not normal to the tangent will do.
+  // First tangent, towards greater t. Where dH/dx is singular, the border row e_t is not enough; any row that
+  // is not normal to the tangent works.
   Outcome first_tangent() {
     f_ = run_.f;
     turned_.setZero();
@@ -273,7 +273,7 @@ class AugmentedPath {
     return outcome;
   }
 
-  // Newton's iteration for H = 0 normal to the tangent, from next_. @return how many steps; F is in f_
+  // Newton's iteration for H = 0 from next_, normal to the tangent. @return number of corrections; f_ holds F
   int return_to_path() {
     const double enough = std::max(method_.accuracy * h_.scale(), method_.tolerance / 4);
     double before = HUGE_VAL;
@@ -295,7 +295,8 @@ class AugmentedPath {
     return corrections;
   }
 
-  // The path has passed t = 1 between z_ and next_: Newton at t = 1 from the secant, which must end near.
+  // The path has passed t = 1 between z_ and next_: Newton's iteration at t = 1 from the secant; rejected if
+  // it goes farther than the step.
   Outcome arrive() {
     const double part = (1 - z_[n_]) / (next_[n_] - z_[n_]), reach = (next_ - z_).norm();
     x_ = z_.head(n_) + part * (next_ - z_).head(n_);

@@ -63,8 +63,8 @@ class Secant {
     return out.allFinite() ? Outcome::success : Outcome::singular_matrix;
   }
 
-  // A^-1 <- A^-1 + (s - A^-1 y) (s^T A^-1)/(s^T A^-1 y) for the step s and the change y of F, by which
-  // A^-1 y = s.
+  // A^-1 <- A^-1 + (s - A^-1 y) (s^T A^-1)/(s^T A^-1 y) for the step s and the change y of F; then A^-1 y =
+  // s.
   void learn(double part, bool is_shorter) {
     if (!is_shorter || kept_ == method_.memory) {
       kept_ = -1;
@@ -94,7 +94,7 @@ class Secant {
   LinearSolver solver_;
   VectorXd update_, image_, step_;
   MatrixXd changes_, steps_;
-  Eigen::Index kept_ = -1;  // changes; below 0: A starts anew
+  Eigen::Index kept_ = -1;  // number of stored updates; below 0: A restarts
 };
 
 }  // namespace

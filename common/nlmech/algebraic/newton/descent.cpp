@@ -32,7 +32,7 @@ class Descent {
     run_.equations().apply(gradient_, image_);
     const double bend = image_.norm();
     if (!std::isfinite(bend)) return Outcome::non_finite;
-    const double cosine = slope / bend * (slope / run_.norm);  // of F and B g
+    const double cosine = slope / bend * (slope / run_.norm);  // angle of F and B g
     if (!(cosine * cosine >= least_cosine_squared)) return Outcome::not_converged;
     const double alpha = first_alpha(slope / bend * (slope / bend));
     before_ = gradient_;
@@ -41,7 +41,7 @@ class Descent {
   }
 
  private:
-  // Before gradient_ becomes before_, which is of the iterate before.
+  // Called while before_ still holds the gradient of the previous iterate.
   [[nodiscard]] double first_alpha(double cauchy) const {
     if (method_.length == SteepestDescent::Length::cauchy || run_.report.statistics.steps == 0) return cauchy;
     const double ss = (run_.x - place_).squaredNorm();
@@ -56,7 +56,7 @@ class Descent {
     for (int k = 0; k < halvings; ++k, alpha /= 2) {
       run_.trial = run_.x - alpha * gradient_;
       run_.evaluate_trial();
-      // As norms, so that no square can overflow.
+      // Written in norms, so that no square overflows.
       const double part = 2e-4 * alpha * (slope / greatest) * (slope / greatest);
       if (run_.trial_norm <= greatest * std::sqrt(std::max(0.0, 1 - part)) && run_.trial_norm < HUGE_VAL)
         return run_.accept();
@@ -97,8 +97,8 @@ class Optimal {
   }
 
  private:
-  // u, scaled so that v = B u is the projection of F: by Gram and Schmidt from B B^T F, which is never
-  // normal to F while B^T F is not 0.
+  // Computes u, scaled so that v = B u is the projection of F: Gram-Schmidt starting with B B^T F, which is
+  // not normal to F unless B^T F = 0.
   Outcome driving_vector() {
     const Eigen::VectorXd& f = run_.f;
     run_.linearise(run_.x);
@@ -117,7 +117,7 @@ class Optimal {
     const double along = v2_.dot(v1_);
     v1_ -= along * v2_;
     const double normal = v1_.norm();
-    if (normal > 1e-10 * length1) {  // else B F adds nothing but rounding
+    if (normal > 1e-10 * length1) {  // else B F adds only rounding errors
       v1_ /= normal;
       const double second = v1_.dot(f);
       u_ = (second / normal) * u_ + ((projected - second * along / normal) / length2) * g_;

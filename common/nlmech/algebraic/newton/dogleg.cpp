@@ -73,7 +73,7 @@ class Hybrid {
     return Outcome::success;
   }
 
-  // The point of the path at the radius, or its end.
+  // The point of the dogleg path at the radius, or its end point.
   void bend() {
     const double to_cauchy = cauchy_.norm();
     if (has_newton_ && newton_.norm() <= radius_) {

@@ -11,12 +11,12 @@
 #include "nlmech/support/sentences.hpp"
 
 namespace nlmech::algebraic {
-/// A point between the bounds, nearer to the lower one.
+/// Sets lambda between the bounds, nearer to the lower one.
 void TrustRegionStep::pick() {
   lambda_ = std::max(std::sqrt(std::max(lower_, 0.) * upper_), lower_ + 0.01 * (upper_ - lower_));
 }
 
-/// Newton's iteration for 1/|p| = 1/radius: it comes from below lambda without overshooting.
+/// Newton step for 1/|p| = 1/radius; from below it approaches lambda monotonically.
 void TrustRegionStep::next(double radius, double length, const SymmetricSolver& b, const Eigen::VectorXd& p) {
   b.solve(p, v_);
   const double slope = p.dot(v_);
@@ -24,10 +24,11 @@ void TrustRegionStep::next(double radius, double length, const SymmetricSolver& 
   if (!(lambda_ > lower_ && lambda_ < upper_)) pick();
 }
 
-/// p is inside the ball though lambda > 0: is it, with a vector of small curvature added, good enough?
+/// Hard case: p is inside the ball though lambda > 0. Adds a vector of small curvature to reach the boundary.
+/// @return true if the result is accurate enough
 bool TrustRegionStep::add_null_vector(const SymmetricSolver& b, const Eigen::VectorXd& g, double radius,
                                       Eigen::VectorXd& p) {
-  // Inverse iteration, from a direction of negative curvature if one has been met.
+  // Inverse iteration, starting from a direction of negative curvature if one is known.
   if (w_.size() != p.size()) {
     w_.resize(p.size());
     for (Eigen::Index i = 0; i < w_.size(); ++i) w_[i] = 1 + 0.5 * std::sin(1. + static_cast<double>(i));
@@ -69,7 +70,7 @@ TrustRegionStep::Result TrustRegionStep::find(SymmetricSolver& b, const Eigen::V
       }
       const bool first = result.factorisations == 1;
       pick();
-      // The last step's multiplier is a good guess for this one's.
+      // The multiplier of the last step is a good initial guess.
       if (first && last_ > lower_ && last_ < upper_) lambda_ = last_;
       if (!(upper_ > lower_)) upper_ = 2 * lower_ + b.norm() * 1e-15;
       continue;
@@ -92,7 +93,7 @@ TrustRegionStep::Result TrustRegionStep::find(SymmetricSolver& b, const Eigen::V
     next(radius, result.length, b, p);
   }
   if (!result.found) return result;
-  // After the last of too many iterations p may be too long.
+  // If the iteration limit was reached, p may be too long.
   result.length = p.norm();
   if (result.length > 1.2 * radius) {
     p *= radius / result.length;
@@ -155,18 +156,17 @@ class Minimisation {
     return planned_.found ? Outcome::success : Outcome::non_finite;
   }
 
-  /// Length of the minimising step along -g; where the curvature along it is not positive, of one with the
-  /// curvature |B|.
+  /// Length of the minimising step along -g; if the curvature along g is not positive, |B| replaces it.
   double descent() {
     solver_.multiply(g_, p_);
     const double square = g_.squaredNorm(), curvature = g_.dot(p_);
     const double bound = solver_.norm();
     if (square > 0 && curvature > 1e-3 * bound * square) return square / curvature * std::sqrt(square);
     if (square > 0 && bound > 0) return std::sqrt(square) / bound;
-    return 1e-3;  // at a stationary point the model alone cannot tell; the ball grows or shrinks
+    return 1e-3;  // at a stationary point the model gives no length; the radius adapts
   }
 
-  /// F, B at @p x; false if not finite.
+  /// Evaluates F and B at @p x. @return false if not finite
   bool linearise(const Eigen::VectorXd& x) {
     equations_.residual(x, f_);
     ++report_.statistics.right_hand_sides;
@@ -184,7 +184,7 @@ class Minimisation {
 
   bool see() { return !observer_ || observer_({seen_, static_cast<double>(seen_++), x_, f_, report_.last}); }
 
-  /// The step at x_ for the present radius.
+  /// Computes the step at x_ for the current radius.
   void plan() {
     planned_ = step_.find(solver_, g_, radius_, p_);
     report_.statistics.factorisations += planned_.factorisations;
@@ -198,7 +198,7 @@ class Minimisation {
     return noise_;
   }
 
-  /// Is p_ Newton's step, and too short for V to judge it?
+  /// Is p_ Newton's step, with a predicted decrease of V too small to verify?
   [[nodiscard]] bool is_polishing_due() {
     if (planned_.multiplier > 0 || report_.statistics.steps < no_polish_before_) return false;
     return planned_.decrease <= 1e-10 * descended_ || planned_.decrease <= 32 * noise();
@@ -209,7 +209,7 @@ class Minimisation {
       return Outcome::step_limit;
     const double size = scale_.cwiseProduct(x_).norm();
     if (planned_.decrease <= 32 * noise()) {
-      // Nothing can be seen at this distance. On the boundary of the ball, look farther.
+      // The decrease is below rounding. If the step is on the boundary, enlarge the radius.
       if (planned_.multiplier == 0 || rejected_at_ == report_.statistics.steps ||
           radius_ > 1e3 * (size + first_radius_))
         return Outcome::not_converged;
@@ -250,7 +250,7 @@ class Minimisation {
   }
 
   //! [increments at the floor]
-  /// Newton's iteration from x_, whose step is p_. Leaves x_, F and B as they were unless it ends well.
+  /// Newton's iteration from x_ with first step p_. Restores x_, F and B unless it succeeds.
   Polish polish() {
     kept_ = x_;
     double before = HUGE_VAL;
@@ -280,8 +280,8 @@ class Minimisation {
     return Polish::no_minimum;
   }
 
-  /// Newton's iteration has come to where B is not positive definite, within the rounding of V: next to a
-  /// limit point. From here V may fall on; from where the iteration began it could not be seen to.
+  /// Continues from an iterate at which B is not positive definite and V agrees within rounding: next to a
+  /// limit point, V may decrease further from here. @return false if V is greater than that
   bool go_on_from_saddle() {
     const double energy = equations_.energy(x_);
     if (!(energy <= energy_ + 32 * rounding_of_energy(equations_, kept_, energy_, trial_))) return false;
@@ -292,8 +292,8 @@ class Minimisation {
     return planned_.found;
   }
 
-  /// Is an increment of this length what rounding calls for? Newton's increment for the change of F that a
-  /// change of x in its last digits makes, one of two random ones.
+  /// Is an increment of this length due to rounding? Compares with Newton's increment for the change of F
+  /// under two random perturbations of x in its last digits.
   bool is_at_floor(double length, double size) {
     const double rounding = rounding_of_residual(equations_, x_, f_, [&](const Eigen::VectorXd& change) {
       change_ = change.cwiseQuotient(scale_);
@@ -307,7 +307,7 @@ class Minimisation {
 
   Report finish(Outcome outcome) {
     if (outcome == Outcome::success) {
-      equations_.residual(x_, f_);  // for its status, which speaks of the last place looked at
+      equations_.residual(x_, f_);  // for equations_.status(), which refers to the last evaluation
       if (equations_.status().outcome() == Outcome::wrong_branch) report_.status = equations_.status();
     } else {
       report_.status = Status::failure(outcome, sentence(outcome));

@@ -1,5 +1,5 @@
 /// @file
-/// Minimising a potential by trust regions: stable equilibria, with no limit on the distance of the start.
+/// Minimisation of a potential by a trust-region method: stable equilibria from any start.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,28 +9,29 @@
 
 namespace nlmech::algebraic {
 
-/// Minimises m(p) = g^T p + p^T B p/2 for |p| <= radius, nearly: a p on the boundary has a length within 10 %
-/// of the radius, and m(p) is within 10 % of the least value (More and Sorensen 1983).
+/// Trust-region subproblem: minimises m(p) = g^T p + p^T B p/2 for |p| <= radius approximately. A p on the
+/// boundary has a length within 10 % of the radius; m(p) is within 10 % of the minimum (More and Sorensen
+/// 1983).
 ///
 /// The minimiser solves (B + lambda I) p = -g with B + lambda I positive semidefinite, lambda >= 0, and
-/// lambda (|p| - radius) = 0. lambda is found by Newton's iteration for 1/|p| = 1/radius between bounds that
-/// every factorisation narrows. In the hard case, where g has no part along the eigenvectors of the least
+/// lambda (|p| - radius) = 0. Newton's iteration for 1/|p| = 1/radius finds lambda between bounds that every
+/// factorisation narrows. In the hard case, where g has no part along the eigenvectors of the least
 /// eigenvalue, such a vector is added.
 ///
-/// Tests hold random steps to 80 % of the best decrease within 1.2 radii.
+/// Tests require random steps to reach 80 % of the best decrease within 1.2 radii.
 class TrustRegionStep {
  public:
-  /// What came out.
+  /// Result of the subproblem.
   struct Result {
     double multiplier = 0;      ///< lambda; 0: B is positive definite and p is Newton's step, inside the ball
     double decrease = 0;        ///< -m(p), not negative
     double length = 0;          ///< |p|
-    int factorisations = 0;     ///< of B + lambda I
+    int factorisations = 0;     ///< number of factorisations of B + lambda I
     Eigen::Index negative = 0;  ///< negative eigenvalues of B itself
-    bool found = false;         ///< false: no usable p, B or g are beyond the range of double
+    bool found = false;         ///< false if p is not finite (B or g near the range of double)
   };
 
-  /// Finds p. The solver has taken B.
+  /// Solves the subproblem. The solver must hold B.
   [[nodiscard]] Result find(SymmetricSolver& b, const Eigen::VectorXd& g, double radius, Eigen::VectorXd& p);
 
  private:
@@ -42,32 +43,33 @@ class TrustRegionStep {
   double lambda_ = 0, lower_ = 0, upper_ = 0, last_ = 0;
 };
 
-/// Minimises V from x by steps p that minimise V + F^T p + p^T B p/2 within a ball |S p| <= radius; the ball
-/// grows where V falls as predicted and shrinks where it does not, or is not finite there. Every step lets V
-/// fall, so that no limit point holds the iteration up: past one, V falls on to the next stable equilibrium.
+/// Trust-region method: minimises V by steps p that minimise V + F^T p + p^T B p/2 within |S p| <= radius.
+/// The radius grows where V decreases as predicted and shrinks where V does not or is not finite. V decreases
+/// at every step, so the iteration passes limit points and continues to the next stable equilibrium.
 ///
-/// Near the minimum, differences of V drown in rounding. When a step predicts such a difference, or one of
-/// 1e-10 of all that V has fallen by, Newton's iteration takes over. It ends when its increments are no
-/// longer than 4 eps |S x| or, having stopped shrinking, than 64 times the increment that rounding of x
-/// alone calls for, which is measured. So there is no tolerance on F, whose own rounding grows without bound
-/// when a structure is divided into more and more elements. The last B is positive definite or the report
-/// is a failure: what is found is a stable equilibrium.
+/// Near the minimum, differences of V are lost in rounding. When the predicted decrease is that small, or
+/// below 1e-10 of the total decrease of V, Newton's iteration takes over. It ends when the increments are at
+/// most 4 eps |S x|, or no longer shrink and are at most 64 times the increment that rounding of x alone
+/// causes, which is measured. There is no tolerance on F, because the rounding of F grows without bound as a
+/// structure is divided into more elements. Success requires the last B to be positive definite: the result
+/// is a stable equilibrium.
 ///
-/// Tests hold the energy to fall at every step, its ends to minima (never a saddle, nor a place where |F|
-/// alone is least), and equilibria of random toggles and of a thousand elements to known ones.
+/// Tests check that the energy decreases at every step and that the result is a minimum (no saddle, no
+/// minimum of |F| alone), and compare equilibria of random toggles and of a thousand elements with known
+/// ones.
 struct EnergyTrustRegion {
   /// Diagonal of S, positive. Empty: the square roots of |B_ii| at the start, none below 1e-8 of the
   /// greatest.
   Eigen::VectorXd scale = {};
-  double radius = 0;      ///< first radius, in units of |S p|; 0: the length of the step of steepest descent
-  int iterations = 2000;  ///< at most so many steps, rejected ones included; else `step_limit`
+  double radius = 0;      ///< first radius, in units of |S p|; 0: length of the steepest-descent step
+  int iterations = 2000;  ///< limit of steps, including rejected ones; then `step_limit`
 };
 
-/// Minimises. Outcomes besides success: `step_limit`; `non_finite` if V, F or B is not finite at the start,
-/// or in every neighbourhood of an iterate that can be told from it; `not_converged` if V falls no more and
-/// the iterate is no minimum to rounding; `wrong_branch` if the equations say so of the point found;
-/// `interrupted`. statistics: `newton_iterations` counts steps of the last stage, `right_hand_sides`
-/// evaluations of F, those of V excluded.
+/// Minimises V. Outcomes besides success: `step_limit`; `non_finite` if V, F or B is not finite at the start,
+/// or if V is not finite down to the smallest radius about an iterate; `not_converged` if V decreases no more
+/// and the iterate is no minimum to rounding; `wrong_branch` if the equations report it for the result;
+/// `interrupted`. statistics: `newton_iterations` counts the final Newton steps, `right_hand_sides`
+/// evaluations of F without those of V.
 /// @throws std::invalid_argument if an option is out of range or x has another size than the equations,
 /// std::logic_error if they have no matrix
 [[nodiscard]] Report find_root(const EnergyTrustRegion& method, Potential& equations, Eigen::VectorXd& x,

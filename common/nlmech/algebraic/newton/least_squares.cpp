@@ -26,7 +26,7 @@ class GaussNewton {
     ++run_.statistics().newton_iterations;
     const Outcome outcome = solve();
     if (outcome != Outcome::success) return outcome;
-    run_.equations().apply(update_, image_);  // its length is that of F's part in the range of B
+    run_.equations().apply(update_, image_);  // its norm is that of the component of F in the range of B
     const double cosine = image_.norm() / run_.norm;
     if (!(cosine * cosine >= least_cosine_squared)) return Outcome::not_converged;
     run_.trial = run_.x - update_;
@@ -44,7 +44,7 @@ class GaussNewton {
     }
     if (!sparse->coeffs().allFinite()) return Outcome::non_finite;
     Eigen::SparseQR<SparseMatrix, Eigen::COLAMDOrdering<int>> qr;
-    // Columns whose rest is shorter are dependent on the others.
+    // Columns with a shorter remainder count as linearly dependent.
     qr.setPivotThreshold(method_.rank * sparse->norm());
     qr.compute(*sparse);
     if (qr.info() == Eigen::Success && qr.rank() == sparse->cols()) {

@@ -26,7 +26,7 @@ class DampedSystem {
     matrix_.resize(n, n);
   }
 
-  /// Takes over B. @return the greatest square of a column, NaN or infinite if an entry is
+  /// Loads B. @return the greatest squared column norm; NaN or infinite if an entry is
   double load(const Equations& equations) {
     if (!equations.sparse()) {
       equations.matrix(matrix_);
@@ -53,7 +53,7 @@ class DampedSystem {
   }
 
  private:
-  // s r + B d = -F and B^T r - s d = 0 with s = sqrt(mu): the scaling that keeps the condition that of QR.
+  // s r + B d = -F and B^T r - s d = 0 with s = sqrt(mu): this scaling keeps the condition number that of QR.
   bool solve_sparse(const SparseMatrix& b, const VectorXd& f, double mu, VectorXd& d) {
     const Eigen::Index n = f.size();
     const double s = std::sqrt(mu);
@@ -128,7 +128,7 @@ class Marquardt {
     const double slope = gradient_.norm();
     if (slope == 0) return Outcome::singular_matrix;
     run_.equations().apply(gradient_, image_);
-    const double cosine = slope / image_.norm() * (slope / run_.norm);  // of F and B B^T F
+    const double cosine = slope / image_.norm() * (slope / run_.norm);  // angle of F and B B^T F
     if (!(cosine * cosine >= least_cosine_squared)) return Outcome::not_converged;
     if (mu_ < 0) mu_ = method_.damping * greatest;
     is_loaded_ = true;
@@ -147,7 +147,7 @@ class Marquardt {
   DampedSystem system_;
   VectorXd update_, image_, gradient_;
   double mu_ = -1, factor_ = 2;
-  bool is_loaded_ = false;  // B, for the iterate
+  bool is_loaded_ = false;  // B is loaded for the current iterate
 };
 
 }  // namespace

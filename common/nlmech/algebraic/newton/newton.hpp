@@ -1,5 +1,5 @@
 /// @file
-/// Newton's iteration for F(x) = 0, plain and damped, on a workspace that is allocated once.
+/// Newton's iteration for F(x) = 0, plain and damped, with a reusable workspace.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,37 +12,37 @@
 
 namespace nlmech::algebraic {
 
-/// Newton's iteration with full steps: converges quadratically from near a regular root.
-/// An update is measured by max |dx_i| / (1 + |x_i|).
+/// Newton's iteration with full steps: converges quadratically near a regular root. The size of an update is
+/// max |dx_i| / (1 + |x_i|).
 ///
-/// Tests hold regular roots to rounding and the error of an iterate to the square of the one before, with the
-/// constant of theory.
+/// Tests check regular roots to rounding, and the error of an iterate against the square of the previous
+/// error with the theoretical constant.
 struct Newton {
-  double tolerance = 1e-12;  ///< done when an update is no longer than this
-  /// An update that is no longer than this and no longer shrinks (to less than half the one before) is
-  /// rounding noise: done, counted as a fallback. Zero: never.
+  double tolerance = 1e-12;  ///< converged when an update is at most this
+  /// Rounding level of the update: an update of at most this size that is more than half the previous one
+  /// ends the iteration with success, counted as a fallback. 0: off.
   double noise = 0;
-  int iterations = 50;  ///< at most so many updates
-  double residual = 0;  ///< done, too, where |F|, Euclidean, is no greater; 0: the updates alone decide
+  int iterations = 50;  ///< limit of updates
+  double residual = 0;  ///< also converged when |F|, Euclidean, is at most this; 0: off
 };
 
-/// Newton's direction, shortened until the residual's norm falls (Armijo's rule, halving): for starts that
-/// are far from the root.
+/// Damped Newton iteration for starts far from the root: the step is halved until the residual norm decreases
+/// (Armijo's rule).
 ///
-/// Tests hold it to the root of arctan from starts from which Newton's iteration diverges.
+/// Tests find the root of arctan from starts for which Newton's iteration diverges.
 struct DampedNewton {
   double tolerance = 1e-12;   ///< as for Newton
   double noise = 0;           ///< as for Newton
-  int iterations = 200;       ///< at most so many updates
-  double shortest = 0x1p-30;  ///< a shorter fraction of Newton's step ends with `not_converged`
+  int iterations = 200;       ///< limit of updates
+  double shortest = 0x1p-30;  ///< smallest fraction of Newton's step; below it `not_converged`
   double residual = 0;        ///< as for Newton
 };
 
-/// What the iteration works on; sized once, reused from solve to solve.
+/// Workspace of the iteration; sized once, reused by later solves.
 /// @tparam V column vector, Eigen
 template <class V>
 struct Workspace {
-  /// For n unknowns.
+  /// Workspace for @p n unknowns.
   explicit Workspace(Eigen::Index n) : residual(n), update(n), trial(n), matrix(n, n), lu(n) {}
   V residual;              ///< F(x)
   V update;                ///< Newton's step
@@ -50,7 +50,7 @@ struct Workspace {
   Eigen::MatrixXd matrix;  ///< dF/dx
   DenseLu<double> lu;      ///< its factors
 
-  /// dF/dx at @p x, factorised. @return success or `non_finite`
+  /// Factorises dF/dx at @p x. @return success or `non_finite`
   template <class Derivative>
   [[nodiscard]] Outcome factorise(Derivative& derivative, const V& x) {
     derivative(x, matrix);
@@ -58,7 +58,7 @@ struct Workspace {
     lu.compute(matrix);
     return Outcome::success;
   }
-  /// The update from the residual. @return success or `singular_matrix`
+  /// Solves for the update from the residual. @return success or `singular_matrix`
   [[nodiscard]] Outcome solve() {
     lu.solve(residual, update);
     return update.allFinite() ? Outcome::success : Outcome::singular_matrix;
@@ -78,7 +78,7 @@ template <class V>
   return length;
 }
 
-/// Newton's step at x, whose residual is known, into w.update.
+/// Writes Newton's step at x to w.update; w.residual must hold F(x).
 template <class V, class Work, class Derivative>
 [[nodiscard]] Outcome newton_step(Derivative& derivative, const V& x, Work& w, Statistics& statistics) {
   if (!w.residual.allFinite()) return Outcome::non_finite;
@@ -90,7 +90,8 @@ template <class V, class Work, class Derivative>
   return outcome == Outcome::success ? w.solve() : outcome;
 }
 
-/// Is the iteration done after an update of this length, @p before being the length of the one before?
+/// Has the iteration converged after an update of size @p length? @p before is the size of the previous
+/// update.
 [[nodiscard]] inline bool is_done(double length, double before, double tolerance, double noise,
                                   Statistics& statistics) {
   if (length <= tolerance) return true;
@@ -101,16 +102,16 @@ template <class V, class Work, class Derivative>
 
 }  // namespace detail
 
-/// Solves F(x) = 0 from the start x. On failure x is of no use.
+/// Solves F(x) = 0 from the start x. On failure x is not usable.
 /// @param method tolerance and bounds
 /// @param residual `residual(x, f)` writes F(x) to f
 /// @param derivative `derivative(x, j)` writes dF/dx to j
 /// @param x start, then the root
-/// @param w a Workspace of the size of x, with which nothing is allocated, or another type with its members
+/// @param w a Workspace of the size of x, which avoids allocation, or another type with its members
 /// @param statistics Newton iterations, Jacobians, factorisations and fallbacks are added to it
-/// @return success; when the iterations are used up `not_converged` if the last update was short (below
-/// 1e-3), else `newton_diverged`; `singular_matrix` if an update is not finite; `non_finite` if F or its
-/// derivative is not
+/// @return success; at the iteration limit `not_converged` if the last update was below 1e-3, else
+/// `newton_diverged`; `singular_matrix` if an update is not finite; `non_finite` if F or its derivative is
+/// not
 template <class V, class Work, class Residual, class Derivative>
 [[nodiscard]] Outcome solve(const Newton& method, Residual&& residual, Derivative&& derivative, V& x, Work& w,
                             Statistics& statistics) {
@@ -128,7 +129,8 @@ template <class V, class Work, class Residual, class Derivative>
   return before < 1e-3 ? Outcome::not_converged : Outcome::newton_diverged;
 }
 
-/// The same with damped steps.
+/// Solves by the damped iteration; arguments and outcomes as for Newton, and `not_converged` if no fraction
+/// of a step reduces |F|.
 template <class V, class Work, class Residual, class Derivative>
 [[nodiscard]] Outcome solve(const DampedNewton& method, Residual&& residual, Derivative&& derivative, V& x,
                             Work& w, Statistics& statistics) {
@@ -148,8 +150,8 @@ template <class V, class Work, class Residual, class Derivative>
     for (;; fraction /= 2) {
       w.trial = x - fraction * w.update;
       residual(w.trial, w.residual);
-      // Armijo: along Newton's direction the norm should fall by the fraction; a hundredth of a percent of it
-      // will do. The comparison is false for NaN.
+      // Armijo's rule with the constant 1e-4: the linear model predicts a decrease by `fraction`. The
+      // comparison is false for NaN.
       if (w.residual.norm() <= (1 - 1e-4 * fraction) * norm) break;
       if (fraction < method.shortest) return Outcome::not_converged;
       if (length <= method.noise) break;  // the residual is noise already

@@ -11,7 +11,7 @@
 namespace nlmech::algebraic {
 namespace {
 
-/// The derivative of g by (y, m), by central differences of K v.
+/// Gradient of g with respect to (y, m), by central differences of K v.
 PathVector gradient(PathSystem& system, const PathVector& at, const Eigen::VectorXd& v) {
   PathVector ahead = at, behind = at, out;
   Eigen::VectorXd plus(v.size()), minus(v.size());
@@ -48,12 +48,12 @@ Outcome refine_fold(PathSystem& system, PathVector& at, Eigen::VectorXd& directi
     const PathVector row = gradient(system, at, null.y);
     const double size = row.norm();
     if (!(size > 0 && std::isfinite(size))) return Outcome::non_finite;
-    // The row scaled to 1, so that it counts as the others do.
+    // Scale the row to norm 1, as the other rows.
     const PathVector unit{row.y / size, row.m / size};
     if (!system.solve_bordered(unit, rest, -null.m / size, step)) return Outcome::singular_matrix;
     ++system.statistics.newton_iterations;
     const double length = step.norm(), reach = at.norm();
-    // A short step that no longer shrinks is rounding; of a structure of many elements it may be long.
+    // A short step that no longer shrinks is due to rounding; with many elements it may be longer.
     if (length > before / 2 && (length <= 1e-11 * reach || (k > 6 && length <= 1e-5 * reach)))
       return Outcome::success;
     system.move(at, step);
@@ -66,13 +66,13 @@ Outcome refine_fold(PathSystem& system, PathVector& at, Eigen::VectorXd& directi
 
 namespace {
 
-/// mu as a function of s and the load.
+/// Lyapunov-Schmidt reduction: mu as a function of s and the load.
 class Reduced {
  public:
   Reduced(PathSystem& system, Eigen::VectorXd border)
       : system_(system), row_{std::move(border), 0}, zero_(Eigen::VectorXd::Zero(system.size())) {}
 
-  /// Solves for x and mu at the s and the load of a place near.
+  /// Newton's iteration for x and mu at the s and load of @p at.
   Outcome correct(PathVector& at) {
     PathVector step;
     double before = HUGE_VAL;
@@ -87,14 +87,14 @@ class Reduced {
       system_.move(at, step);
       const double size = at.norm();
       if (length <= 4 * eps * size) return Outcome::success;
-      // Steps that no longer shrink are those of rounding, which are long in a frame of many slender members.
+      // Steps that no longer shrink are due to rounding; with many slender members they may be long.
       if (k > 1 && length > before / 2)
         return length <= 1e-6 * size ? Outcome::success : Outcome::not_converged;
       before = length;
     }
     return Outcome::not_converged;
   }
-  /// The derivatives by s and the load, with those of x along them.
+  /// Derivatives of mu and x with respect to s and the load.
   Outcome derive(const PathVector& at) {
     if (!system_.linearise(at)) return Outcome::non_finite;
     system_.certify();
@@ -104,7 +104,7 @@ class Reduced {
     return is_solved ? Outcome::success : Outcome::singular_matrix;
   }
 
-  /// How much mu may change by the last digits of x and of the equations' data.
+  /// Rounding level of mu: its change by the last digits of x and of the data of the equations.
   double rounding(const PathVector& at) {
     double most = system_.equations().data_rounding(system_.unscaled(row_.y));
     if (!system_.residual(at)) return most;
@@ -128,13 +128,13 @@ class Reduced {
   Eigen::VectorXd zero_;
 };
 
-/// How the derivatives of mu change.
+/// Second derivatives of mu, and the inertia at neighbouring loads.
 struct Bend {
-  Eigen::Matrix2d by;          ///< second derivatives by s and the load
-  Eigen::Index negative[2]{};  ///< negative eigenvalues under less load and more
+  Eigen::Matrix2d by;          ///< second derivatives with respect to s and the load
+  Eigen::Index negative[2]{};  ///< numbers of negative eigenvalues at the smaller and the greater load
 };
 
-/// By central differences over @p change of s and of the load, from a place that derive() has been asked of.
+/// Central differences with steps @p change in s and load; call derive() at @p at before.
 Outcome bend_at(PathSystem& system, const Reduced& reduced, const PathVector& at,
                 const Eigen::Vector2d& change, Bend& bend) {
   for (const int i : {0, 1}) {
@@ -149,8 +149,8 @@ Outcome bend_at(PathSystem& system, const Reduced& reduced, const PathVector& at
       if (outcome == Outcome::success) outcome = there.derive(place);
       if (outcome != Outcome::success) return outcome;
       ends[side] = there.slope;
-      // Under more load and less, the eigenvalue that vanishes has both signs; next to zero its own is that
-      // of rounding.
+      // The vanishing eigenvalue has different signs at the two loads; at the point itself its sign is
+      // rounding.
       if (i == 1) bend.negative[side] = system.inertia().negative;
     }
     bend.by.col(i) = (ends[1] - ends[0]) / (2 * change[i]);
@@ -161,7 +161,7 @@ Outcome bend_at(PathSystem& system, const Reduced& reduced, const PathVector& at
 }  // namespace
 
 Outcome refine_fork(PathSystem& system, Fork& fork, double reach, double load) {
-  constexpr double near = 1e-3;  // of the reach: from there second derivatives are those of the place before
+  constexpr double near = 1e-3;  // of the reach: below this step, second derivatives are reused
   if (!system.linearise(fork.at)) return Outcome::non_finite;
   Reduced reduced(system, null_direction(system));
   PathVector& at = fork.at;
@@ -188,11 +188,11 @@ Outcome refine_fork(PathSystem& system, Fork& fork, double reach, double load) {
     if (!is_done) continue;
     if (outcome == Outcome::success) outcome = reduced.derive(at);
     if (outcome != Outcome::success) break;
-    // Next to a bifurcation that a small force parts, mu is that force.
+    // Near an imperfect bifurcation mu is the perturbing force.
     if (!(std::abs(reduced.mu) <= 16 * reduced.rounding(at))) return Outcome::wrong_branch;
     fork.null = reduced.along.y.normalized();
     fork.negative = std::min(bend.negative[0], bend.negative[1]);
-    // Of the second derivatives: 2 mixed ds dload + by(1, 1) dload^2 = 0 along it.
+    // Tangent of the other branch: 2 mixed ds dload + by(1, 1) dload^2 = 0.
     const double share = mixed != 0 ? -bend.by(1, 1) / (2 * mixed) : 0;
     fork.across = {reduced.under.y + share * reduced.along.y, 1};
     const double size = fork.across.norm();

@@ -12,12 +12,12 @@
 namespace nlmech::algebraic {
 namespace {
 
-constexpr double converged = 1e-8;       // of a step: the next correction would be the square of this
+constexpr double converged = 1e-8;       // of a step: the next correction would be about its square
 constexpr double load_converged = 1e-6;  // of the greatest load, in the same correction
 constexpr double stalled = 1e-4;         // corrections of this size that no longer shrink are rounding
 
-constexpr double most_noise = 1e-2;  // of a step: longer corrections are none of rounding, whatever they are
-constexpr double least_to_edge = 1e-3;  // of a first step: as near as a walk goes to where it may not go on
+constexpr double most_noise = 1e-2;     // of a step: longer corrections are not rounding
+constexpr double least_to_edge = 1e-3;  // of a first step: smallest distance to another branch
 
 void check(const PathMethod& method) {
   const auto require = [](bool good, const char* option, double value, const char* range) {
@@ -69,7 +69,7 @@ Status Path::start(bool upwards) {
 Outcome Path::start_tangent(const PathVector& along) {
   Outcome outcome = describe(along, now_);
   if (outcome == Outcome::success && std::abs(now_.slope) > 1e-3) return outcome;
-  // At a limit point the load does not tell the direction; the null vector of K does.
+  // At a limit point the tangent has no load part; its direction is the null vector of K.
   if (!system_.linearise(now_.at)) return Outcome::non_finite;
   PathVector row{null_direction(system_), 0};
   outcome = describe(row, now_);
@@ -87,9 +87,9 @@ Outcome Path::describe(const PathVector& direction, PathPoint& point) {
   point.tangent = {step_.y / length, step_.m / length};
   point.negative = system_.inertia().negative;
   point.is_rounded = system_.is_rounded();
-  // The bordered determinant, with the tangent for the row, has the sign of that with any row along it.
+  // The bordered determinant has the same sign for every row with a positive product with the tangent.
   point.sign = system_.bordered_sign();
-  // Of both forms the second has the right sign next to a limit point in a steep path.
+  // Near a limit point of a steep path only the second form has the right sign.
   point.slope = point.tangent.m;
   if (system_.equations().is_symmetric() && std::isnormal(system_.bordered_ratio()))
     point.slope = 1 / (system_.bordered_ratio() * length);
@@ -100,7 +100,7 @@ Outcome Path::describe(const PathVector& direction, PathPoint& point) {
 
 Outcome Path::correct_in_plane(const PathVector& normal, double size, PathVector& at, int& count) {
   double before = HUGE_VAL, before_load = HUGE_VAL;
-  // Of points of the path: predictors and iterates may be far off.
+  // Load of accepted points only: predictors and iterates may be far off.
   greatest_ = std::max({greatest_, std::abs(now_.at.m), method_.first * system_.load_scale()});
   for (count = 1; count <= method_.iterations; ++count) {
     if (!system_.residual(at) || !system_.linearise(at)) return Outcome::non_finite;
@@ -109,7 +109,7 @@ Outcome Path::correct_in_plane(const PathVector& normal, double size, PathVector
     ++system_.statistics.newton_iterations;
     const double length = step_.norm();
     system_.move(at, step_);
-    // Where displacements have come to outgrow those of the start, the load is a small part of all lengths.
+    // Test the load separately: where displacements have grown large, the load is a small part of the length.
     const double change = std::abs(step_.m);
     const bool is_load_done = change <= load_converged * greatest_ ||
                               (count > 4 && change <= stalled * greatest_ && change > before_load / 2);
@@ -125,8 +125,9 @@ Outcome Path::correct_in_plane(const PathVector& normal, double size, PathVector
   return Outcome::not_converged;
 }
 
-/// The correction that a change of x in its last digits calls for: next to a bifurcation, and in slender
-/// members, the stiffness along some shape is that small a part of the greatest. As in polish().
+/// Rounding level of the correction: its size under changes of x in the last digits, as in polish(). It is
+/// large near a bifurcation and in slender members, where the smallest stiffness is a tiny part of the
+/// greatest.
 double Path::noise_at(const PathVector& normal, const PathVector& at) {
   if (!system_.residual(at) || !system_.linearise(at)) return 0;
   const Eigen::VectorXd f = system_.f();
@@ -158,7 +159,7 @@ Outcome Path::correct_on_sphere(double length, PathVector& at, int& count) {
     // Both roots, without cancellation.
     const double sum = -(half + std::copysign(std::sqrt(discriminant), half));
     const double one = sum / square, other = sum != 0 ? rest / sum : 0;
-    // The one that goes on most nearly as the iterate did.
+    // Choose the root that turns less from the direction of the iterate.
     const Eigen::VectorXd gone = at.y - now_.at.y;
     const double slope = gone.dot(forced_) + b;
     const double d = slope * one > slope * other ? one : other;
@@ -176,12 +177,12 @@ Outcome Path::correct_on_sphere(double length, PathVector& at, int& count) {
 }
 //! [crisfield's sphere]
 
-/// The length of the next step before it is shortened.
+/// Proposed size of the next step.
 double Path::proposed() const {
   if (method_.kind != PathMethod::Kind::gdc) return length_;
-  // Yang and Shieh: the load of a step is that of the first times the root of GSP = |u_1|^2/(u_old^T u), with
-  // u = dy/dload = tangent.y/tangent.m. Written by the length of the step, nothing is divided by a vanishing
-  // tangent.m but the root itself.
+  // Yang and Shieh: the load increment is the first one times sqrt(GSP), GSP = |u_1|^2/(u_old^T u), with u =
+  // dy/dload = tangent.y/tangent.m. In terms of the step size, only the root is divided by a tangent.m that
+  // may vanish.
   const double along = std::abs(previous_tangent_.y.dot(now_.tangent.y));
   const double ratio = std::abs(previous_tangent_.m) / std::max(std::abs(now_.tangent.m) * along, 1e-300);
   return factor_ * std::min(first_length_ * std::sqrt(ratio), 4 * length_);
@@ -202,7 +203,7 @@ Outcome Path::step(double length, PathPoint& next, int& count) {
 }
 
 //! [one path]
-/// Do now_ and @p next lie on one path, as far as both with their tangents can tell?
+/// Do now_ and @p next lie on one path? Tests points, tangents and the middle of the cubic.
 bool Path::is_continuous(const PathPoint& next, const PathChanges& changes) {
   const PathVector chord{next.at.y - now_.at.y, next.at.m - now_.at.m};
   PathVector mean{now_.tangent.y + next.tangent.y, now_.tangent.m + next.tangent.m};
@@ -219,8 +220,7 @@ bool Path::is_continuous(const PathPoint& next, const PathChanges& changes) {
   return system_.solve_bordered(mean, rest_, 0, step_) && step_.norm() <= 0.01 * size;
 }
 
-/// Makes @p next the last point if it is one of the same path, and every change of a sign that of a point
-/// found between.
+/// Accepts @p next if it lies on the same path and a critical point is found for every change of sign.
 bool Path::go_to(const PathPoint& next) {
   const PathChanges changes = changes_between(now_, next, system_.equations().is_symmetric());
   if (!is_continuous(next, changes)) return false;
@@ -251,7 +251,7 @@ bool Path::take_back() {
   return true;
 }
 
-/// Do the equations say so of the place asked for last?
+/// Do the equations report another branch (or a pole) at the last evaluation?
 bool Path::is_other_branch() const {
   const Outcome outcome = system_.status().outcome();
   return outcome == Outcome::wrong_branch || outcome == Outcome::at_pole;
@@ -265,7 +265,8 @@ Status Path::advance() {
   for (;;) {
     int count = 0;
     const Outcome outcome = step(length, next, count);
-    // Of the new point, which was asked for last. What the equations call another branch is none to go on to.
+    // Refers to the new point, the last one evaluated. Reject a point that the equations report as another
+    // branch.
     is_beyond = is_other_branch();
     if (outcome == Outcome::success) {
       const PathVector chord{next.at.y - now_.at.y, next.at.m - now_.at.m};

@@ -11,10 +11,10 @@
 namespace nlmech::algebraic {
 namespace {
 
-constexpr double one_place = 1e-7;    // of a step: what lies within is one place
+constexpr double one_place = 1e-7;    // of a step: points closer than this count as one
 constexpr double is_singular = 1e-5;  // |K v|/|K| of a null vector v, at most
-constexpr double agreement = 1e-3;    // of the distance of places: zeros of interpolations that agree
-constexpr double around_fork = 0.2;   // of a step: there a bifurcation of refine_fork() is all there is
+constexpr double agreement = 1e-3;    // of the distance of points: zeros of two interpolations agree
+constexpr double around_fork = 0.2;   // of a step: no other critical point near one of refine_fork()
 
 }  // namespace
 
@@ -34,7 +34,7 @@ Outcome Path::critical_points(std::vector<CriticalPoint>& out) {
   out.clear();
   std::vector<double> parts;
   Outcome outcome = splits(parts);
-  // Next to a bifurcation at which an eigenvalue vanishes and returns, signs are those of rounding.
+  // Near a bifurcation where an eigenvalue vanishes without changing sign, signs are rounding.
   for (const CriticalPoint& c : critical_) {
     if (c.vanishing == 0)
       std::erase_if(parts, [&](double part) { return std::abs(part - part_of(c.point)) < around_fork; });
@@ -62,7 +62,7 @@ Outcome Path::critical_points(std::vector<CriticalPoint>& out) {
   return critical_in(low, mark(1, now_), out);
 }
 
-/// Halves the interval until each part has one change or is one place.
+/// Bisects the interval until each part has one change or counts as one point.
 Outcome Path::critical_in(const Mark& low, const Mark& high, std::vector<CriticalPoint>& out) {
   PathPoint a, point;
   a.slope = low.slope, a.negative = low.negative, a.sign = low.sign;
@@ -105,8 +105,8 @@ Outcome Path::critical_in(const Mark& low, const Mark& high, std::vector<Critica
   return add_critical(CriticalPoint::Kind::bifurcation, changes.branches, point, out);
 }
 
-/// Is a limit point that of a bifurcation which nothing but rounding has parted? Then the path, which bends
-/// there or not as the last digits say, has a bifurcation in its place.
+/// Is a limit point due to a bifurcation perturbed only by rounding? Then replaces @p fold by the bifurcation
+/// point.
 bool Path::is_of_rounding(const Mark& low, const Mark& high, PathPoint& fold) {
   if (!low.is_rounded || !high.is_rounded) return false;
   const PathVector chord{now_.at.y - before_.at.y, now_.at.m - before_.at.m};
@@ -119,8 +119,8 @@ bool Path::is_of_rounding(const Mark& low, const Mark& high, PathPoint& fold) {
   return true;
 }
 
-/// Do branches cross at a point of branch_in(), or does the path turn off there by a gap, past which it was
-/// interpolated? Where they cross but for rounding, the point becomes the crossing.
+/// Checks that branches cross at a point of branch_in(), and replaces the point by the crossing. @return
+/// `wrong_branch` if the branches pass each other with a gap
 Outcome Path::settle_branch(PathPoint& point) {
   if (!system_.equations().is_symmetric()) return Outcome::success;
   const PathVector chord{now_.at.y - before_.at.y, now_.at.m - before_.at.m};
@@ -149,7 +149,7 @@ Outcome Path::bifurcation_in(const Mark& low, const Mark& high, std::vector<Crit
   const double load = std::max({std::abs(before_.at.m), std::abs(now_.at.m), std::abs(chord.m)});
   Outcome outcome = refine_fork(system_, fork, 0.2 * length, 0.2 * load);
   if (outcome != Outcome::success) return outcome;
-  // Is it on this path, which goes through it along the null vector?
+  // Is it on this path? The path must pass through it along the null vector.
   point.at = fork.at;
   const double part = part_of(point), side = 0.05 * wide;
   if (!(part > low.part && part < high.part)) return Outcome::not_converged;
@@ -173,11 +173,11 @@ Outcome Path::bifurcation_in(const Mark& low, const Mark& high, std::vector<Crit
 }
 //! [a fork from the branch that leaves it]
 
-/// Does the path go on through a place without a gap, and does it change there as it should?
+/// Does the path continue through a point without a gap, with the change of sign of its type?
 bool Path::is_change_at(double part, CriticalPoint::Kind kind) {
   const PathVector all{now_.at.y - before_.at.y, now_.at.m - before_.at.m};
   PathPoint ahead, behind;
-  for (const double reach : {2e-3, 1e-4, 5e-6}) {  // shorter where another change is as near
+  for (const double reach : {2e-3, 1e-4, 5e-6}) {  // shorter distances where another change is near
     if (between(part - reach, behind) != Outcome::success || between(part + reach, ahead) != Outcome::success)
       return false;
     const PathVector gone{ahead.at.y - behind.at.y, ahead.at.m - behind.at.m};
@@ -188,12 +188,12 @@ bool Path::is_change_at(double part, CriticalPoint::Kind kind) {
   return false;
 }
 
-/// Adds it, if K is singular there and the path one.
+/// Adds a critical point if K is singular there and the path is continuous.
 Outcome Path::add_critical(CriticalPoint::Kind kind, Eigen::Index vanishing, const PathPoint& point,
                            std::vector<CriticalPoint>& out) {
   const bool is_parted = parted_ && parted_->m == point.at.m;
   if (!is_parted && !is_change_at(part_of(point), kind)) return Outcome::not_converged;
-  double norm = 0;  // of K around: at the point of one unknown it vanishes itself
+  double norm = 0;  // norm of K nearby: with one unknown K vanishes at the point itself
   for (const PathVector& at : {before_.at, now_.at, point.at}) {
     if (!system_.linearise(at)) return Outcome::non_finite;
     norm = std::max(norm, system_.norm_of_matrix());
@@ -206,9 +206,9 @@ Outcome Path::add_critical(CriticalPoint::Kind kind, Eigen::Index vanishing, con
   return Outcome::success;
 }
 
-/// A branch point in a bracket of the sign.
+/// Bifurcation point in a bracket of the sign of the bordered determinant.
 Outcome Path::branch_in(Bracket bracket, PathPoint& out, Eigen::VectorXd& direction) {
-  // The bordered function of fold.hpp with a fixed border changes its sign with the eigenvalue.
+  // The bordered function of fold.hpp with a fixed border changes sign with the eigenvalue.
   PathVector border{Eigen::VectorXd(), 0}, null;
   null.y.resize(system_.size());
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(system_.size());
@@ -218,7 +218,7 @@ Outcome Path::branch_in(Bracket bracket, PathPoint& out, Eigen::VectorXd& direct
     if (!system_.solve_bordered(border.y, border, zero, 1, null)) return HUGE_VAL * 0;
     return null.m;
   };
-  // By the sign first, so that the vanishing eigenvalue is the smallest of all at the end.
+  // Narrow by the sign first, so that the vanishing eigenvalue becomes the smallest one.
   Outcome outcome = narrow([](const PathPoint& p) { return static_cast<double>(p.sign); },
                            0.02 * (bracket.high - bracket.low), bracket, out);
   if (outcome != Outcome::success) return outcome;
@@ -230,8 +230,8 @@ Outcome Path::branch_in(Bracket bracket, PathPoint& out, Eigen::VectorXd& direct
     (is_low ? bracket.low_value : bracket.high_value) = value(end);
   }
   if (!((bracket.low_value > 0) != (bracket.high_value > 0))) return Outcome::not_converged;
-  // Shorter where another branch or limit point is near: there the function bends, or has a pole, and the
-  // zero of a polynomial lies outside the bracket.
+  // Shorter distances where another critical point is near: there the function bends or has a pole, and the
+  // zero of the polynomial lies outside the bracket.
   outcome = Outcome::not_converged;
   for (double reach = 0.02; outcome == Outcome::not_converged && reach > one_place; reach /= 10) {
     outcome = narrow(value, reach / 20, bracket, out);
@@ -248,7 +248,7 @@ Outcome Path::branch_in(Bracket bracket, PathPoint& out, Eigen::VectorXd& direct
 
 namespace {
 
-/// Lagrange's weight of the place @p i among @p x from @p first on, at @p at.
+/// Lagrange basis polynomial of node @p i of the nodes @p x from @p first on, at @p at.
 double lagrange(const std::array<double, 6>& x, std::size_t first, std::size_t i, double at) {
   double product = 1;
   for (std::size_t j = first; j < x.size(); ++j) {
@@ -257,8 +257,8 @@ double lagrange(const std::array<double, 6>& x, std::size_t first, std::size_t i
   return product;
 }
 
-/// The part at which the polynomial through the places from @p first on, the outer two before the others,
-/// vanishes; infinite if it does not between those two.
+/// Zero of the interpolation polynomial through the nodes from @p first on, between the outer two, which come
+/// first; infinite if there is none.
 double zero_of(const std::array<double, 6>& parts, const std::array<double, 6>& values, std::size_t first) {
   const auto value_at = [&](double part) {
     double sum = 0;
@@ -275,7 +275,7 @@ double zero_of(const std::array<double, 6>& parts, const std::array<double, 6>& 
   return low + (high - low) / 2;
 }
 
-/// Do values at the offsets of interpolate() rise all the way, or fall?
+/// Are the values at the offsets of interpolate() monotone?
 bool is_monotone(const std::array<double, 6>& v) {
   const std::array<double, 6> sorted = {v[0], v[2], v[4], v[5], v[3], v[1]};
   return std::ranges::is_sorted(sorted) || std::ranges::is_sorted(sorted, std::greater<>());
@@ -283,11 +283,11 @@ bool is_monotone(const std::array<double, 6>& v) {
 
 }  // namespace
 
-/// A point where value() is zero, next to @p out: by interpolation from points at distances up to @p
-/// farthest. At a branch point itself a correction is not determined along the other branch. Where six places
-/// and four do not agree, as next to another singular point, nearer ones are taken. Where those that agree
-/// differ from nearer ones, as by the rounding of thousands of unknowns, they hold.
-/// @return `not_converged`, too, where the value turns among the places: another zero is near
+/// Zero of value() near @p out, interpolated from points at distances up to @p farthest: at a bifurcation
+/// point itself the correction along the other branch is undetermined. If the polynomials through six and
+/// four points disagree, as near another singular point, nearer points follow. If agreeing results differ
+/// from those of nearer points, as by rounding with thousands of unknowns, the former are kept.
+/// @return `not_converged` also if value() is not monotone over the points: another zero is near
 Outcome Path::interpolate(const std::function<double(const PathPoint&)>& value, double farthest,
                           PathPoint& out) {
   constexpr std::array<double, 6> offsets = {-1, 1, -0.6, 0.6, -0.2, 0.2};
@@ -345,7 +345,7 @@ Status follow(Path& path, const std::function<bool(const Path&)>& is_done, std::
     Outcome outcome = Outcome::success;
     do {
       Status status = path.advance();
-      // A place that the equations themselves call another branch is none to go on from.
+      // Stop at a point that the equations report as another branch.
       if (status.ok()) status = path.system().status();
       if (!status.ok()) return status;
       outcome = path.critical_points(here);

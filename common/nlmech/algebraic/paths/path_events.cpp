@@ -9,7 +9,7 @@
 namespace nlmech::algebraic {
 namespace {
 
-constexpr double one_load = 1e-6;  // of the greatest load: as far as a correction may leave it, see path.cpp
+constexpr double one_load = 1e-6;  // of the greatest load: largest error of a corrected load
 
 }  // namespace
 
@@ -41,8 +41,7 @@ Outcome Path::between(double part, PathPoint& out) {
 
 Outcome Path::narrow(const std::function<double(const PathPoint&)>& value, double width, Bracket& bracket,
                      PathPoint& out) {
-  // Regula falsi; an end that stays is given half its weight (Illinois). Three points that have not halved
-  // the interval are followed by one that does.
+  // Regula falsi with the Illinois rule; a bisection follows three steps that have not halved the interval.
   auto& [low, low_value, high, high_value] = bracket;
   double last = -1, wide = high - low;
   for (int k = 0; k < 80; ++k) {
@@ -85,7 +84,7 @@ Outcome Path::fold_in(Bracket bracket, PathPoint& out) {
   Eigen::VectorXd direction = out.tangent.y;
   outcome = refine_fold(system_, fine.at, direction);
   if (outcome == Outcome::success) outcome = describe(out.tangent, fine);
-  // Newton's iteration may have gone to another limit point; the bisection cannot.
+  // Newton's iteration may converge to another limit point; the bracketing cannot.
   const double part = part_of(fine);
   if (outcome != Outcome::success || !(part > low && part < high))
     return narrow(slope, 4 * eps, bracket, out);
@@ -104,15 +103,16 @@ Outcome Path::fold(PathPoint& out) {
   return fold_in({0, before_.slope, 1, now_.slope}, out);
 }
 
-/// The slope at a part of the step, as the parabola through both ends with the mean that the chord tells.
+/// Slope at a fraction of the step: the parabola through the slopes at both ends with the mean slope of the
+/// chord.
 double Path::expected_slope(double part) const {
   const double length = PathVector{now_.at.y - before_.at.y, now_.at.m - before_.at.m}.norm();
   const double mean = (now_.at.m - before_.at.m) / length, u = part;
   return before_.slope * (1 - u) * (1 - 3 * u) + now_.slope * u * (3 * u - 2) + mean * 6 * u * (1 - u);
 }
 
-/// A pair of limit points within the step: the slope must come down to zero and return. Looks only where its
-/// parabola comes near.
+/// Searches for a pair of limit points within the step, if the parabola of expected_slope() comes near zero.
+/// @p first brackets the first of the pair.
 Outcome Path::slope_between(std::optional<Bracket>& first) {
   first.reset();
   const double sign = before_.slope > 0 ? 1 : -1, a = before_.slope, b = now_.slope;
@@ -122,7 +122,7 @@ Outcome Path::slope_between(std::optional<Bracket>& first) {
   }
   if (middle == 0 || sign * expected_slope(middle) > 0.5 * std::min(std::abs(a), std::abs(b)))
     return Outcome::success;
-  // Golden section for the least slope, until it has the other sign.
+  // Golden-section search for the smallest slope, until its sign changes.
   PathPoint point;
   Outcome outcome = Outcome::success;
   const auto part = golden_section(0, 1, 29, [&](double at) -> std::optional<double> {
@@ -165,12 +165,12 @@ Outcome Path::crossing(double load, const PathPoint& begin, const PathPoint& end
   if (outcome != Outcome::success) return outcome;
   const PathPoint coarse = out;
   out.at.m = m;
-  // Next to a limit point Newton's iteration at a given load goes astray within the rounding of F; the point
-  // found on the path is as near to that load as rounding allows.
+  // Near a limit point Newton's iteration at a fixed load fails within the rounding of F; the point found on
+  // the path is as near to that load as rounding allows.
   const PathVector all{end.at.y - begin.at.y, end.at.m - begin.at.m};
   if (polish(out) != Outcome::success ||
       PathVector{out.at.y - coarse.at.y, out.at.m - coarse.at.m}.norm() > 1e-2 * all.norm()) {
-    // A load that jumps past the wanted one says that both ends are not on one path.
+    // If the load jumps past the wanted one, the two ends are not on one path.
     const double greatest = std::max({std::abs(m), std::abs(begin.at.m), std::abs(end.at.m)});
     if (!(std::abs(coarse.at.m - m) <= one_load * greatest)) return Outcome::not_converged;
     out = coarse;
@@ -192,7 +192,7 @@ Outcome Path::polish(PathPoint& point) {
     const double length = step.norm(), size = point.at.y.norm();
     if (length <= 4 * eps * size) break;
     if (length > 0.9 * before) {
-      // Rounding, if a change of x in its last digits calls for steps that are not much shorter.
+      // Success if changes of x in the last digits cause steps of similar size: rounding.
       const Eigen::VectorXd f = system_.f();
       double noise = eps * size;
       for (std::uint64_t sequence = 0; sequence < 2; ++sequence) {

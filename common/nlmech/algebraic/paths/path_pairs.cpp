@@ -9,12 +9,11 @@
 namespace nlmech::algebraic {
 namespace {
 
-constexpr std::size_t places = 9;  // of a step that are looked at, both ends included
-constexpr Eigen::Index block = 3;  // vectors of an inverse iteration
-constexpr int rounds = 4;          // of it
+constexpr std::size_t places = 9;  // points per step, including both ends
+constexpr Eigen::Index block = 3;  // vectors of the block inverse iteration
+constexpr int rounds = 4;          // its iterations
 
-/// Where the parabola through three neighbours, a distance of 1 apart, has its least value, from the middle
-/// one.
+/// Minimum of the parabola through three values at distance 1; `at` is relative to the middle one.
 struct Vertex {
   double at, value;
 };
@@ -27,8 +26,8 @@ Vertex vertex_of(double left, double middle, double right) {
 
 }  // namespace
 
-/// Eigenvalues of K next to zero on both sides of it, from the factors of the system: Ritz values of the
-/// inverse on a few vectors, which are never nearer to zero than the eigenvalues themselves.
+/// Eigenvalues of K nearest to zero on both sides, from the factors of the system: Ritz values of the inverse
+/// on a few vectors. They are never nearer to zero than the eigenvalues.
 Path::AroundZero Path::around_zero() {
   const Eigen::Index n = system_.size();
   Eigen::MatrixXd v(n, std::min<Eigen::Index>(n, block)), next(v.rows(), v.cols());
@@ -52,8 +51,8 @@ Path::AroundZero Path::around_zero() {
   return {least < 0 ? -1 / least : HUGE_VAL, most > 0 ? 1 / most : HUGE_VAL};
 }
 
-/// A place in an interval where an eigenvalue has another sign than at its ends, by golden section for the
-/// one nearest to zero on one side of it.
+/// Point in an interval where an eigenvalue has another sign than at both ends, by golden-section search for
+/// the eigenvalue nearest to zero on one side.
 std::optional<double> Path::dip_in(double low, double high, double AroundZero::*side, Eigen::Index negative) {
   PathPoint point;
   return golden_section(low, high, 30, [&](double part) -> std::optional<double> {
@@ -64,10 +63,10 @@ std::optional<double> Path::dip_in(double low, double high, double AroundZero::*
   });
 }
 
-/// Parts of the step between which eigenvalues change their signs, though from end to end they may not: two
-/// branch points within a step, which no sign at its ends shows. Looks at inner places of the cubic, and more
-/// closely where the least positive eigenvalue, or the greatest negative one, comes near to zero and returns.
-/// Changes that all go one way show at the ends.
+/// Fractions of the step that separate changes of sign of eigenvalues which cancel over the step: two
+/// bifurcation points within one step. Samples inner points of the cubic and refines where the smallest
+/// positive or greatest negative eigenvalue has a minimum of its magnitude near zero. Changes of one
+/// direction only show at the ends and are not split.
 Outcome Path::splits(std::vector<double>& parts) {
   parts.clear();
   if (!system_.equations().is_symmetric()) return Outcome::success;
@@ -89,7 +88,8 @@ Outcome Path::splits(std::vector<double>& parts) {
   Eigen::Index all = 0;
   for (std::size_t i = 1; i < places; ++i) all += std::abs(negative[i] - negative[i - 1]);
   const bool is_one_way = all == std::abs(negative[places - 1] - negative[0]);
-  // Where an eigenvalue is as good as zero, the cubic is not near enough to the path to tell its sign.
+  // Where an eigenvalue is nearly zero, the cubic is not accurate enough for its sign: use points of the
+  // path.
   for (std::size_t i = 1; i + 1 < places && !is_one_way; ++i) {
     PathPoint point;
     if (!is_at_change(i) || between(part(i), point) != Outcome::success || !system_.linearise(point.at))

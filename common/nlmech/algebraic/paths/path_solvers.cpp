@@ -18,8 +18,8 @@ const char* name_of(const PathMethod& method) {
   }
 }
 
-/// F(x) - (1 - load) F(x0): solved by x0 for a load of 0, and by the roots of F for a load of 1. From the
-/// rest of a structure under dead load it is that structure under the load's part `load`.
+/// Newton homotopy F(x) - (1 - load) F(x0): solved by x0 at load 0 and by the roots of F at load 1. For a
+/// structure under dead load with x0 at rest, `load` is the fraction of the dead load.
 class NewtonEmbedding final : public Loaded {
  public:
   NewtonEmbedding(Equations& equations, const Eigen::VectorXd& x0)
@@ -110,7 +110,7 @@ class Search {
     std::vector<PathPoint> ends;
     Outcome outcome = path_.folds(ends);
     for (const PathPoint& fold : ends) {
-      // The load asked for is the limit load itself, as far as rounding can tell.
+      // The required load is the limit load to rounding.
       if (outcome != Outcome::success || std::abs(fold.load - 1) > 4 * eps) continue;
       found_ = fold;
       is_found_ = true;

@@ -1,5 +1,5 @@
 /// @file
-/// What two neighbouring points of a path tell of the stretch between them.
+/// Comparison of two neighbouring points of a path, and interpolation between them.
 #pragma once
 
 #include <cmath>
@@ -10,18 +10,18 @@
 
 namespace nlmech::algebraic {
 
-/// What has changed between two points of a path.
+/// Sign changes between two points of a path.
 struct PathChanges {
-  bool fold;              ///< has the slope another sign?
-  Eigen::Index branches;  ///< eigenvalues that have changed their signs besides that of the fold, at least
-  /// Of both kinds.
+  bool fold;              ///< does the slope change sign?
+  Eigen::Index branches;  ///< smallest number of eigenvalues that change sign, without that of the fold
+  /// Number of changes of both kinds.
   [[nodiscard]] Eigen::Index count() const { return branches + (fold ? 1 : 0); }
 };
 
-/// Compares two points. At a limit point one eigenvalue changes its sign; all others that do are those of
-/// branch points.
-/// @param is_symmetric are eigenvalues counted? Else branches are told by the sign of the bordered
-/// determinant
+/// Compares two points. At a limit point one eigenvalue changes sign; further changes belong to bifurcation
+/// points.
+/// @param is_symmetric counts eigenvalues if true; else the sign of the bordered determinant shows
+/// bifurcations
 [[nodiscard]] inline PathChanges changes_between(const PathPoint& a, const PathPoint& b, bool is_symmetric) {
   const bool fold = (a.slope > 0) != (b.slope > 0);
   if (!is_symmetric) return {fold, a.sign * b.sign < 0 ? 1 : 0};
@@ -29,13 +29,13 @@ struct PathChanges {
   return {fold, fold ? std::abs(change - 1) : change};
 }
 
-/// A place on the cubic through both points with their tangents.
+/// Point on the Hermite cubic through both points with their tangents.
 /// @param part 0 at @p begin, 1 at @p end
 [[nodiscard]] PathVector between_by_cubic(const PathPoint& begin, const PathPoint& end, double part);
 
-/// Closes in on the least value between two places, as long as there are values.
-/// @param at `std::optional<double>(double place)`: a value; empty where the search is to end
-/// @return the place where it ended, if it did within so many steps
+/// Golden-section search for the minimum of at() in [low, high].
+/// @param at `std::optional<double>(double place)`: the value; empty to end the search
+/// @return the place where at() was empty; empty if that does not happen within @p steps steps
 template <class At>
 [[nodiscard]] std::optional<double> golden_section(double low, double high, int steps, const At& at) {
   const double golden = (std::sqrt(5.) - 1) / 2;

@@ -11,18 +11,18 @@ namespace nlmech::algebraic {
 
 namespace {
 
-// A structure buckles where its softest eigenvalue vanishes, so what rounding leaves unknown of it at rest is
-// unknown of critical loads. Long double, which takes three times as long, begins at seven digits: six are
-// then left for the loads.
+// A structure buckles where its smallest eigenvalue vanishes, so the relative rounding error of that
+// eigenvalue at rest carries over to critical loads. Above this error, long double is used, which takes three
+// times as long; critical loads then keep six digits.
 constexpr double enough_digits = 1e-7;
 
 }  // namespace
 
-/// L D L^T in long double (64 bits on x86-64, 113 on aarch64), where factors in double do not tell the sign
-/// of an eigenvalue.
+/// L D L^T in long double (64 bits on x86-64, 113 on aarch64), used where factors in double do not determine
+/// the sign of an eigenvalue.
 struct PathSystem::LongFactors {
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<long double>> ldlt;
-  Eigen::SparseMatrix<long double> analysed;  // for its pattern
+  Eigen::SparseMatrix<long double> analysed;  // last analysed sparsity pattern
 
   /// Factorises S^-1 B S^-1, which overwrites @p b. @return false if a pivot is zero or not finite
   bool factorise(Eigen::SparseMatrix<long double>& b, const Eigen::VectorXd& scale) {
@@ -62,7 +62,7 @@ PathSystem::PathSystem(Loaded& equations, const Eigen::VectorXd& x, double load,
   if (is_stiff_ && !linearise(start)) return;
   solve(q_, work_);
   const double length = work_.norm(), reach = scale_.cwiseProduct(x).norm();
-  // At a limit point, and near one, K calls for displacements without bound: then those of the start must do.
+  // At or near a limit point K^-1 q is unbounded: use the displacements of the start.
   if (inertia_.zero == 0 && std::isfinite(length) && length > 0 && (reach == 0 || length <= 1e3 * reach))
     load_scale_ = length;
   else if (reach > 0)
@@ -149,7 +149,7 @@ bool PathSystem::factorise_symmetric() {
     equations_.matrix(dense_);
     sparse_ = dense_.sparseView();
   }
-  // Unknowns of a path may have scales by which its matrix is ill-conditioned; its factors need not.
+  // The scales of the path may make K ill-conditioned; the factors use equilibrated rows instead.
   const Eigen::VectorXd scale = row_scale_of(sparse_);
   balance_ = scale_.cwiseQuotient(scale);
   symmetric_.take(sparse_, scale);
@@ -162,7 +162,7 @@ bool PathSystem::factorise_symmetric() {
       work_[i.row()] += std::abs(i.value()) / (scale_[i.row()] * scale_[j]);
   }
   matrix_norm_ = work_.maxCoeff();
-  if (is_stiff_) static_cast<void>(factorise_long());  // else factors in double must do
+  if (is_stiff_) static_cast<void>(factorise_long());  // on failure the factors in double are used
   return true;
 }
 
@@ -175,8 +175,8 @@ bool PathSystem::factorise_long() {
   return is_long_;
 }
 
-/// How well the factors in double tell the eigenvalue of the balanced matrix that is nearest to zero, by
-/// inverse iteration: a bound of its error relative to itself.
+/// Bound of the relative error of the eigenvalue of the balanced matrix nearest to zero, as computed from the
+/// factors in double; by inverse iteration.
 double PathSystem::rounding_of_softest() const {
   if (zero_ > 0) return HUGE_VAL;
   Eigen::VectorXd v = Eigen::VectorXd::Zero(size()), next;
@@ -224,8 +224,8 @@ void PathSystem::solve_transposed(const Eigen::VectorXd& b, Eigen::VectorXd& x) 
 }
 
 //! [mixed block elimination]
-/// Right even if K is as good as singular: a first load from the transposed system takes from f what K cannot
-/// answer, then the usual elimination does the rest.
+/// Accurate even if K is nearly singular: a first load from the transposed system removes from f the part
+/// outside the range of K; standard block elimination follows.
 void PathSystem::eliminate(const PathVector& row, double delta, double delta_transposed,
                            const PathVector& right, PathVector& out) {
   const double first = (right.m - left_.dot(right.y)) / delta_transposed;
@@ -265,7 +265,7 @@ bool PathSystem::solve_bordered(const Eigen::VectorXd& column, const PathVector&
   multiply(out.y, work_);
   rest_.y = f - work_ - column_ * out.m;
   rest_.m = h - row.y.dot(out.y) - row.m * out.m;
-  // A solution is as good as the rounding of its product with the matrix, or of (f; h).
+  // Accept a residual at the rounding level of the product with the matrix, or 1e-3 of (f; h).
   const double floor = 1e-12 * (norm_of_matrix() + column_.norm() + row.norm()) * out.norm();
   return std::isfinite(out.norm()) && rest_.norm() <= 1e-3 * size + floor;
 }

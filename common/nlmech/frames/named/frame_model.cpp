@@ -45,7 +45,7 @@ Names names_of(const std::vector<NamedNode>& nodes) {
   return names;
 }
 
-/// Two nodes in one place are a slip of the pen: nothing joins them.
+/// Rejects two nodes at one position: nothing would join them.
 void require_places(const std::vector<NamedNode>& nodes) {
   std::vector<std::size_t> order(nodes.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -81,14 +81,14 @@ void require_member(const NamedMember& m, double length, std::size_t index) {
     refuse(fmt::format("radius = {}: such a circle does not span its length of {}", m.radius, length));
 }
 
-/// The lists that a Frame is made of.
+/// Nodes and members of a Frame, with the model's member of each.
 struct Parts {
   std::vector<Node> nodes;
   std::vector<Member> members;
   std::vector<std::size_t> origins;
 };
 
-/// The places between the ends of a member. Mirrored members have exact mirror images.
+/// Positions of the inner nodes of a member. Mirrored members have exactly mirrored nodes.
 std::vector<Node> inner_places(const NamedMember& m, const Node& a, const Node& b, int elements) {
   const double dx = b.x - a.x, dy = b.y - a.y, length = std::hypot(dx, dy);
   const double r = std::abs(m.radius), side = m.radius < 0 ? -1 : 1;
@@ -131,7 +131,7 @@ void add_member(const NamedMember& m, std::size_t index, int first, int second, 
   parts.origins.resize(parts.members.size(), index);
 }
 
-/// @param elements a member's share; 0: one straight beam-column a member, whatever the shares
+/// @param elements factor of NamedMember::elements; 0: one straight beam-column per member
 Parts parts_of(const FrameModel& model, const Names& names, int elements) {
   Parts parts;
   for (const NamedNode& n : model.nodes) parts.nodes.push_back({n.x, n.y});
@@ -163,7 +163,7 @@ Frame frame_of(const Parts& parts, const std::vector<Support>& supports) {
   return {parts.nodes, parts.members, supports};
 }
 
-/// The unknown of a named motion that something acts on. @param what "load on", in sentences
+/// Index of the unknown on which a load or displacement acts. @param what "load on", for messages
 Eigen::Index unknown_of(const std::string& node, Motion motion, const Names& names, const Frame& frame,
                         ModelPart part, std::size_t index, std::string_view what) {
   const Eigen::Index at = frame.unknown(index_of(names, node, part, index), motion);
@@ -174,7 +174,7 @@ Eigen::Index unknown_of(const std::string& node, Motion motion, const Names& nam
   return at;
 }
 
-/// Loads on the unknowns, and which of these are given.
+/// Sets the loads on the unknowns and the prescribed displacements.
 void add_actions(const FrameModel& model, const Names& names, NamedFrame& f) {
   f.load = f.displacement = Eigen::VectorXd::Zero(f.frame.size());
   for (std::size_t i = 0; i < model.displacements.size(); ++i) {
@@ -275,13 +275,13 @@ NamedFrame build(const FrameModel& model, int elements) {
     supports.push_back({index_of(names, s.node, ModelPart::supports, i), s.motion});
   }
   require_numbers(model);
-  // What is given is held while the load factor does not change.
+  // Prescribed displacements count as fixed: the load factor does not change here.
   std::vector<Support> held = supports;
   for (std::size_t i = 0; i < model.displacements.size(); ++i) {
     const NamedDisplacement& d = model.displacements[i];
     held.push_back({index_of(names, d.node, ModelPart::displacements, i), d.motion});
   }
-  // Whether a frame is a mechanism does not depend on what its members are divided into.
+  // Whether a frame is a mechanism does not depend on the number of elements.
   const Parts whole = parts_of(model, names, 0), divided = parts_of(model, names, elements);
   std::optional<Mechanism> mechanism;
   if (held.empty() && !model.may_move) mechanism = {0, Motion::x};
@@ -289,7 +289,7 @@ NamedFrame build(const FrameModel& model, int elements) {
   try {
     if (!mechanism && !model.may_move) mechanism = find_mechanism(frame_of(whole, held));
   } catch (const std::invalid_argument&) {
-    is_all_held = true;  // nothing can move but inside of members
+    is_all_held = true;  // only inner nodes of members can move
   }
   if (mechanism) {
     const auto at = static_cast<std::size_t>(mechanism->node);
@@ -319,7 +319,7 @@ namespace {
 
 constexpr double no_energy = 1e-18;
 
-/// Twice the strain energy of small displacements, from the strains.
+/// Twice the strain energy of small displacements, from the strains of the members.
 double twice_energy(const Frame& frame, const Eigen::VectorXd& x) {
   double sum = 0;
   for (std::size_t i = 0; i < frame.members().size(); ++i) {
@@ -330,14 +330,14 @@ double twice_energy(const Frame& frame, const Eigen::VectorXd& x) {
     const Vector<double, 6> d = frame.ends<double>(x, i);
     const double u = d[3] - d[0], v = d[4] - d[1];
     const double stretch = (dx * u + dy * v) / length, turn = (dx * v - dy * u) / (length * length);
-    // Of a beam: g_a = 12 and g_s = 4.
+    // Without axial force g_a = 12 and g_s = 4.
     const double a_part = (d[2] + d[5]) / 2 - turn, s_part = (d[2] - d[5]) / 2;
     sum += m.ea / length * stretch * stretch + m.ei / length * (12 * a_part * a_part + 4 * s_part * s_part);
   }
   return sum;
 }
 
-/// Which node has this unknown; the rotation of a pinned end has none.
+/// Node and direction of an unknown; empty for the rotation of a pinned end.
 std::optional<Mechanism> owner_of(const Frame& frame, Eigen::Index unknown) {
   for (int node = 0; node < static_cast<int>(frame.nodes().size()); ++node) {
     for (const Motion motion : {Motion::x, Motion::y, Motion::rotation}) {
@@ -357,7 +357,7 @@ std::optional<Mechanism> find_mechanism(const Frame& frame) {
   algebraic::SymmetricSolver solver;
   solver.take(k, scale);
   static_cast<void>(solver.factorise(1e-15 * solver.norm()));
-  // Nodes that turn or move alone are not meant; the start has a share of every shape.
+  // The start vector has a component of every shape.
   Eigen::VectorXd v(frame.size()), next(frame.size());
   for (Eigen::Index i = 0; i < v.size(); ++i) v[i] = 1 + 0.5 * std::sin(1. + static_cast<double>(i));
   for (int iteration = 0; iteration < 4; ++iteration) {

@@ -11,7 +11,7 @@
 namespace nlmech::frames {
 namespace {
 
-/// Names a member that leaves an unknown without mass.
+/// Throws if an unknown has no mass, naming a member at it.
 void require_masses(const NamedFrame& f) {
   for (std::size_t i = 0; i < f.frame.members().size(); ++i) {
     for (const Eigen::Index at : f.frame.unknowns_of(i)) {
@@ -88,7 +88,7 @@ std::vector<double> FrameMotion::discontinuities(double t0, double t1) const {
 }
 
 double FrameMotion::highest_frequency() const {
-  // Of the symmetric M^-1/2 K M^-1/2. A start with a share of every shape.
+  // Power iteration on M^-1/2 K M^-1/2; the start vector has a component of every shape.
   const Eigen::VectorXd root = frame_->mass.cwiseSqrt();
   Eigen::VectorXd v(root.size());
   for (Eigen::Index i = 0; i < v.size(); ++i) v[i] = 1 + 0.5 * std::sin(1. + static_cast<double>(i * i));
@@ -118,7 +118,7 @@ void FrameEnergies::add(double t0, double t1, double moved, double lost, const E
                         const Eigen::VectorXd& x1) {
   const NamedFrame& f = motion_->frame();
   const Eigen::Index n = f.load.size();
-  // The load's line, from within the step: at its ends it may jump.
+  // Linear load history from two inner times: it may jump at the ends of the step.
   const double h = t1 - t0, early = motion_->history().at(t0 + h / 4),
                late = motion_->history().at(t1 - h / 4), slope = 2 * (late - early) / h;
   const double first = early - slope * h / 4, last = late + slope * h / 4;

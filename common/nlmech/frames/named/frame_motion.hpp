@@ -1,6 +1,5 @@
 /// @file
-/// The motion of a frame in time: its equations for integrators, its energies, and the loads that cannot make
-/// it buckle.
+/// Motion of a frame in time: equations of motion for integrators, load histories and energies.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,60 +13,61 @@
 
 namespace nlmech::frames {
 
-/// A load factor over time, from 0 on.
+/// Load factor as a function of time, from 0 on.
 struct LoadHistory {
-  /// Its form.
+  /// Form of the load history.
   enum class Kind : std::uint8_t {
-    step,  ///< all of it, for ever
-    ramp,  ///< grows evenly for the duration, and stays
-    pulse  ///< all of it for the duration, and then nothing
+    step,  ///< constant
+    ramp,  ///< grows linearly during the duration, then constant
+    pulse  ///< constant during the duration, then zero
   };
-  Kind kind = Kind::step;  ///< which
-  double factor = 1;       ///< the greatest, finite
-  double duration = 0;     ///< of ramp or pulse, positive
+  Kind kind = Kind::step;  ///< form
+  double factor = 1;       ///< greatest load factor, finite
+  double duration = 0;     ///< duration of ramp or pulse, positive
 
-  /// At a time; where it jumps, what comes after.
+  /// Load factor at time t; at a jump the value after it.
   [[nodiscard]] double at(double t) const;
 };
 
 /// The equations of motion M x'' + C x' + dU/dx = W(t) q of a frame with lumped masses and Rayleigh's
-/// damping: a problem for ivp::System, whose state is displacements and then velocities. Where the frame has
-/// no force, accelerations are NaN, which integrators report.
+/// damping: a problem for ivp::System with the state (displacements, velocities). Where the frame has no
+/// valid forces, accelerations are NaN, which integrators report.
 ///
-/// Tests hold frequencies to those of Euler-Bernoulli's beam, which lumped masses approach like m^-2, and the
-/// Jacobian to differences.
+/// Tests compare frequencies with those of the Euler-Bernoulli beam (error m^-2 for m elements with lumped
+/// masses), and the Jacobian with differences.
 class FrameMotion {
  public:
-  static constexpr int dimension = Eigen::Dynamic;  ///< of the state
+  static constexpr int dimension = Eigen::Dynamic;  ///< size of the state
 
   /// @param frame must outlive this object
-  /// @param history of its loads
-  /// @throws ModelError if an unknown has no mass, blaming a member, or if displacements are given
-  /// @throws std::invalid_argument for a history that is not finite, or without a duration that it needs
+  /// @param history load history
+  /// @throws ModelError if an unknown has no mass (names a member), or if displacements are prescribed
+  /// @throws std::invalid_argument if the load history is not finite, or a ramp or pulse has no positive
+  /// duration
   FrameMotion(const NamedFrame& frame, const LoadHistory& history);
 
   /// Number of components of the state.
   [[nodiscard]] int size() const { return 2 * static_cast<int>(frame_->frame.size()); }
-  /// At rest.
+  /// State at rest.
   [[nodiscard]] Eigen::VectorXd rest() const { return Eigen::VectorXd::Zero(size()); }
-  /// The state's derivative.
+  /// Derivative of the state.
   void operator()(const double& t, const Eigen::VectorXd& x, Eigen::VectorXd& dxdt) const;
-  /// x'' of displacements and velocities.
+  /// Accelerations x'' for displacements q and velocities v.
   void acceleration(const double& t, const Eigen::VectorXd& q, const Eigen::VectorXd& v,
                     Eigen::VectorXd& a) const;
-  /// Of the state's derivative by the state.
+  /// Jacobian of the derivative of the state.
   void jacobian(double t, const Eigen::VectorXd& x, Eigen::MatrixXd& j) const;
-  /// Where the load jumps or bends.
+  /// Times between t0 and t1 at which the load history or its slope jumps.
   [[nodiscard]] std::vector<double> discontinuities(double t0, double t1) const;
 
   /// The frame.
   [[nodiscard]] const NamedFrame& frame() const { return *frame_; }
-  /// Its load.
+  /// The load history.
   [[nodiscard]] const LoadHistory& history() const { return history_; }
-  /// C, with the stiffness at rest.
+  /// Damping matrix C, with the stiffness at rest.
   [[nodiscard]] const Eigen::SparseMatrix<double>& damping() const { return damping_; }
-  /// The greatest frequency of small motions about rest, rad over time: explicit integrators need steps of
-  /// some 2 over it. By power iteration, from below, within a tenth.
+  /// Greatest angular frequency of small motions about rest, rad per time; explicit integrators need step
+  /// sizes of about 2 over it. By power iteration, from below, within a tenth.
   [[nodiscard]] double highest_frequency() const;
 
  private:
@@ -76,15 +76,15 @@ class FrameMotion {
   Eigen::SparseMatrix<double> damping_, stiffness_;
 };
 
-/// Where the energy of a motion is, added up from step to step.
+/// Energy balance of a motion, accumulated over the steps.
 class FrameEnergies {
  public:
   /// @param motion must outlive this object
   explicit FrameEnergies(const FrameMotion& motion);
 
-  /// Goes on to the end of a step from the end of the last one. Work of a load factor that is linear in time,
-  /// as it is within a step, needs the integral of displacements, dissipation that of velocities squared: by
-  /// Gauss' rule of three points on the step's dense output.
+  /// Adds one step. The load factor is linear in time within a step, so the work needs the integral of the
+  /// displacements; the dissipation needs that of the squared velocities. Both by three-point Gauss
+  /// quadrature on the dense output of the step.
   /// @tparam Step of an observer of integrators
   template <class Step>
   void take(const Step& step) {
@@ -98,12 +98,13 @@ class FrameEnergies {
     add(step.t0, step.t1, moved, lost, step.x0, step.x1);
   }
 
-  double kinetic = 0;     ///< of the masses
-  double strain = 0;      ///< of the members
-  double work = 0;        ///< that the loads have done
-  double dissipated = 0;  ///< by the damping
-  double greatest = 0;    ///< kinetic energy and strain energy together, at most so far
-  /// Of all energy the part that is too much or missing: 0 of an exact motion; at most so far.
+  double kinetic = 0;     ///< kinetic energy
+  double strain = 0;      ///< strain energy
+  double work = 0;        ///< work of the loads
+  double dissipated = 0;  ///< energy dissipated by damping
+  double greatest = 0;    ///< maximum of kinetic plus strain energy so far
+  /// Maximum error so far of the energy balance |kinetic + strain + dissipated - work|; 0 for an exact
+  /// motion.
   double imbalance = 0;
 
  private:

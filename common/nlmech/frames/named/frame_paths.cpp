@@ -28,18 +28,18 @@ FramePoint::Kind kind_of(CriticalPoint::Kind kind) {
   }
 }
 
-/// A branch point, and which halves of its other branch are still to be followed.
+/// A bifurcation point, and which halves of its other branch remain to be followed.
 struct Crossing {
   PathPoint point;
-  algebraic::PathVector direction;  ///< of the other branch, scaled
-  Eigen::VectorXd mode;             ///< as of FramePoint
-  Eigen::Index negative;            ///< as of FramePoint
-  int branch;                       ///< on which it was met
-  Eigen::Index vanishing;           ///< as of FramePoint
+  algebraic::PathVector direction;  ///< tangent of the other branch, scaled
+  Eigen::VectorXd mode;             ///< as in FramePoint
+  Eigen::Index negative;            ///< as in FramePoint
+  int branch;                       ///< branch on which it was found
+  Eigen::Index vanishing;           ///< as in FramePoint
   bool is_open[2] = {true, true};
 };
 
-/// The walk along all branches.
+/// Follows all branches.
 class PathTracer {
  public:
   PathTracer(LoadedFrame& equations, const PathOptions& how)
@@ -97,10 +97,9 @@ class PathTracer {
     note(status);
   }
 
-  /// Goes over to a branch, to where something has moved by a share of the frame's size, or turned by so many
-  /// rad; or to a smaller distance.
+  /// Switches to a branch: tries distances of 0.02 (of the size of the frame, or rad) and smaller.
   Status start_branch(const Crossing& from, int half) {
-    // Where the load changes in the first place, it does so by no more than a first step.
+    // If the branch changes the load to first order, limit its change to a first step.
     const double step = std::abs(from.direction.m) / (first_ * path_.system().load_scale()),
                  farthest = std::max(from.direction.y.cwiseAbs().maxCoeff(), 0.02 * step);
     const auto go = [&](double reach) {
@@ -112,8 +111,8 @@ class PathTracer {
       status = go(reach);
       if (status.ok()) break;
     }
-    // Of eigenvalues the one that vanishes may have either sign. If there are other negative ones than nearer
-    // by, a further branch point lies between, which the walk finds from there.
+    // The vanishing eigenvalue may have either sign. If the number of negative eigenvalues differs from that
+    // at a smaller distance, a bifurcation point lies between: start at the smaller distance.
     for (int nearer = 0; status.ok() && nearer < 2; ++nearer) {
       const Eigen::Index negative = path_.now().negative;
       if (!go(reach / 16).ok()) return go(reach);
@@ -125,7 +124,7 @@ class PathTracer {
     return status;
   }
 
-  /// Walks on from now() of the path to the end of the branch.
+  /// Follows the path from now() to the end of the branch.
   Status along(int branch) {
     branch_ = branch;
     listed_ = 0;
@@ -135,7 +134,8 @@ class PathTracer {
         path_, [this](const Path&) { return list(); }, how_.steps, met_);
     if (!lost_.ok()) return std::exchange(lost_, {});
     if (status.outcome() == Outcome::step_limit) return after_all_steps();
-    // Where branches cross, the signs of what vanishes there are those of rounding.
+    // Near a crossing of branches the sign of the vanishing eigenvalue is rounding: end at a known
+    // bifurcation ahead.
     if (!status.ok() && status.outcome() != Outcome::step_limit) {
       if (Crossing* const met = ahead()) {
         arrive(*met);
@@ -145,7 +145,8 @@ class PathTracer {
     return status.outcome() == Outcome::step_underflow ? why_no_step(status) : status;
   }
 
-  /// A path that ends where a beam-column has no length left, or at loads whose squares are none, says so.
+  /// Status of a path with step-size underflow: reports a beam-column shortened to zero length, or load
+  /// factors whose squares underflow.
   [[nodiscard]] Status why_no_step(const Status& status) const {
     const auto [left, x, y] = equations_.shortest(path_.now().x, path_.now().load);
     if (left < 1e-3)
@@ -162,7 +163,7 @@ class PathTracer {
     return status;
   }
 
-  /// What a branch that does not come to its end says.
+  /// Status of a branch that reaches the step limit.
   [[nodiscard]] Status after_all_steps() const {
     const double end = end_load();
     return failed_with(
@@ -175,7 +176,7 @@ class PathTracer {
         how_.until ? "" : ", or say where it is to end (until)");
   }
 
-  /// Is there no time for a step as long as the last one?
+  /// Would another step of the duration of the last one exceed the time limit?
   bool is_late() {
     const double now = time_.seconds(), last = now - std::exchange(asked_, now);
     if (now + last <= how_.seconds) return false;
@@ -192,15 +193,15 @@ class PathTracer {
     return greatest_ > 0 && how_.critical == 0 ? 2 * greatest_ : std::numeric_limits<double>::infinity();
   }
 
-  /// Takes the load of a limit or branch point into account for the end. Those beyond twice the first do not
-  /// count: a slender frame has others without end. A load of less than a thousandth of a first step is none.
+  /// Updates the end load by the load of a limit or bifurcation point. Loads beyond twice the first do not
+  /// count: a slender frame has infinitely many. The first one must exceed a thousandth of a first step.
   void reckon_with(double load) {
     const double size = std::abs(load);
     if (foremost_ == 0 && size > 1e-3 * first_) foremost_ = size;
     if (size <= 2 * foremost_) greatest_ = std::max(greatest_, size);
   }
 
-  /// Lists what the last step brought. Is it the end?
+  /// Records the points of the last step. @return true at the end of the branch
   bool list() {
     PathPoint before = path_.before();
     Eigen::Index negative = before.negative;
@@ -230,8 +231,7 @@ class PathTracer {
     return is_late();
   }
 
-  /// 1 if all critical points of the last step make eigenvalues negative, -1 if all make them positive, else
-  /// 0.
+  /// 1 if every critical point of the last step makes eigenvalues negative, -1 if positive, else 0.
   [[nodiscard]] Eigen::Index way_of_step() const {
     Eigen::Index all = 0;
     for (std::size_t i = listed_; i < met_.size(); ++i) all += met_[i].vanishing;
@@ -239,7 +239,7 @@ class PathTracer {
     return all == 0 || std::abs(change) != all ? 0 : change / all;
   }
 
-  /// Does the branch end at its load between two points? Then that end is listed, or lost_ says why not.
+  /// Does the branch reach its end load between two points? Records the end, or the failure in lost_.
   bool has_ended(const PathPoint& from, const PathPoint& to) {
     const double end = end_load();
     if (std::abs(to.load) < end) return false;
@@ -262,27 +262,27 @@ class PathTracer {
                            mode.size() > 0 ? equations_.shape(mode) : mode, vanishing});
   }
 
-  /// Of two points; whole turns of members count as none.
+  /// Distance of two points, without full rotations of members.
   [[nodiscard]] double distance(const PathPoint& a, const PathPoint& b) const {
     Eigen::VectorXd y = a.at.y - b.at.y;
     equations_.remove_full_rotations(y);
     return algebraic::PathVector{std::move(y), a.at.m - b.at.m}.norm();
   }
 
-  /// Ends the branch at a branch point of another one, whose half by which the walk came needs no walk.
+  /// Ends the branch at a bifurcation point of another branch, and marks the half just followed as done.
   void arrive(Crossing& met) {
     add(FramePoint::Kind::bifurcation, met.point, met.negative, met.mode, met.vanishing);
     met.is_open[path_.before().tangent.dot(met.direction) > 0 ? 1 : 0] = false;
   }
 
-  /// The branch point, found on another branch, that a critical point of this one is; null if it is none.
+  /// The bifurcation point found on another branch that equals a critical point of this one; null if none.
   Crossing* known(const CriticalPoint& c) {
-    // Along the branch that crosses another one the load has an extremum there, or may have: what is found
-    // is less precise than what was found along the other.
+    // The load may have an extremum at the crossing along this branch, so its point is less accurate than the
+    // one found along the other branch.
     return nearest(c.point, 1e-3 * distance(path_.before(), path_.now()));
   }
 
-  /// The one that lies before the walk, within two of its last steps; null if there is none.
+  /// Known bifurcation point ahead, within two lengths of the last step; null if none.
   Crossing* ahead() {
     const PathPoint& before = path_.before();
     Crossing* const met = nearest(path_.now(), 2 * distance(before, path_.now()));
@@ -344,7 +344,7 @@ FramePaths equilibrium_paths(const NamedFrame& frame, const PathOptions& walk) {
 
 namespace {
 
-/// Displacements of the nodes for a shape, x and y of each.
+/// Displacements x and y of the nodes for a shape.
 std::vector<Node> displacements_of(const Frame& frame, const Eigen::VectorXd& shape) {
   std::vector<Node> all;
   const auto at = [&](Eigen::Index i) { return i < 0 ? 0 : shape[i]; };
@@ -353,8 +353,8 @@ std::vector<Node> displacements_of(const Frame& frame, const Eigen::VectorXd& sh
   return all;
 }
 
-/// What makes the farthest displacement along x or y 1. Two that are equal but for rounding have different
-/// signs, perhaps: the first of them decides.
+/// Factor that scales the greatest displacement along x or y to 1. If several are equal to rounding, the
+/// first determines the sign.
 double factor_of(const std::vector<Node>& moves) {
   double most = 0;
   for (const Node& m : moves) most = std::max({most, std::abs(m.x), std::abs(m.y)});

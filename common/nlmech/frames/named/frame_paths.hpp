@@ -1,5 +1,5 @@
 /// @file
-/// All of a frame's equilibrium path from rest, with the branches that leave it.
+/// Equilibrium path of a frame from rest, with its secondary branches.
 #pragma once
 
 #include <Eigen/Core>
@@ -16,91 +16,90 @@
 
 namespace nlmech::frames {
 
-/// How far to walk.
+/// Options of path following.
 struct PathOptions {
-  int steps = 200;  ///< along each branch, at most; positive
-  /// Load factor of either sign at which each branch ends, not 0; negative: the path sets out to negative
-  /// ones.
+  int steps = 200;  ///< limit of steps on each branch; positive
+  /// Load factor at which each branch ends, not 0; if negative, the path starts towards negative load
+  /// factors.
   std::optional<double> until = {};
-  int branches = 0;    ///< to be followed besides the path from rest, at most
-  double turn = 0.15;  ///< of the tangent in a step, as it should be, rad
-  /// The path from rest ends at its limit or branch point of this number, not at a multiple of their loads;
-  /// 0: goes on.
+  int branches = 0;    ///< limit of branches to follow in addition to the path from rest
+  double turn = 0.15;  ///< target rotation of the tangent in a step, rad
+  /// Number of the limit or bifurcation point at which the path from rest ends, in place of a multiple of
+  /// their loads; 0: none.
   int critical = 0;
   double seconds = std::numeric_limits<double>::infinity();  ///< wall time of all branches, positive
 };
 
-/// A point of a path.
+/// A point of an equilibrium path.
 struct FramePoint {
-  /// What it is.
+  /// Type of the point.
   enum class Kind : std::uint8_t {
-    step,        ///< where the walk stepped
-    maximum,     ///< of the load factor, along the walk
-    minimum,     ///< of the load factor, along the walk
-    bifurcation  ///< other branches leave the path
+    step,        ///< regular point at the end of a step
+    maximum,     ///< maximum of the load factor along the path
+    minimum,     ///< minimum of the load factor along the path
+    bifurcation  ///< crossing with other branches
   };
-  int branch = 0;          ///< 0: from rest
-  Kind kind = Kind::step;  ///< what it is
-  double load = 0;         ///< load factor
-  Eigen::VectorXd x;       ///< displacements
-  Eigen::Index negative =
-      0;  ///< negative eigenvalues of the tangent stiffness; the vanishing one not counted
-  Eigen::VectorXd mode = {};   ///< of a limit or branch point: the shape that costs no work, of length 1
-  Eigen::Index vanishing = 0;  ///< of a limit or branch point: eigenvalues that vanish, as far as is known
+  int branch = 0;              ///< number of the branch; 0: path from rest
+  Kind kind = Kind::step;      ///< type of the point
+  double load = 0;             ///< load factor
+  Eigen::VectorXd x;           ///< displacements
+  Eigen::Index negative = 0;   ///< negative eigenvalues of the tangent, without the vanishing one
+  Eigen::VectorXd mode = {};   ///< at a limit or bifurcation point: null vector of norm 1
+  Eigen::Index vanishing = 0;  ///< number of vanishing eigenvalues, as far as known; 0 for a step
 };
 
 /// "step", "maximum", "minimum", "bifurcation".
 [[nodiscard]] std::string_view to_string(FramePoint::Kind kind) noexcept;
 
-/// The paths, as far as they were followed.
+/// Result of equilibrium_paths().
 struct FramePaths {
-  /// Branch by branch, in the order of the walk; each but that from rest begins with its bifurcation.
+  /// Points branch by branch, in the order of the path; each secondary branch starts with its bifurcation.
   std::vector<FramePoint> points;
-  int branches = 0;       ///< followed besides the path from rest
-  int unfollowed = 0;     ///< halves of branches seen and not followed, where one eigenvalue vanishes
-  Status status;          ///< success, or why a branch was left before its end, the first that was
-  Statistics statistics;  ///< of all of it
+  int branches = 0;       ///< number of secondary branches followed
+  int unfollowed = 0;     ///< number of half branches found but not followed, at simple bifurcations
+  Status status;          ///< success, or the first failure on a branch
+  Statistics statistics;  ///< counters of all branches
 };
 
-/// Follows the equilibria of a frame under growing dead loads from rest through all limit and branch points,
-/// each computed to rounding, and goes on along branches that were met, both ways from a branch point, in the
-/// order in which they were met. Where several eigenvalues vanish at once, the directions of branches are not
-/// those of the null vectors: such a point is listed, and no branch of it followed.
+/// Follows the equilibrium path of a frame under growing dead loads from rest through all limit and
+/// bifurcation points, each computed to rounding, and then the secondary branches, in both directions, in the
+/// order in which they were found. Where several eigenvalues vanish at once, the null vectors do not give the
+/// directions of the branches: such a point is listed, but its branches are not followed.
 ///
-/// A branch ends at a load factor of `until`, or where it meets a branch point that is known. Without `until`
-/// it ends at twice the greatest load factor of a limit or branch point on it, its first one included; those
-/// of more than twice the first do not count. An end after its steps is a failure, `step_limit`; one after
-/// `seconds`, asked before each step, `time_limit`. `singular_matrix`: elements so short that by rounding the
-/// frame is unstable at rest.
+/// A branch ends at the load factor `until`, or at a known bifurcation point. Without `until` it ends at
+/// twice the greatest load factor of its limit and bifurcation points, including its start; points beyond
+/// twice the first load factor do not count. Failures: `step_limit`; `time_limit` after `seconds`, checked at
+/// each step; `singular_matrix` if elements are so short that rounding makes the frame unstable at rest.
 ///
-/// Given motions have the same load factor, and eigenvalues are those with given motions held.
+/// Prescribed displacements have the same load factor; eigenvalues are those with prescribed displacements
+/// fixed.
 ///
-/// Tests compare limit and branch points with tools/oracles/homotopy_frames.py and closed forms (a two-bar
-/// truss, Euler's loads, a cantilever that rolls up to a circle), and paths under a given displacement with
-/// those under the force that it takes.
+/// Tests compare limit and bifurcation points with tools/oracles/homotopy_frames.py and closed forms (a
+/// two-bar truss, Euler's loads, a cantilever that rolls up to a circle), and paths under a prescribed
+/// displacement with those under the corresponding force.
 /// @param frame stable at rest
-/// @param walk how far
-/// @throws std::invalid_argument if a number of @p walk is out of its range
+/// @param walk options
+/// @throws std::invalid_argument if an option of @p walk is out of range
 [[nodiscard]] FramePaths equilibrium_paths(const NamedFrame& frame, const PathOptions& walk);
 
-/// The frame with an imperfection built in, or why there is none.
+/// Frame with an imperfection, or the reason of failure.
 struct Imperfect {
-  NamedFrame frame;    ///< with its nodes moved, at rest and without strain
-  FramePoint buckled;  ///< where the perfect frame has the shape; without it the status is a failure
-  Status status;       ///< success; `not_converged` for a path without that point; as FramePaths::status
+  NamedFrame frame;    ///< the frame with displaced nodes, at rest and without strain
+  FramePoint buckled;  ///< critical point of the perfect frame with this mode; not set after a failure
+  Status status;       ///< success; `not_converged` if the path has no such point; else as FramePaths::status
 };
 
-/// Moves the nodes of a frame along the null vector of its stiffness at a limit or branch point of the path
-/// from rest. Of its two directions the one is taken in which the first node that moves farthest along x or y
-/// moves to greater values.
+/// Displaces the nodes of a frame along the null vector of its stiffness at a limit or bifurcation point of
+/// the path from rest. Its sign is chosen so that the first of the greatest displacements along x or y is
+/// positive.
 ///
-/// Tests hold it to closed forms of two columns held by braces, whose limit loads fall with the amplitude by
+/// Tests compare it with closed forms of two braced columns, whose limit loads decrease with the amplitude by
 /// Koiter's powers 1/2 and 2/3.
 /// @param perfect the frame
-/// @param imperfection which point and how far
-/// @param walk how far to look for the point
-/// @throws std::invalid_argument for a mode below 1 or an amplitude that is not finite; as build(), if nodes
-/// meet
+/// @param imperfection number of the critical point, and amplitude
+/// @param walk options of the search for the point
+/// @throws std::invalid_argument for a mode below 1 or an amplitude that is not finite; if nodes coincide
+/// afterwards, as build()
 [[nodiscard]] Imperfect imperfect(const NamedFrame& perfect, const Imperfection& imperfection,
                                   const PathOptions& walk = {});
 

@@ -13,11 +13,11 @@ namespace {
 
 using Points = std::vector<FramePoint>;
 
-constexpr double most_apart = 0.5;  // of the load factor: limit or branch points farther apart are two
+constexpr double most_apart = 0.5;  // relative: critical points with a greater difference of loads differ
 
-/// A stretch of a branch between two limit or branch points that both meshes have.
+/// A range of points of a branch between two limit or bifurcation points of both meshes.
 struct Stretch {
-  std::size_t begin, end;  ///< of points, the ends included
+  std::size_t begin, end;  ///< indices of points, both included
 };
 
 /// First and last point of a branch, if it has any.
@@ -30,7 +30,7 @@ std::optional<Stretch> branch_of(const Points& points, int branch) {
                  static_cast<std::size_t>(behind - points.begin()) - 1};
 }
 
-/// How far apart the loads of two limit or branch points are, relative to the first.
+/// Difference of the loads of two limit or bifurcation points, relative to the first.
 double apart(const FramePoint& a, const FramePoint& b) {
   return a.load == b.load ? 0 : std::abs(a.load - b.load) / std::abs(a.load);
 }
@@ -54,7 +54,7 @@ class Comparison {
   }
 
  private:
-  /// The points of a branch, from one shared limit or branch point to the next.
+  /// Compares the points of a branch, from one shared limit or bifurcation point to the next.
   void compare(const Stretch& mine, const Stretch& other) {
     const bool is_whole = m_.compared.status.ok();
     std::size_t begin = mine.begin, reached = other.begin, from = reached;
@@ -70,7 +70,7 @@ class Comparison {
     compare_steps({begin, mine.end}, {reached, other.end}, is_whole);
   }
 
-  /// The limit or branch point of the second mesh that one of the first is.
+  /// The limit or bifurcation point of the second mesh that corresponds to one of the first.
   [[nodiscard]] std::optional<std::size_t> same_point(const FramePoint& p, const Stretch& among) const {
     for (std::size_t j = among.begin; j <= among.end; ++j) {
       const FramePoint& q = m_.compared.points[j];
@@ -91,8 +91,8 @@ class Comparison {
     }
   }
 
-  /// How far a point is from that of the second mesh under the same load, on a stretch of its path; infinite
-  /// if there is none, nothing if it was not found.
+  /// Difference of a point from the point of the second mesh at the same load, in a range of its path; beyond
+  /// a limit point the relative difference of the loads; empty if no equilibrium was found.
   [[nodiscard]] std::optional<double> off_path(const FramePoint& p, const Stretch& near, bool is_whole) {
     const Points& points = m_.compared.points;
     const double load = p.load;
@@ -111,7 +111,7 @@ class Comparison {
     const auto free = [&](const Eigen::VectorXd& x) { return second_.free(x); };
     const Eigen::VectorXd start = free(points[at].x), way = part * (free(points[next].x) - start);
     const double size = (free(points[next].x) - start).cwiseProduct(scale_).norm();
-    // Slender members bear small turns alone.
+    // Slender members converge only for small rotations: divide the load step.
     for (const int parts : {1, 4, 16}) {
       Eigen::VectorXd x = start;
       bool is_settled = true;
@@ -127,7 +127,8 @@ class Comparison {
     return std::abs(off(at) / load);  // beyond a limit point
   }
 
-  /// Newton's iteration under a load, until its steps are rounding. @param size of a step of the path, scaled
+  /// Newton's iteration at a load, until its steps are rounding. @param size scaled size of a step of the
+  /// path
   [[nodiscard]] bool settle(double load, double size, Eigen::VectorXd& x) {
     algebraic::SymmetricSolver solver;
     Eigen::VectorXd f, step(x.size());
@@ -148,7 +149,8 @@ class Comparison {
     return false;
   }
 
-  /// Between displacements of named nodes, relative to the largest, and between forces on given motions.
+  /// Difference of the displacements of named nodes, relative to the largest, and of the forces at prescribed
+  /// displacements.
   [[nodiscard]] double difference(const FramePoint& p, const Eigen::VectorXd& x) const {
     double largest = 0, most = 0;
     for (const bool with_rotations : {false, true}) {

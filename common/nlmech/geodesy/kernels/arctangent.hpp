@@ -5,14 +5,14 @@
 namespace nlmech::geodesy::kernels {
 
 /// (atan(t)/t - 1)/t^2 as a polynomial in t^2, minimax for the absolute error of atan(t) on |t| <= tan(pi/8),
-/// which is 8.7e-18 with the coefficients rounded to double. Made by tools/arctangent_minimax.cpp.
+/// which is 8.7e-18 with the coefficients rounded to double. Computed by tools/arctangent_minimax.cpp.
 inline constexpr double arctangent_coefficients[10] = {
     -0x1.5555555554f9ap-2, 0x1.99999998f9cbcp-3, -0x1.249248f053a2bp-3, 0x1.c71c600c6008fp-4,
     -0x1.745b4e5479b66p-4, 0x1.3af68290088d2p-4, -0x1.0fd8c1f53afeap-4, 0x1.d0af5b0308e8ep-5,
     -0x1.60be15cf97ba5p-5, 0x1.527e5ae467d62p-6};
 
-/// (atan(t) - t)/t^3 by Horner's rule in t^4, even and odd terms side by side: half the latency for one
-/// product more.
+/// (atan(t) - t)/t^3 by Horner's rule in t^4, separately for even and odd terms: half the latency for one
+/// additional product.
 template <class V>
 [[gnu::always_inline]] inline V arctangent_tail(V w) {
   const auto& c = arctangent_coefficients;
@@ -25,17 +25,14 @@ template <class V>
   return multiply_add(odd, w, even);
 }
 
-/// atan2(y, x) + correction with |y| in place of y: an angle from 0 to pi, to which the caller gives the sign
-/// of y.
+/// atan2(|y|, x) + correction: an angle from 0 to pi; the caller applies the sign of y.
 ///
 /// The half plane is folded to |t| <= tan(pi/8), where angle = base +- atan(t), with one division:
 ///   small <= tan(pi/8) big: t = small/big;  otherwise t = (small - big)/(small + big), relative to the
 ///   diagonal.
-/// The base is a multiple of pi/4 and carries its rounding error as a second term, lambda base; all multiples
-/// share one lambda since pi/2, 3 pi/4 and pi in double precision are exact multiples of pi/4 in double
-/// precision.
-/// @param half_plane x may be negative (-0 included: then the angle is pi); otherwise x >= +0 is taken for
-/// granted
+/// The base is a multiple of pi/4 with its rounding error as a second term, lambda base; all multiples share
+/// one lambda since pi/2, 3 pi/4 and pi in double precision are exact multiples of pi/4 in double precision.
+/// @param half_plane x may be negative (including -0: then the angle is pi); otherwise x >= +0 is assumed
 template <bool half_plane, class V>
 [[gnu::always_inline]] inline V arctangent(V y_magnitude, V x, V correction) {
   const V quarter = V::all(0x1.921fb54442d18p-1), half = V::all(0x1.921fb54442d18p+0);
@@ -55,7 +52,7 @@ template <bool half_plane, class V>
   }
   const V t = numerator / select(diagonal, small + big, big);
   const V w = t * t;
-  // Smallest terms first; the last addition alone rounds at the size of the result.
+  // Add the smallest terms first, so that only the last addition rounds at the size of the result.
   return base + (t + (multiply_add(t * w, arctangent_tail(w), lambda * base) + correction));
 }
 

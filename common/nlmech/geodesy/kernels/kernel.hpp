@@ -1,5 +1,5 @@
 /// @file
-/// The face that the kernels of all instruction sets show to ReverseTransform. Internal.
+/// Interface of the kernels of all instruction sets for ReverseTransform. Internal.
 #pragma once
 
 #include <cstddef>
@@ -10,16 +10,16 @@ class ClosestPoint;
 
 namespace nlmech::geodesy::kernels {
 
-/// What a kernel needs of the ellipsoid.
+/// Constants of the ellipsoid for a kernel.
 struct Constants {
   static constexpr int q_terms = 5, m_terms = 6;
   double a = 0, e2 = 0;
-  /// Squares of the distances from the centre between which the kernel is valid.
+  /// Squares of the limits of the distance from the centre in which the kernel is valid.
   double nearest2 = 0, farthest2 = 0;
   double tangent[q_terms][m_terms] = {};  ///< F(q, m) = sum over i, j of tangent[i][j] q^i m^j
 };
 
-/// Result for one point; `valid` is false if it has to be done again by ClosestPoint.
+/// Result for one point; if `valid` is false, ClosestPoint must compute it.
 struct Position {
   double latitude, longitude, height;
   bool valid;
@@ -31,12 +31,12 @@ struct Arrays {
   std::size_t size;
 };
 
-/// Points that a batch sent to ClosestPoint, and those of them without a finite result.
+/// Numbers of points of a batch computed by ClosestPoint, and of points without a finite result.
 struct Tally {
   std::size_t fallbacks = 0, non_finite = 0, first_non_finite = 0;
 };
 
-/// Does one point of a batch again by ClosestPoint. Compiled for the baseline, whichever kernel calls it.
+/// Computes one point of a batch by ClosestPoint. Compiled for the baseline.
 void redo(const ClosestPoint& exact, double x, double y, double z, const Arrays& out, std::size_t index,
           Tally& tally) noexcept;
 

@@ -1,6 +1,6 @@
 /// @file
-/// The fast reverse transformation, written once for any number of lanes. Internal: included by the file of
-/// each instruction set.
+/// The fast reverse transformation for any number of lanes. Internal: included by the file of each
+/// instruction set.
 #pragma once
 
 #include "nlmech/geodesy/kernels/arctangent.hpp"
@@ -9,14 +9,14 @@
 
 namespace nlmech::geodesy::kernels {
 
-/// Latitude as the angle of a vector plus a small correction, height, and whether both hold.
+/// Latitude as the angle of (x, y) plus a small correction, height, and their validity.
 template <class V>
 struct Meridian {
   V y, x, correction, height;
   typename V::Mask valid;
 };
 
-/// The polynomial F(q, m), in pairs of terms: the same number of multiply-adds as Horner's rule and half the
+/// The polynomial F(q, m), evaluated in pairs of terms: as many multiply-adds as Horner's rule and half the
 /// latency.
 template <class V>
 [[gnu::always_inline]] inline V economised(V q, V m, const Constants& k) {
@@ -46,20 +46,20 @@ template <int corrections, class V>
     const V W2 = multiply_add(mc2 * u, u, subtract_product(e2 * m, up * up, one));
     const V W = square_root(W2);
     const V residual = subtract_product(eq * up, in, u * W);
-    // Slope times W: one division a correction instead of two.
+    // Slope times W: one division per correction instead of two.
     const V slope = multiply_add(mc2 * u, subtract_product(e2, up, u), W2) - eq * W * (c2 * in - m * up);
     u = u - residual * W / slope;
   }
   return u;
 }
 
-/// Everything but the two arctangents.
+/// All of the transformation except the two arctangents.
 template <int corrections, class V>
 [[gnu::always_inline]] inline Meridian<V> meridian(V x, V y, V z, const Constants& k) {
   const V one = V::all(1);
   const V r2 = multiply_add(x, x, y * y), R2 = multiply_add(z, z, r2);
   const V r = square_root(r2), R = square_root(R2);
-  // 1/R^2 does not wait for the square root of R^2, as 1/R would.
+  // 1/R^2 does not depend on the square root of R^2, unlike 1/R.
   const V inverse2 = one / R2, z_magnitude = magnitude(z);
   const V m = z * z * inverse2, c2 = r2 * inverse2, q = V::all(k.a) * R * inverse2;
   const V u = tangent<corrections>(q, m, c2, k);
@@ -96,8 +96,8 @@ Position reverse_point(const Constants& k, double x, double y, double z) noexcep
   return {result[0], result[1], g.height.v, g.valid};
 }
 
-/// One vector of points from x, y, z to latitude, longitude, height; returns one bit for each point that is
-/// not valid.
+/// Transforms one vector of points from x, y, z to latitude, longitude, height. @return one bit for each
+/// point that is not valid
 template <class V, int corrections>
 [[gnu::always_inline]] inline unsigned reverse_lanes(const Constants& k, V x, V y, V z, double* latitude,
                                                      double* longitude, double* height) {
@@ -108,7 +108,8 @@ template <class V, int corrections>
   return V::bits(g.valid) ^ ((1u << V::lanes) - 1);
 }
 
-/// The inputs are in registers before the results are stored: an output may therefore be one of the inputs.
+/// Computes the points marked in @p bits by ClosestPoint. The inputs are in registers, so an output may be
+/// the same array as an input.
 template <class V>
 void redo_lanes(unsigned bits, V x, V y, V z, const ClosestPoint& exact, const Arrays& p, std::size_t first,
                 Tally& tally) noexcept {
@@ -134,8 +135,8 @@ Tally reverse_batch(const Constants& k, const ClosestPoint& exact, const Arrays&
   }
   if (i == p.size) return tally;
 
-  // The rest goes through the same code, filled up with a harmless point, so that no result depends on its
-  // place.
+  // The remaining points use the same code, padded with a valid point, so that results do not depend on the
+  // index.
   double xs[lanes], ys[lanes] = {}, zs[lanes] = {}, out[3][lanes];
   const std::size_t rest = p.size - i;
   for (std::size_t lane = 0; lane < lanes; ++lane) xs[lane] = k.a;
@@ -154,7 +155,7 @@ Tally reverse_batch(const Constants& k, const ClosestPoint& exact, const Arrays&
   return tally;
 }
 
-/// The table of one instruction set.
+/// The kernels of one instruction set.
 template <class Set, class V = simd::Widest<Set>>
 inline constexpr Kernel kernel = {{reverse_point<Set, 0>, reverse_point<Set, 1>, reverse_point<Set, 2>},
                                   {reverse_batch<V, 0>, reverse_batch<V, 1>, reverse_batch<V, 2>}};

@@ -1,5 +1,5 @@
 /// @file
-/// Kepler orbits by Taylor series, one in each lane, for any set of lanes. Internal to the kernels.
+/// Kepler orbits by Taylor series, one per lane, for any instruction set. Internal to the kernels.
 #pragma once
 
 #include "nlmech/orbit/kernels/kernel.hpp"
@@ -21,7 +21,7 @@ namespace nlmech::orbit::kernels {
 //
 // for every conic and for straight lines. The velocity at the end follows from the same two numbers.
 
-/// Kepler orbits in lanes. @tparam V one or several registers
+/// Taylor series of Kepler orbits, one per lane. @tparam V one or several registers
 template <class Set, class V>
 struct EnsembleTaylor {
   static constexpr int size = most_ensemble_order + 1;
@@ -38,7 +38,7 @@ struct EnsembleTaylor {
     }
   }
 
-  /// sigma_n, first_{n+1} and second_{n+1} out of both products.
+  /// sigma_n, first_{n+1} and second_{n+1} from both products.
   template <int n>
   [[gnu::always_inline]] void close(V a, V b) {
     sigma[n] = multiply_add(minus_eta, a, minus_gamma * b);
@@ -48,8 +48,8 @@ struct EnsembleTaylor {
     second[n + 1] = over(a, reciprocal(n + 1));
   }
 
-  /// The terms with what close() found last, by way of its numerators: the chain from order to order is what
-  /// would limit the speed. `a` and `b` are all other terms.
+  /// Adds the terms with the latest results of close(), through their numerators: the dependency chain from
+  /// order to order limits the speed. `a` and `b` are all other terms.
   template <int n>
   [[gnu::always_inline]] void finish(V a, V b) {
     const V share = over(sigma[0], reciprocal(n));
@@ -57,7 +57,7 @@ struct EnsembleTaylor {
              multiply_add(share, latest, b));
   }
 
-  /// Orders n and n + 1, which share what they read; n is even.
+  /// Orders n and n + 1, which share loads; n is even.
   template <int n>
   [[gnu::always_inline]] void pair() {
     if constexpr (n == 2) {
@@ -67,8 +67,8 @@ struct EnsembleTaylor {
       V f = first[3], g = second[3];
       V a0 = first[2] * sigma[n - 2], a1 = f * sigma[n - 2];
       V b0 = second[2] * sigma[n - 2], b1 = g * sigma[n - 2];
-      // A loop of a few terms, which hands on what it has read: unrolled, the code of the higher orders is
-      // more than the first level of the cache of instructions holds, and a step takes twice as long.
+      // Unrolled by 2 only: the fully unrolled code of the higher orders exceeds the first-level instruction
+      // cache, and a step takes twice as long.
 #pragma GCC unroll 2
       for (int m = 3; m < n; ++m) {
         a0 = multiply_add(f, sigma[n - m], a0);
@@ -85,7 +85,7 @@ struct EnsembleTaylor {
     }
   }
 
-  /// Coefficients to n + 2 and on, left early at the wanted order.
+  /// Coefficients from order n up to @p wanted.
   template <int n>
   [[gnu::always_inline]] void pairs(int wanted) {
     pair<n>();
@@ -106,7 +106,7 @@ struct EnsembleTaylor {
   }
 };
 
-/// high + low + change, exact to the rounding of low + change (Knuth's sum of two), where the lane is moved.
+/// high + low + change in the lanes of @p moved, exact to the rounding of low + change (Knuth's two-sum).
 template <class V, class M>
 [[gnu::always_inline]] inline void add_to(Row& high, Row& low, V change, M moved) {
   const V a = V::load(high.lane), a_low = V::load(low.lane), b = a_low + change;
@@ -120,15 +120,15 @@ template <class V>
   return V::load(row.lane);
 }
 
-/// log2 of the step for which a term is as large as wanted; `square` is that of its coefficient.
+/// log2 of the step size for which a term has the wanted size; `square` is the squared coefficient.
 template <class V>
 [[gnu::always_inline]] inline V step_of(V wanted, V square, double weight, double power) {
-  // Where the sum of squares cancels, its rounding may be negative: a very small term.
+  // Rounding may make the sum negative where it cancels: treat it as a very small term.
   const V bits = rough_log2(larger(square, V::all(0x1p-1000)));
   return (wanted - bits - V::all(weight)) * V::all(power);
 }
 
-/// Both universal functions at a time, the even and the odd powers each by themselves.
+/// Both universal functions at a time; even and odd powers are summed separately.
 template <class Set, class V>
 struct Universal {
   V one, two;
@@ -148,7 +148,7 @@ struct Universal {
   }
 };
 
-/// One step of every lane; says what happened in which.
+/// One step of every lane. @return the events of the lanes
 template <class Set, class V>
 [[gnu::always_inline]] inline LaneEvents one_step(LaneBlock& block, const LaneSettings& settings) {
   V r[3], v[3];
@@ -170,7 +170,7 @@ template <class Set, class V>
   t.minus_gamma = minus_gamma * inverse;
   t.expand(inverse, settings.order);
 
-  // The step, from the last two coefficients of the position, F_k r + G_k v.
+  // Step size from the last two coefficients of the position, F_k r + G_k v.
   const auto square_of = [&](int k) __attribute__((always_inline)) {
     const V f = circular * t.second[k];  // -F_k
     const V g = multiply_add(distance, t.first[k], eta * t.second[k]);
@@ -185,7 +185,7 @@ template <class Set, class V>
                     (rough_log2(square) - log_speed) * V::all(0.5);
   const V h = rough_exp2(smaller(smaller(last, before), longest));
 
-  // What remains is a sum of two. A step that would leave less than itself takes half of it.
+  // The remaining time is a sum of two doubles. If less than two steps remain, take half of it.
   const V to_go = load<V>(block.remaining), to_go_low = load<V>(block.remaining_low);
   const V remaining = to_go + to_go_low;
   const auto inner = remaining > h;
@@ -201,7 +201,7 @@ template <class Set, class V>
     dv[i] = V::all(0) - multiply_add(minus_f_rate, r[i], minus_g_rate * v[i]);
     sum = sum + (dr[i] + dv[i]);
   }
-  // Numbers that are not finite are not within any bounds, even times 0.
+  // Values that are not finite fail the test of 0 times the sum.
   const auto moved = (h > load<V>(block.least_step)) & within(V::all(0), sum * V::all(0), V::all(0));
 
   LaneEvents events;
@@ -247,8 +247,8 @@ LaneEvents steps(LaneBlock& block, const LaneSettings& settings, std::int64_t li
   return events;
 }
 
-/// The table of one instruction set. The chain from order to order leaves room for two registers at a time;
-/// where quotients are divisions, it does not.
+/// Kernel of one instruction set. Two registers at a time hide the latency of the chain from order to order,
+/// except where quotients are divisions.
 template <class Set, class V = simd::Pack<Set, (Set::fuses ? 2 : 1) * Set::lanes>>
 inline constexpr EnsembleKernel ensemble_kernel = {V::lanes, steps<Set, V>};
 

@@ -1,5 +1,5 @@
 /// @file
-/// The recurrences of analytic continuation with unrolled sums, for any set of lanes. Internal to the
+/// The recurrences of analytic continuation with unrolled sums, for any instruction set. Internal to the
 /// kernels.
 #pragma once
 
@@ -20,18 +20,19 @@ namespace nlmech::orbit::kernels {
 //
 //     f_{n+2} = Q_n/(n (n + 1)(n + 2)).
 //
-// The sums for r, P and Q run over the same g: r_m, f_m and m f_m lie side by side in one pack, and each
-// term is one multiply-add with g in all lanes.
+// The sums for r, P and Q use the same g: r_m, f_m and m f_m are stored in one pack, and each term is one
+// multiply-add with g in all lanes.
 //
-// What limits the speed is the chain from one order to the next, not the number of operations. So sums have
-// independent parts, and the last links to a new number are multiply-adds with all else prepared:
+// The dependency chain from one order to the next limits the speed, not the number of operations. Sums
+// therefore have independent parts, and the last operations of a new number are multiply-adds with
+// precomputed terms:
 //
 //     r_{n+2} = u_n + w_n g_n,  w_n = r_0/((n + 1)(n + 2))
 //     g_n = (all that needs neither g_{n-1} nor f_n) - (1 + 1/(2n)) (f_1/f_0) g_{n-1} - (3/2) (g_0/f_0) f_n
 
-/// 1/d = high + low to twice the precision: a rounded reciprocal would be wrong by the same share in every
-/// step, and the energy would drift linearly. Without fused multiply-adds the product with high is rounded
-/// before low can tell, so there the quotient is a division.
+/// 1/d = high + low in twice the precision: a rounded reciprocal has the same relative error in every step,
+/// and the energy would drift linearly. Without fused multiply-add the product with high is rounded, so a
+/// division is used instead.
 struct Reciprocal {
   double d, high, low;
 };
@@ -61,7 +62,7 @@ template <class Set>
   }
 }
 
-/// Of the first three lanes.
+/// Sum of the first three lanes.
 template <class Set>
 [[gnu::always_inline]] inline double sum3(simd::Pack<Set, 4> a) {
   return (a[0] + a[1]) + a[2];
@@ -70,7 +71,7 @@ template <class Set>
 template <class Set>
 struct Taylor {
   using Four = simd::Pack<Set, 4>;
-  using Five = simd::Pack<Set, 8>;  ///< r, f and m f; three lanes are of no meaning
+  using Five = simd::Pack<Set, 8>;  ///< r, f and m f; three lanes are unused
   static constexpr int size = most_unrolled + 1;
 
   Five five[size];
@@ -96,7 +97,7 @@ struct Taylor {
     }
   }
 
-  /// Everything of orders 0 and 1.
+  /// Computes all quantities of orders 0 and 1.
   [[gnu::always_inline]] void start(double mu) {
     r[0] = Four::load(c.row[0]);
     r[1] = Four::load(c.row[1]);
@@ -155,7 +156,7 @@ struct Taylor {
     next<n>(sum);
   }
 
-  /// Orders n to `most_unrolled`, left early at the wanted one.
+  /// Orders from n up to @p wanted.
   template <int n>
   [[gnu::always_inline]] void orders(int wanted) {
     order<n>();
@@ -176,11 +177,11 @@ struct Taylor {
   struct Change {
     Four position, velocity;
   };
-  /// sum_{k>=1} r_k h^k and sum_{k>=2} k r_k h^(k-1), the powers k = 0 .. 3 modulo 4 each by themselves:
-  /// Horner's rule waits for every product.
+  /// sum_{k>=1} r_k h^k and sum_{k>=2} k r_k h^(k-1), summed separately for k = 0 .. 3 modulo 4, to shorten
+  /// the dependency chain of Horner's rule.
   [[gnu::always_inline]] static Change change(const Coefficients& c, int order, double h) {
     const Four step = Four::all(h), square = step * step, fourth = square * square;
-    Four p[4], v[4];  // of the position and of the velocity
+    Four p[4], v[4];  // terms of position and velocity
     int base = order & ~3;
     for (int j = 0; j < 4; ++j) {
       p[j] = base + j <= order ? Four::load(c.row[base + j]) : Four::all(0);
@@ -195,7 +196,7 @@ struct Taylor {
         v[j] = multiply_add(v[j], fourth, row * Four::all(base + j));
       }
     }
-    // p[0] begins with r_4 and v[1] with 5 r_5: rows 0, and 1 of the velocity, are no change.
+    // p[0] starts with r_4 and v[1] with 5 r_5: row 0, and row 1 of the velocity, are not part of the change.
     if (base == 0) {
       const Four third = Four::load(c.row[3]), second = Four::load(c.row[2]);
       p[1] = multiply_add(p[1], fourth, Four::load(c.row[1]));
@@ -215,8 +216,7 @@ struct Taylor {
     d.velocity.store(velocity);
   }
 
-  /// high + low + change, exact to the rounding of low + change (D. E. Knuth's sum of two, which asks for no
-  /// order).
+  /// high + low + change, exact to the rounding of low + change (Knuth's two-sum, for operands in any order).
   [[gnu::always_inline]] static void add(double* high, double* low, Four change, double keep) {
     const Four a = Four::load(high), b = Four::load(low) + change;
     const Four sum = a + b, virtual_b = sum - a;

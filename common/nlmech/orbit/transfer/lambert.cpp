@@ -41,13 +41,13 @@ void check_problem(const LambertProblem& problem) {
   }
 }
 
-/// A problem in units in which its squares and cubes are doubles: powers of two, which change no digit.
+/// Lambert's problem in units, powers of two, in which squares and cubes do not overflow.
 struct ScaledChord {
   Chord chord;
   Span span = Span::plane;
   double wanted = 0;     ///< T
-  double time_unit = 1;  ///< user's time over the scaled one
-  double unit = 1;       ///< user's length over the scaled one
+  double time_unit = 1;  ///< unit of time, in units of the user
+  double unit = 1;       ///< unit of length, in units of the user
 
   ScaledChord(const LambertProblem& problem, bool long_way) {
     const double size1 = problem.from.cwiseAbs().maxCoeff(), size2 = problem.to.cwiseAbs().maxCoeff();
@@ -106,17 +106,16 @@ struct ScaledChord {
                      problem.time, wanted, wanted > 1 ? "long" : "short");
 }
 
-/// Rounding turns v_1 by 4 eps at most: an eps for the unit vector along r_1, one for the sum of both parts,
-/// and as much again for the parts themselves. Where sixteen times that share of it goes across r_1, the
-/// angular momentum keeps its sign and all but a sixteenth of its size.
+/// Smallest component of v_1 normal to r_1, relative to |v_1|. Rounding rotates v_1 by at most 4 eps: eps for
+/// the unit vector along r_1, eps for the sum of both parts, and as much again for the parts. With sixteen
+/// times that, the angular momentum keeps its sign, and its magnitude to 1/16.
 constexpr double least_across = 64 * std::numeric_limits<double>::epsilon();
-/// The error of an end, as a share of |r_2|, up to which it does not matter on which side the centre is
-/// passed.
+/// Error of the end, relative to |r_2|, up to which the side of passing the centre is irrelevant.
 constexpr double largest_without_side = 1e-6;
 
-/// Does the rounded v_1 pass the centre on the side that was asked for, or arrive whichever it passes? Thin
-/// ellipses do, fast passages near the centre do not. By the bound of the miss, because a miss in double
-/// precision may be small by chance.
+/// Does the orbit with the rounded v_1 pass the centre on the requested side, or reach r_2 on either side?
+/// True for thin ellipses, false for fast passages near the centre. Uses the bound of the miss, because a
+/// computed miss may be small by chance.
 [[nodiscard]] bool keeps_its_side(const LambertProblem& problem, const Chord& chord,
                                   const Vector3<double>& across, const Vector3<double>& v1) {
   if (across.dot(chord.ahead1) > least_across * std::sqrt(across.dot(across))) return true;

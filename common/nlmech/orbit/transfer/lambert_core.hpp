@@ -1,5 +1,5 @@
 /// @file
-/// Izzo's iteration for Lambert's problem, arc by arc, without allocation. Internal to the component.
+/// Izzo's iteration for one arc of Lambert's problem, without allocation. Internal to the component.
 #pragma once
 
 #include <algorithm>
@@ -16,9 +16,9 @@ namespace nlmech::orbit::detail {
 /// Do two positions span a plane?
 enum class Span { plane, opposite, same };
 
-/// Two positions as Lambert's problem sees them. Differences that vanish in a limit (180 degrees, r_1 = r_2,
-/// nearly one direction) are formed as products, so that each number is within some eps of that of positions
-/// within some eps of the given ones.
+/// Geometry of Lambert's problem. Differences that vanish in a limit (180 degrees, r_1 = r_2, nearly one
+/// direction) are computed as products, so that each number is accurate to some eps for positions within some
+/// eps of the given ones (backward stable).
 struct Chord {
   double r1, r2;                   ///< distances
   double s;                        ///< half the perimeter of the triangle
@@ -30,9 +30,9 @@ struct Chord {
   double speed;                    ///< sqrt(mu/(2 s))
   double rate;                     ///< sqrt(2 mu/s^3): T = rate times the time of flight
   Vector3<double> out1, out2;      ///< unit vectors along the positions
-  Vector3<double> ahead1, ahead2;  ///< across them, in the direction of flight
+  Vector3<double> ahead1, ahead2;  ///< unit vectors normal to them, in the direction of motion
 
-  /// The other way round.
+  /// Changes to the long way.
   void turn() {
     lambda = -lambda;
     ahead1 = -ahead1;
@@ -40,8 +40,8 @@ struct Chord {
   }
 };
 
-/// Fills @p k for the short way. Where the positions span no plane, but are opposite, @p normal (if it is
-/// not null, and not along the line) decides; the result tells what was found.
+/// Computes @p k for the short way. For opposite positions, which span no plane, @p normal defines it, unless
+/// null. @return what the positions span
 [[nodiscard]] inline Span make_chord(const Vector3<double>& from, const Vector3<double>& to, double mu,
                                      const Vector3<double>* normal, Chord& k) {
   k.r1 = std::sqrt(from.dot(from));
@@ -57,8 +57,8 @@ struct Chord {
   k.complement = c / k.s;
   k.speed = std::sqrt(mu / (2 * k.s));
   k.rate = 2 * k.speed / k.s;
-  // The normal by the difference of the positions, or the sum of the directions if that is shorter: so it has
-  // all digits that the data have.
+  // Normal from the difference of the positions, or from the sum of the directions if that is shorter:
+  // accurate to the rounding of the data.
   const bool wide = cosine2 < 1;
   Vector3<double> n;
   if (wide) {
@@ -93,8 +93,8 @@ struct Chord {
   return span;
 }
 
-/// The time of flight T as a function of Izzo's x for M revolutions: a = s/(2 (1 - x^2)), x = 1 the parabola,
-/// x > 1 hyperbolas.
+/// Time of flight T as a function of Izzo's x for M revolutions: a = s/(2 (1 - x^2)), x = 1 for the parabola,
+/// x > 1 for hyperbolas.
 ///
 ///     y^2 = 1 - lambda^2 (1 - x^2),  eta = y - lambda x,  sin psi = eta (1 - x^2)^(1/2)
 ///     T = (M pi + psi - sin psi cos psi)/(1 - x^2)^(3/2) + 2 lambda eta
@@ -120,7 +120,7 @@ struct TimeCurve {
       }
       return c;
     }();
-    // Four sums side by side, of every fourth power.
+    // Four independent sums, of every fourth power.
     const double z2 = z * z, z4 = z2 * z2;
     std::array<double, 4> sum = {};
     for (std::size_t n = terms; n > 0; n -= 4) {
@@ -129,7 +129,7 @@ struct TimeCurve {
     return (sum[0] + z * sum[1]) + z2 * (sum[2] + z * sum[3]);
   }
 
-  /// T alone; also y and eta, and 1 - x^2.
+  /// T without derivatives; also y, eta and q = 1 - x^2.
   [[nodiscard]] double time(double x, double& y, double& eta, double& q) const {
     q = (1 - x) * (1 + x);
     y = std::sqrt(complement + lambda * lambda * x * x);
@@ -149,8 +149,8 @@ struct TimeCurve {
     return (lead - psi / root) / -q;
   }
 
-  /// Izzo's Eq. 22. Next to the parabola, where it is 0/0, the same equations are solved for the derivatives
-  /// with (1 - x^2) T''' left out, which makes T' wrong by less than 1e-4 of itself.
+  /// Izzo's Eq. 22. Near the parabola, where it is 0/0, the same equations are solved for the derivatives
+  /// without (1 - x^2) T'''; the relative error of T' is then below 1e-4.
   [[nodiscard]] At at(double x) const {
     At a;
     double eta, q;
@@ -172,26 +172,27 @@ struct TimeCurve {
     return a;
   }
 
-  /// T at x = 1 and M = 0, the parabola.
+  /// T at x = 1 and M = 0 (parabola).
   [[nodiscard]] double parabola() const {
     const double below = lambda > 0 ? complement / (1 + lambda) : 1 - lambda;  // 1 - lambda
     return below * (1 + lambda + lambda * lambda) * (2.0 / 3);
   }
-  /// T at x = 0, the ellipse of least energy.
+  /// T at x = 0 (ellipse of minimum energy).
   [[nodiscard]] double middle() const {
     const double root = std::sqrt(complement);
     return turns + std::atan2(root, lambda) + lambda * root;
   }
 };
 
-/// Where a search ended.
+/// Result of a root search.
 struct Found {
   double x = 0;
   int iterations = 0;
   bool ok = false;
 };
 
-/// The point that halves a bracket: by ratio of the distances to x = -1 or 1 where these differ by much.
+/// Bisection point of a bracket; geometric in the distance to x = -1 or 1 where the distances of its ends
+/// differ much.
 [[nodiscard]] inline double halfway(double low, double high) {
   if (high == std::numeric_limits<double>::infinity()) return 3 * low + 4;
   const double a = 1 + low, b = 1 + high;
@@ -202,26 +203,27 @@ struct Found {
   return low + (high - low) / 2;
 }
 
-/// The root of T(x) = @p wanted between @p low and @p high, where T falls (or grows), by Householder's
-/// iteration of third order from @p x. An iterate outside the bounds, which close in on the root, or every
-/// eighth one, is replaced by halfway().
+/// Root of T(x) = @p wanted between @p low and @p high, where T decreases (@p falls) or increases, by
+/// Householder's iteration of third order from @p x. halfway() replaces an iterate outside the bracket, and
+/// every eighth one.
 [[nodiscard]] inline Found find_root(const TimeCurve& curve, double wanted, double low, double high, double x,
                                      bool falls) {
   constexpr double eps = std::numeric_limits<double>::epsilon();
   if (!(x > low && x < high)) x = halfway(low, high);
-  double before = std::numeric_limits<double>::infinity();  // unknown: the first step, or one after halfway()
+  double before = std::numeric_limits<double>::infinity();  // unknown in the first step and after halfway()
   for (int i = 1; i <= 400; ++i) {
     const TimeCurve::At a = curve.at(x);
     const double f = a.t - wanted;
-    // T cannot be nearer: its own rounding, and that of x
+    // converged to the rounding of T and x
     if (std::abs(f) <= eps * (2 * wanted + std::abs(x * a.d1))) return {x, i, true};
     ((f > 0) == falls ? low : high) = x;
-    // By ratios of derivatives: their products would underflow for fast hyperbolas.
+    // Ratios of derivatives: products would underflow for fast hyperbolas.
     const double u = f / a.d1, second = u * (a.d2 / a.d1), third = u * u * (a.d3 / a.d1);
     const double change = -u * (1 - second / 2) / (1 - second + third / 6), size = std::abs(change);
     const double next = x + change, scale = eps / 2 * (std::abs(x) + a.y);
     const bool inside = next > low && next < high;
-    // Shorter than eps, or so once more by the ratio in which the steps shrink; or rounding of T alone.
+    // Converged if the step is below rounding, if the next one will be by the rate of decrease, or if f is
+    // rounding of T.
     if (size <= scale) return {inside ? next : x, i, true};
     const bool shrinks = before < std::numeric_limits<double>::infinity();
     if (inside && shrinks && size * (size / before) <= scale / 16) return {next, i, true};
@@ -239,7 +241,7 @@ struct Found {
   return {x, 400, false};
 }
 
-/// The x of the least time of flight with at least one revolution; between 0 and 1. Halley's iteration for
+/// x of the minimum time of flight with at least one revolution, between 0 and 1, by Halley's iteration for
 /// T' = 0.
 [[nodiscard]] inline Found find_minimum(const TimeCurve& curve, TimeCurve::At& a) {
   constexpr double eps = std::numeric_limits<double>::epsilon();
@@ -251,7 +253,7 @@ struct Found {
     (a.d1 < 0 ? low : high) = x;
     const double change = -2 * a.d1 * a.d2 / (2 * a.d2 * a.d2 - a.d1 * a.d3);
     double next = x + change;
-    // T is flat: a tenth of sqrt(eps) in x is 1e-18 in T; the rest is for the sake of d2.
+    // T is flat: an error of sqrt(eps)/10 in x is 1e-18 in T; the tighter tolerance is for d2.
     if (std::abs(change) <= 1e-11 * x || a.d1 == 0) return {x, i, true};
     if (!(next > low && next < high) || i % 8 == 0) next = low + (high - low) / 2;
     if (!(high - low > 4 * eps * high)) return {x, i, true};
@@ -260,7 +262,7 @@ struct Found {
   return {x, 400, false};
 }
 
-/// A start for no revolution: Izzo's Eq. 30, and what lambda = 1 tends to where that is closer.
+/// Initial guess for no revolution: Izzo's Eq. 30, or the limit for lambda = 1 where that is closer.
 [[nodiscard]] inline double single_start(const TimeCurve& curve, double wanted) {
   const double middle = curve.middle(), parabola = curve.parabola(), l = curve.lambda;
   if (wanted >= middle) {
@@ -275,14 +277,14 @@ struct Found {
   return std::exp2(std::log(middle / wanted) / std::log(middle / parabola)) - 1;
 }
 
-/// What came of one arc.
+/// Outcome of the search for one arc.
 enum class Arrived { yes, no_such_arc, lost };
 
 /// x for the arc that takes T = @p wanted.
 [[nodiscard]] inline Arrived find_x(const Chord& k, double wanted, int revolutions, LambertBranch branch,
                                     Found& found) {
   constexpr double pi = std::numbers::pi, infinity = std::numeric_limits<double>::infinity();
-  // From T = 1e21 on, 1 + x (or 1 - x) has hardly a bit; below 1e-150, x^2 overflows.
+  // From T = 1e21 on, 1 + x (or 1 - x) has hardly a significant bit; below 1e-150, x^2 overflows.
   if (!(wanted > 1e-150 && wanted < 1e21)) return Arrived::lost;
   const TimeCurve curve{k.lambda, k.complement, revolutions * pi};
   if (revolutions == 0) {
@@ -310,7 +312,7 @@ enum class Arrived { yes, no_such_arc, lost };
   return found.ok ? Arrived::yes : Arrived::lost;
 }
 
-/// The velocities at both ends of the arc with this x (Izzo, section 3.3).
+/// Velocities at both ends of the arc with this x (Izzo, section 3.3).
 inline void velocities(const Chord& k, double x, Vector3<double>& v1, Vector3<double>& v2) {
   const double y = std::sqrt(k.complement + k.lambda * k.lambda * x * x), lx = k.lambda * x,
                ly = k.lambda * y;

@@ -54,7 +54,7 @@ void check_all(const PorkchopProblem& p, int threads) {
           fmt::format("the number of threads must be from 0 to 1024, not {}", threads));
 }
 
-/// Where a body is at the times of a window.
+/// States of a body at the times of a window.
 [[nodiscard]] Status follow(const Ephemeris& body, double mu, const Window& window,
                             std::vector<double>& times, std::vector<State>& states) {
   for (int k = 0; k < window.count; ++k) {
@@ -66,7 +66,7 @@ void check_all(const PorkchopProblem& p, int threads) {
   return {};
 }
 
-/// What a thread counts.
+/// Counters of a thread.
 struct Counts {
   std::int64_t arcs = 0, evaluations = 0, lost = 0;
 };
@@ -118,8 +118,8 @@ class Search {
     keep({departure, arrival, arc.revolutions, arc.long_way, arc.branch});
     return true;
   }
-  /// Back to one position after whole revolutions: the period gives the speed, and any direction leads back.
-  /// That of the body left is taken.
+  /// Return to the same position after whole revolutions: the period gives the speed, and any direction is
+  /// possible. Uses that of the departure body.
   void try_whole_revolutions(const State& from, const State& to, double time) {
     constexpr double close = 64 * std::numeric_limits<double>::epsilon();
     const double r = from.position.norm(), speed = from.velocity.norm();
@@ -148,7 +148,7 @@ class Search {
   Counts counts_;
 };
 
-/// Rows are handed out one by one; who computes which does not matter to the numbers.
+/// Rows are distributed one by one; results do not depend on the thread.
 [[nodiscard]] Counts fill(const PorkchopProblem& problem, int threads, const std::vector<State>& left,
                           const std::vector<State>& reached, Porkchop& grid) {
   std::atomic<std::size_t> next = 0;

@@ -1,5 +1,5 @@
 /// @file
-/// Pork-chop plots: what a transfer between two orbits costs for every departure and arrival of a grid.
+/// Pork-chop plots: speeds of transfer between two orbits on a grid of departure and arrival times.
 #pragma once
 
 #include <cstdint>
@@ -12,57 +12,57 @@
 
 namespace nlmech::orbit {
 
-/// A body on a conic about the centre: where it is at one time.
+/// Body on a conic about the centre, given by its state at one time.
 struct Ephemeris {
   State state;       ///< position and velocity at the epoch, position not 0
   double epoch = 0;  ///< time of the state
 };
 
-/// Times at equal distances, ends included.
+/// Equidistant times, including both ends.
 struct Window {
-  double first = 0;  ///< the earliest
-  double last = 0;   ///< the latest; not before the first
-  int count = 2;     ///< how many, at least 1 (then it is the first alone)
+  double first = 0;  ///< earliest time
+  double last = 0;   ///< latest time; not before the first
+  int count = 2;     ///< number of times, at least 1 (then only `first`)
 
-  /// Time number @p k, from 0 to count - 1. Grows with k; the last one is `last` exactly.
+  /// Time @p k, from 0 to count - 1. Increases with k; the last one is exactly `last`.
   [[nodiscard]] double at(int k) const {
     return k == 0 ? first : k == count - 1 ? last : first + (last - first) * (k / (count - 1.0));
   }
 };
 
-/// From which orbit to which, and when. Any consistent units.
+/// Orbits and time windows of a pork-chop plot. Any consistent units.
 struct PorkchopProblem {
   double mu = 1;             ///< gravitational parameter of the centre, positive
-  Ephemeris from;            ///< the body that is left
-  Ephemeris to;              ///< the body that is reached
-  Window departures;         ///< rows of the grid
-  Window arrivals;           ///< columns
-  int most_revolutions = 0;  ///< transfers of up to so many whole revolutions are looked at; at most 1000
+  Ephemeris from;            ///< departure body
+  Ephemeris to;              ///< arrival body
+  Window departures;         ///< departure times: rows of the grid
+  Window arrivals;           ///< arrival times: columns of the grid
+  int most_revolutions = 0;  ///< limit of whole revolutions of a transfer, 0 to 1000
 };
 
-/// One pair of times.
+/// Best transfer for one pair of times.
 struct PorkchopCell {
-  double v_departure = 0;         ///< |v_1 - v(body left)|; infinite if there is no transfer
-  double v_arrival = 0;           ///< |v_2 - v(body reached)|; infinite if there is no transfer
-  std::int32_t revolutions = -1;  ///< whole ones; -1: no transfer, because the arrival is not after the
-                                  ///< departure or the positions lie in one direction from the centre and
-                                  ///< are not one
-  bool long_way = false;          ///< by more than 180 degrees
-  LambertBranch branch = LambertBranch::low;  ///< of one revolution or more
+  double v_departure = 0;  ///< |v_1 - v(departure body)|; infinite if there is no transfer
+  double v_arrival = 0;    ///< |v_2 - v(arrival body)|; infinite if there is no transfer
+  /// Whole revolutions; -1: no transfer, because the arrival is not after the departure, or the positions
+  /// differ but lie in one direction from the centre.
+  std::int32_t revolutions = -1;
+  bool long_way = false;                      ///< transfer angle above 180 degrees
+  LambertBranch branch = LambertBranch::low;  ///< branch, for one revolution or more
 
   /// Is there a transfer?
   [[nodiscard]] bool exists() const noexcept { return revolutions >= 0; }
 };
 
-/// A grid.
+/// Grid of best transfers.
 struct Porkchop {
   std::vector<double> departures;   ///< times of the rows
   std::vector<double> arrivals;     ///< times of the columns
   std::vector<PorkchopCell> cells;  ///< row after row
   Statistics statistics;  ///< right_hand_sides: evaluations of the time of flight; steps: arcs; seconds
-  /// success; `outside_validity` if a search for an arc was lost (a time of flight out of all proportion:
-  /// the cell is then left without transfer); `collision` if a body of the two is in the centre at a time of
-  /// the grid, and then there are no cells
+  /// success; `outside_validity` if the search for an arc failed (an extreme time of flight; the cell may
+  /// then lack a transfer); `collision` if one of the bodies is in the centre at a time of the grid, in which
+  /// case there are no cells
   Status status;
 
   /// Row @p i and column @p j.
@@ -71,17 +71,17 @@ struct Porkchop {
   }
 };
 
-/// For every pair of times the transfer whose speeds at departure and arrival have the least sum, over both
-/// ways round and all revolutions. Where the positions are opposite, in the plane of the body that is left;
-/// where they are one (to 64 eps), by whole revolutions in the direction of that body.
-/// The positions of both bodies are computed once a row and column. Every cell is computed by itself, so that
-/// the numbers are the same to the last bit for any number of threads.
+/// For every pair of times, the transfer with the smallest sum of the speeds at departure and arrival, over
+/// short and long way and all revolutions. For opposite positions the plane is that of the departure body;
+/// for equal positions (to 64 eps) the transfer is by whole revolutions in the direction of motion of that
+/// body. Positions of the bodies are computed once per row and column. Cells are independent, so the results
+/// are bitwise equal for any number of threads.
 ///
-/// Tests hold every cell to the best of all its arcs (16 eps), Hohmann's transfer to the minimum (64 eps),
-/// and the bits to be the same for any number of threads.
-/// @param threads how many, at most 1024; 0: one a processor
-/// @throws std::invalid_argument for states, times or counts that cannot be meant (naming them), more than
-/// 2^31 - 1 cells, or mu or a distance beyond 1e-100 to 1e100
+/// Tests compare every cell with the best of all its arcs (16 eps) and the minimum with Hohmann's transfer
+/// (64 eps), and check bitwise equality for any number of threads.
+/// @param threads number of threads, at most 1024; 0: one per processor
+/// @throws std::invalid_argument for invalid states, times or counts (with their values), more than 2^31 - 1
+/// cells, or mu or a distance outside 1e-100 to 1e100
 [[nodiscard]] Porkchop porkchop(const PorkchopProblem& problem, int threads = 0);
 
 }  // namespace nlmech::orbit

@@ -12,10 +12,11 @@
 namespace nlmech::orbit {
 namespace {
 
-/// All steps that corrections of one transfer may take.
+/// Limit of steps of all corrections of one transfer.
 constexpr std::int64_t most_steps = 20'000'000;
 
-/// Where the orbit from r_0 with v_1 is at the time of arrival; false if it does not get there. Counts steps.
+/// Propagates the orbit from r_0 with v_1 to the arrival and counts steps. @return false if the propagation
+/// fails
 [[nodiscard]] bool fly(const TransferProblem& p, const Vector3<double>& v1, State& end, std::int64_t& steps) {
   if (!v1.allFinite()) return false;
   const State start{p.from, v1};
@@ -42,7 +43,7 @@ class Correction {
     Eigen::Matrix3d inverse = jacobian_.inverse();
     ++transfer.statistics.jacobians;
     double least = HUGE_VAL;
-    int worse = 0;  // rounding ends it: two updates without progress
+    int worse = 0;  // stop after two updates without progress: rounding
     for (int i = 0; i < 60 && worse < 2; ++i) {
       const Vector3<double> step = -(inverse * miss);
       Vector3<double> next_miss;
@@ -62,7 +63,7 @@ class Correction {
   }
 
  private:
-  /// The miss for @p v; the best so far goes to @p transfer.
+  /// Computes the miss for @p v; stores the best one in @p transfer.
   [[nodiscard]] bool measure(const Vector3<double>& v, Vector3<double>& miss, Transfer& transfer) {
     State end;
     if (!fly(p_, v, end, transfer.statistics.steps)) return false;
@@ -92,7 +93,7 @@ class Correction {
   double best_ = std::numeric_limits<double>::infinity();
 };
 
-/// From the conic to the flight in the whole field; over parts of the zonal terms, if one leap is too far.
+/// Continuation from the conic to the full field in the size of the zonal terms; one step if that converges.
 [[nodiscard]] bool follow_field(const TransferProblem& problem, Transfer& transfer) {
   const double enough = 1e-9 * problem.to.stableNorm();
   double part = 0, step = 1;

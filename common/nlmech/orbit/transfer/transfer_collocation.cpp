@@ -23,7 +23,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// The discrete equations in units in which the unknowns are about 1.
+/// The discrete equations in units in which the unknowns are near 1.
 class Discrete {
  public:
   Discrete(const TransferProblem& problem, const TransferCollocation& method) : n_(method.nodes) {
@@ -56,7 +56,8 @@ class Discrete {
     if (d_.size() > 0 && !full_) d2_ = d_ * d_;
   }
 
-  /// Is there a differentiation matrix? A shape of little use is no hindrance; it is to be seen.
+  /// Is there a differentiation matrix? An unsuitable shape is not rejected, so that its effect can be
+  /// studied.
   [[nodiscard]] bool possible() const { return d_.size() > 0; }
   [[nodiscard]] const Status& status() const { return status_; }
   [[nodiscard]] double condition() const { return condition_; }
@@ -65,7 +66,7 @@ class Discrete {
   [[nodiscard]] double time() const { return time_; }
   [[nodiscard]] const VectorXd& times() const { return times_; }
 
-  /// The unknowns for these positions, in the problem's units, at the nodes.
+  /// Unknowns for positions at the nodes, in the units of the problem.
   [[nodiscard]] VectorXd unknowns(const std::function<Vector3<double>(double)>& position) const {
     Eigen::MatrixX3d r(n_, 3);
     for (Index j = 0; j < n_; ++j) r.row(j) = position(times_[j] * time_).transpose() / length_;
@@ -81,7 +82,7 @@ class Discrete {
     }
     return x;
   }
-  /// Positions at the nodes, node by node.
+  /// Positions at the nodes, one row per node.
   [[nodiscard]] Eigen::MatrixX3d positions(const VectorXd& x) const {
     Eigen::MatrixX3d r(n_, 3);
     for (Index k = 0; k < 3; ++k) {
@@ -102,7 +103,7 @@ class Discrete {
     return v;
   }
 
-  /// F(x), Eq. 5.37, or the same with the velocities D r put in.
+  /// F(x) of Eq. 5.37, or with the velocities D r inserted.
   void residual(const VectorXd& x, VectorXd& f) const {
     const Eigen::MatrixX3d r = positions(x);
     Eigen::MatrixX3d a(n_, 3);
@@ -160,7 +161,8 @@ class Discrete {
   Status status_;
 };
 
-/// Turns from r_0 to r_F about the centre, the short way, or about the given normal.
+/// Position on an arc from r_0 to r_F about the centre, the short way; for opposite positions about the given
+/// normal.
 [[nodiscard]] Vector3<double> on_arc(const TransferProblem& p, double share) {
   const double r1 = p.from.norm(), r2 = p.to.norm();
   const Vector3<double> u1 = p.from / r1, u2 = p.to / r2;
@@ -227,7 +229,7 @@ CollocatedTransfer collocate(const TransferProblem& problem, const TransferCollo
   }
   VectorXd x = start(problem, method, discrete);
   algebraic::Workspace<VectorXd> workspace(discrete.size());
-  // Where the matrix has lost its digits, updates end as noise.
+  // For an ill-conditioned matrix updates stall at the rounding level, hence `noise`.
   const algebraic::Newton newton{
       .tolerance = method.tolerance, .noise = 1e-5, .iterations = method.iterations};
   const Outcome outcome = algebraic::solve(

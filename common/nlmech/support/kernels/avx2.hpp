@@ -8,9 +8,9 @@
 
 namespace nlmech::simd {
 
-/// The set of Pack in AVX registers.
+/// Operations of Pack in AVX registers.
 struct Avx2 {
-  static constexpr int lanes = 4;      ///< of a register
+  static constexpr int lanes = 4;      ///< doubles per register
   static constexpr bool fuses = true;  ///< multiply_add() rounds once
 
   /// See Pack.

@@ -6,12 +6,12 @@
 
 namespace nlmech::simd {
 
-/// The set of Pack in AVX-512 registers, and in shorter ones as Avx2.
+/// Operations of Pack in AVX-512 registers, and in shorter ones as Avx2.
 struct Avx512 : Avx2 {
-  static constexpr int lanes = 8;  ///< of a register
+  static constexpr int lanes = 8;  ///< doubles per register
 
-  /// See Pack. The forms of max and min without a mask warn of their own uninitialised operand (GCC's bug
-  /// 105593); the code is the same.
+  /// See Pack. The masked forms of max and min avoid a false warning of the unmasked ones about an
+  /// uninitialised operand (GCC bug 105593); the code is the same.
   /// @{
   using Avx2::larger;
   using Avx2::multiply_add;

@@ -1,5 +1,5 @@
 /// @file
-/// What every processor of the architecture has. Internal to the kernels.
+/// Instructions of every processor of the architecture. Internal to the kernels.
 #pragma once
 
 #if defined(__SSE2__)
@@ -10,10 +10,10 @@
 
 namespace nlmech::simd {
 
-/// The set of Pack that leaves nearly all to the compiler. Products are rounded.
+/// Operations of Pack for the baseline, mostly left to the compiler. Products are rounded.
 struct Baseline {
-  static constexpr int lanes = 2;       ///< of a register
-  static constexpr bool fuses = false;  ///< multiply_add() rounds once
+  static constexpr int lanes = 2;       ///< doubles per register
+  static constexpr bool fuses = false;  ///< multiply_add() rounds product and sum
 
   /// a b + c
   template <class V>
@@ -25,8 +25,7 @@ struct Baseline {
   [[gnu::always_inline]] static V subtract_product(V a, V b, V c) {
     return c - a * b;
   }
-  // Of two lanes. GCC 12 compares again where a comparison is known already, and splits a mask that is used
-  // as bits.
+  // Intrinsics for two lanes: GCC 12 repeats known comparisons and splits a mask that is used as bits.
 #if defined(__SSE2__)
   /// See Pack.
   /// @{

@@ -1,49 +1,49 @@
 /// @file
-/// Vectors of doubles behind the operations that kernels are written in. Internal to the kernels.
+/// Vectors of doubles with the operations of the kernels. Internal to the kernels.
 ///
-/// Every type carries the instruction set it is compiled for as a template argument. A kernel instantiated in
-/// the AVX-512 file therefore has another name than the same kernel in the baseline file, and the linker can
-/// never hand code for the wrong processor to either. For the same reason nothing inline of the standard
-/// library is used. Multiply-adds are explicit, so that two lanes and eight round alike.
+/// Every type has its instruction set as a template argument. A kernel in the AVX-512 file therefore has
+/// another symbol than the same kernel in the baseline file, so the linker cannot mix code for different
+/// processors. For the same reason no inline functions of the standard library are used. Multiply-adds are
+/// explicit, so that results do not depend on the number of lanes.
 #pragma once
 
 #include <cstdint>
 
 namespace nlmech::simd {
 
-/// The compiler's own vectors of @p n lanes.
+/// Vector types of the compiler with @p n lanes.
 template <int n>
 struct Vectors {
-  using Numbers [[gnu::vector_size(n * sizeof(double))]] = double;     ///< as operands
+  using Numbers [[gnu::vector_size(n * sizeof(double))]] = double;     ///< operands
   using Mask [[gnu::vector_size(n * sizeof(double))]] = std::int64_t;  ///< all bits of a lane set or clear
 };
 
-/// Several doubles, and the operations on all of them at once.
-/// @tparam Set Baseline, Avx2 or Avx512: what the compiler's own vectors cannot say
+/// Several doubles with lane-wise operations.
+/// @tparam Set Baseline, Avx2 or Avx512: operations that the vector types of the compiler lack
 /// @tparam n number of lanes, a power of two
-/// @tparam halves are they more than a register of the set has?
+/// @tparam halves is n above the number of doubles per register?
 template <class Set, int n, bool halves = (n > Set::lanes)>
 struct Pack {
-  static constexpr int lanes = n;               ///< how many
+  static constexpr int lanes = n;               ///< number of lanes
   using Native = typename Vectors<n>::Numbers;  ///< the compiler's vector
   using Mask = typename Vectors<n>::Mask;       ///< all bits of a lane set or clear
   Native v;                                     ///< the numbers
 
-  /// The same number in all lanes: x - 0 is x, be it -0.
+  /// The same number in all lanes; x - 0 is x, also for x = -0.
   [[gnu::always_inline]] static Pack all(double x) { return {x - Native{}}; }
-  /// One number a lane.
+  /// One number per lane.
   template <class... Numbers>
   [[gnu::always_inline]] static Pack of(Numbers... x) {
     static_assert(sizeof...(x) == n);
     return {Native{x...}};
   }
-  /// From memory, aligned or not.
+  /// Loads from memory, aligned or not.
   [[gnu::always_inline]] static Pack load(const double* from) {
     Pack x;
     __builtin_memcpy(&x.v, from, sizeof x.v);
     return x;
   }
-  /// To memory, aligned or not.
+  /// Stores to memory, aligned or not.
   [[gnu::always_inline]] void store(double* to) const { __builtin_memcpy(to, &v, sizeof v); }
   /// Lane @p i.
   [[gnu::always_inline]] double operator[](int i) const { return v[i]; }
@@ -62,7 +62,7 @@ struct Pack {
   [[gnu::always_inline]] friend Pack subtract_product(Pack a, Pack b, Pack c) {
     return {Set::subtract_product(a.v, b.v, c.v)};
   }
-  /// Lane by lane, which the compiler makes one instruction of.
+  /// Lane by lane; the compiler emits one instruction.
   [[gnu::always_inline]] friend Pack square_root(Pack a) {
     for (int i = 0; i < n; ++i) a.v[i] = __builtin_sqrt(a.v[i]);
     return a;
@@ -80,25 +80,25 @@ struct Pack {
   [[gnu::always_inline]] friend Pack negate_if(Mask m, Pack a) {
     return {Native(Mask(a.v) ^ (m & sign_bit()))};
   }
-  /// -a in lanes where the sign bit of @p sign is set, -0 among them.
+  /// -a in lanes where the sign bit of @p sign is set, including -0.
   [[gnu::always_inline]] friend Pack flip_sign(Pack a, Pack sign) {
     return {Native(Mask(a.v) ^ (Mask(sign.v) & sign_bit()))};
   }
-  /// |a| is given; the sign bit of @p sign is set in it.
+  /// a with the sign bit of @p sign; @p a must not be negative.
   [[gnu::always_inline]] friend Pack with_sign(Pack a, Pack sign) {
     return {Native(Mask(a.v) | (Mask(sign.v) & sign_bit()))};
   }
-  /// One bit a lane, the first lane's lowest.
+  /// One bit per lane, the lowest for the first lane.
   [[gnu::always_inline]] static unsigned bits(Mask m) { return Set::bits(m); }
 
  private:
   [[gnu::always_inline]] static Mask sign_bit() { return Mask(all(-0.0).v); }
 };
 
-/// One double, where no lanes are to be compared or chosen from.
+/// A single double, without comparison and selection of lanes.
 template <class Set>
 struct Pack<Set, 1, false> {
-  using Mask = bool;  ///< of one lane
+  using Mask = bool;  ///< mask of one lane
   double v;           ///< the number
 
   [[gnu::always_inline]] static Pack all(double x) { return {x}; }
@@ -119,19 +119,18 @@ struct Pack<Set, 1, false> {
   }
 };
 
-/// Two halves, of a register or more each: a kernel whose operations wait for each other has twice as many to
-/// do meanwhile.
+/// Two halves of one or more registers each: independent operations hide the latency of dependent ones.
 template <class Set, int n>
 struct Pack<Set, n, true> {
-  static constexpr int lanes = n;  ///< of both
+  static constexpr int lanes = n;  ///< lanes of both halves
   using Half = Pack<Set, n / 2>;   ///< n is even
   Half a;                          ///< the first half
-  Half b;                          ///< the second
+  Half b;                          ///< the second half
 
-  /// Of both halves.
+  /// Masks of both halves.
   struct Mask {
-    typename Half::Mask a;  ///< of the first half
-    typename Half::Mask b;  ///< of the second
+    typename Half::Mask a;  ///< mask of the first half
+    typename Half::Mask b;  ///< mask of the second half
 
     [[gnu::always_inline]] friend Mask operator&(Mask x, Mask y) { return {x.a & y.a, x.b & y.b}; }
   };
@@ -177,7 +176,7 @@ struct Pack<Set, n, true> {
   /// @}
 };
 
-/// As many lanes as a register of the set holds.
+/// Pack that fills one register of the set.
 template <class Set>
 using Widest = Pack<Set, Set::lanes>;
 

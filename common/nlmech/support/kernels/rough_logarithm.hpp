@@ -1,20 +1,20 @@
 /// @file
-/// Logarithm and exponential to base 2 in lanes, as exact as the choice of a step has use for. Internal to
-/// the kernels.
+/// Logarithm and exponential to base 2 in lanes, accurate enough for step-size control. Internal to the
+/// kernels.
 #pragma once
 
 #include "nlmech/support/kernels/pack.hpp"
 
 namespace nlmech::simd {
 
-/// Unsigned integers as wide as the lanes: their shift to the right is one instruction from AVX2 on.
+/// Unsigned integers as wide as the lanes; a right shift is one instruction from AVX2 on.
 template <int n>
 struct Integers {
-  using Bits [[gnu::vector_size(n * sizeof(double))]] = std::uint64_t;  ///< one a lane
+  using Bits [[gnu::vector_size(n * sizeof(double))]] = std::uint64_t;  ///< one per lane
 };
 
-/// log2(x) within 6e-5 for normal x: the exponent and a polynomial in the fraction. Zeros, infinities and
-/// NaNs give what their bits look like, about +-1024; a sign is not looked at.
+/// log2(x) within 6e-5 for normal x: the exponent plus a polynomial in the fraction. Zeros, infinities and
+/// NaNs give values near +-1024; the sign is ignored.
 template <class Set, int n>
 [[gnu::always_inline]] inline Pack<Set, n> rough_log2(Pack<Set, n> x) {
   if constexpr (n > Set::lanes) {
@@ -23,7 +23,7 @@ template <class Set, int n>
     using V = Pack<Set, n>;
     using Bits = typename Integers<n>::Bits;
     const Bits bits = Bits(x.v);
-    // The exponent's bits as the last ones of 2^52: a conversion that every instruction set has.
+    // Put the exponent bits into the last bits of 2^52: a conversion available in every instruction set.
     const Bits biased = ((bits >> 52U) & 0x7ffU) | 0x4330000000000000U;
     const V exponent = V{typename V::Native(biased)} - V::all(0x1p52 + 1023);
     const V m = V{typename V::Native((bits & 0xfffffffffffffU) | 0x3ff0000000000000U)} - V::all(1);
@@ -36,7 +36,7 @@ template <class Set, int n>
   }
 }
 
-/// 2^x within 1.1e-4 of itself for |x| <= 1000, and as if x were the nearest such number beyond. NaN gives a
+/// 2^x with a relative error of at most 1.1e-4 for |x| <= 1000; x is clamped to this range. NaN gives a
 /// number.
 template <class Set, int n>
 [[gnu::always_inline]] inline Pack<Set, n> rough_exp2(Pack<Set, n> x) {
