@@ -168,11 +168,7 @@ std::vector<Complex> deflection_zeros(const spacecraft::Plant& plant, double x, 
   for (int k = 0; k < 12; ++k, omega *= 1.5) {
     const spacecraft::Zeros found = spacecraft::deflection_zeros(plant, x, omega);
     if (!found.status.ok()) throw Failure(found.status);
-    all.clear();
-    for (const Complex& s : found.s) {
-      all.push_back(s);
-      if (s.imag() == 0 && s.real() > 0) all.push_back(-s);  // the negative zero of a real pair
-    }
+    all = found.s;  // with both zeros of a real pair
     // Above this modulus zeros may lie outside the square of z = s^2.
     const auto complete = std::count_if(all.begin(), all.end(),
                                         [omega](const Complex& s) { return std::abs(s) < 0.99 * omega; });
