@@ -68,7 +68,7 @@ class HermitianSteps : public Stepper {
     end_ = end;
     is_new_ = true;
   }
-  /// From t to t + h.
+  /// Integrates from t to t + h.
   Status step(double t, double h, const State& x0, State& x1, Statistics& statistics) {
     if (std::exchange(is_new_, false)) {
       if (!trial_.begin_segment(begin_, end_, x0, statistics)) return non_finite_rhs(name(), t);
@@ -85,7 +85,7 @@ class HermitianSteps : public Stepper {
     x1 = trial_.end_state();
     return {};
   }
-  /// Within the latest step.
+  /// Dense output of the latest step.
   void at(double t, State& x) const override { trial_.at(t, x); }
 
  private:

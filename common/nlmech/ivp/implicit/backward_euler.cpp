@@ -25,13 +25,13 @@ class BackwardEulerStepper : public Stepper {
         x1_(system.size()),
         f_(system.size()),
         workspace_(system.size()) {}
-  /// The method's.
+  /// Name of the method.
   [[nodiscard]] static std::string_view name() { return BackwardEuler::name; }
 
   /// The next step starts a segment on which f is smooth.
   void begin_segment(double begin, double end) { segment_ = SmoothSegment(begin, end); }
 
-  /// From t to t + h.
+  /// Integrates from t to t + h.
   Status step(double t, double h, const State& x0, State& x1, Statistics& statistics) {
     const double t1 = segment_(t + h);
     const auto residual = [&](const State& x, State& r) {

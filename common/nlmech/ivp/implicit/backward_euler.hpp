@@ -20,7 +20,7 @@ namespace nlmech::ivp {
 /// at and within steps (observed within 0.1), and to a loss of energy in every step.
 struct BackwardEuler {
   static constexpr std::string_view name = "backward-euler";  ///< on command lines and in tables
-  double step = 0.01;                                         ///< length of a step, positive
+  double step = 0.01;                                         ///< step size, positive
   algebraic::Newton newton = {};                              ///< solves each step's equations for x1
 };
 

@@ -116,7 +116,7 @@ struct Pair : EmbeddedPair<Pair> {
 
 }  // namespace dop853
 
-/// The library's, for every System.
+/// Overload for System, compiled in the library.
 [[nodiscard]] Solution run(const InitialValueProblem& problem, const Dop853& method);
 
 }  // namespace nlmech::ivp

@@ -133,7 +133,7 @@ struct Pair : EmbeddedPair<Pair> {
 
 }  // namespace dormand_prince
 
-/// The library's, for every System.
+/// Overload for System, compiled in the library.
 [[nodiscard]] Solution run(const InitialValueProblem& problem, const Ode45& method);
 
 }  // namespace nlmech::ivp

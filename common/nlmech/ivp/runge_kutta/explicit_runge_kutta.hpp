@@ -28,7 +28,7 @@ struct Tableau {
 struct Euler {
   static constexpr std::string_view name = "euler";      ///< on command lines and in tables
   static constexpr Tableau<1> tableau = {{0}, {}, {1}};  ///< coefficients
-  double step = 0.01;                                    ///< length of a step, positive
+  double step = 0.01;                                    ///< step size, positive
 };
 
 /// The classical method of order 4 (W. Kutta 1901). Dense output of the same order: a shorter step.
@@ -37,7 +37,7 @@ struct Rk4 {
   /// Coefficients.
   static constexpr Tableau<4> tableau = {
       {0, 0.5, 0.5, 1}, {{{}, {0.5}, {0, 0.5}, {0, 0, 1}}}, {1. / 6, 1. / 3, 1. / 3, 1. / 6}};
-  double step = 0.01;  ///< length of a step, positive
+  double step = 0.01;  ///< step size, positive
 };
 
 /// Order 6 in 7 stages (J. C. Butcher, On Runge-Kutta processes of high order, J. Austral. Math. Soc. 4
@@ -54,7 +54,7 @@ struct Rk6 {
                                            {0, 9. / 8, -3. / 8, -3. / 4, 1. / 2},
                                            {9. / 44, -9. / 11, 63. / 44, 18. / 11, 0, -16. / 11}}},
                                          {11. / 120, 0, 27. / 40, 27. / 40, -4. / 15, -4. / 15, 11. / 120}};
-  double step = 0.01;  ///< length of a step, positive
+  double step = 0.01;  ///< step size, positive
 };
 
 /// Euler, Rk4, Rk6, or a user's own: an aggregate with name, tableau and step.
@@ -83,13 +83,13 @@ class ExplicitStepper : public StepperOf<S> {
       : StepperOf<S>(system.size()), system_(system), argument_(system.size()), x0_(system.size()) {
     for (State& k : k_) k.resize(system.size());
   }
-  /// The method's.
+  /// Name of the method.
   [[nodiscard]] static std::string_view name() { return M::name; }
 
   /// The next step starts a segment on which f is smooth.
   void begin_segment(double begin, double end) { segment_ = SmoothSegment(begin, end); }
 
-  /// From t to t + h.
+  /// Integrates from t to t + h.
   Status step(double t, double h, const State& x0, State& x1, Statistics& statistics) {
     t0_ = t;
     x0_ = x0;
@@ -142,7 +142,7 @@ template <SystemLike S, ExplicitMethod M>
   return integrate_fixed_steps(problem, method.step, stepper);
 }
 
-/// The library's, for every System.
+/// Overload for System, compiled in the library.
 /// @{
 [[nodiscard]] Solution run(const InitialValueProblem& problem, const Euler& method);
 [[nodiscard]] Solution run(const InitialValueProblem& problem, const Rk4& method);

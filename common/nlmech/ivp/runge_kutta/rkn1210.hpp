@@ -75,7 +75,7 @@ struct Pair : NystromPair<Pair> {
 
 }  // namespace rkn1210
 
-/// The library's, for every System.
+/// Overload for System, compiled in the library.
 [[nodiscard]] Solution run(const InitialValueProblem& problem, const Rkn1210& method);
 
 }  // namespace nlmech::ivp

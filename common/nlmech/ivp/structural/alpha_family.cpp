@@ -70,7 +70,7 @@ class AlphaStepper : public Stepper {
     starts_ = true;
   }
 
-  /// From t to t + h.
+  /// Integrates from t to t + h.
   Status step(double t, double h, const State& x0, State& x1, Statistics& statistics) {
     if (starts_) {
       q_ = positions(x0);
@@ -95,7 +95,7 @@ class AlphaStepper : public Stepper {
     return {};
   }
 
-  /// Cubic Hermite.
+  /// Dense output: cubic Hermite interpolation.
   void at(double t, State& x) const override { hermite_.at(t, x); }
 
  private:

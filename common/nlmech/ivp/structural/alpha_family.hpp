@@ -40,7 +40,7 @@ struct AlphaScheme {
 /// tools/oracles/rbf_ivp_methods.py has for Tables 4.2, 4.4 and 4.6.
 struct Newmark {
   static constexpr std::string_view name = "newmark";  ///< on command lines and in tables
-  double step = 0.01;                                  ///< length of a step, positive
+  double step = 0.01;                                  ///< step size, positive
   double beta = 0.25;                                  ///< from 0 (explicit positions) to 1/2
   double gamma = 0.5;                                  ///< from 0 to 1; above 1/2 it damps
   algebraic::Newton newton = {};                       ///< solves each step's equations for g1
@@ -73,7 +73,7 @@ struct Hht {
     corrected,  ///< the method of 1977
     as_printed  ///< Eq. 4.7 to the letter: g(t0, q0, v0) where a0 belongs; order 1 unless alpha = 0
   };
-  double step = 0.01;             ///< length of a step, positive
+  double step = 0.01;             ///< step size, positive
   double alpha = -0.1;            ///< from -1/3 (most dissipation) to 0 (Newmark's method)
   Form form = Form::corrected;    ///< as_printed: for the errata only
   algebraic::Newton newton = {};  ///< solves each step's equations for a1
@@ -104,7 +104,7 @@ struct Hht {
 /// and to what rho promises at h omega = 1e6 (2 %).
 struct GeneralizedAlpha {
   static constexpr std::string_view name = "generalized-alpha";  ///< on command lines and in tables
-  double step = 0.01;                                            ///< length of a step, positive
+  double step = 0.01;                                            ///< step size, positive
   /// rho: what is left of the highest frequencies after a step, from 0 (nothing) to 1 (all).
   double rho_inf = 0.8;
   algebraic::Newton newton = {};  ///< solves each step's equations for a1

@@ -26,7 +26,7 @@ class CentralDifferenceStepper : public Stepper {
         v_(q_),
         v_half_(q_),
         a_(q_) {}
-  /// The method's.
+  /// Name of the method.
   [[nodiscard]] static std::string_view name() { return CentralDifference::name; }
 
   /// The next step starts a segment on which f is smooth.
@@ -35,7 +35,7 @@ class CentralDifferenceStepper : public Stepper {
     starts_ = true;
   }
 
-  /// From t to t + h.
+  /// Integrates from t to t + h.
   Status step(double t, double h, const State& x0, State& x1, Statistics& statistics) {
     if (starts_) {
       start(t, h, x0);
@@ -58,7 +58,7 @@ class CentralDifferenceStepper : public Stepper {
     return {};
   }
 
-  /// Cubic Hermite.
+  /// Dense output: cubic Hermite interpolation.
   void at(double t, State& x) const override { hermite_.at(t, x); }
 
  private:

@@ -37,7 +37,7 @@ enum class VelocityTime : std::uint8_t {
 /// tools/oracles/rbf_ivp_methods.py has for Tables 4.2, 4.4 and 4.6.
 struct CentralDifference {
   static constexpr std::string_view name = "explicit";  ///< on command lines and in tables
-  double step = 0.01;                                   ///< length of a step, positive
+  double step = 0.01;                                   ///< step size, positive
   /// half_step_before: the initial velocities are taken for v(t0 - h/2), not for v(t0).
   VelocityTime initial = VelocityTime::of_state;
   /// half_step_before: states that are given out (end of steps and of the run) have the velocity v(t - h/2).

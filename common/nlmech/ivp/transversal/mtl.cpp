@@ -92,7 +92,7 @@ class MtlStepper : public Stepper {
     this->times_.resize(static_cast<std::size_t>(p_));
     this->states_.resize(system.size(), p_);
   }
-  /// The method's.
+  /// Name of the method.
   [[nodiscard]] static std::string_view name() { return Mtl::name; }
 
   /// The next step starts a segment on which f is smooth.
