@@ -1,5 +1,6 @@
 /// @file
-/// Explicit Runge-Kutta methods of fixed step: Euler, the classical one of order 4, Butcher's of order 6.
+/// Explicit Runge-Kutta methods with fixed steps: Euler, the classical method of order 4, Butcher's of order
+/// 6.
 #pragma once
 
 #include <array>
@@ -12,10 +13,10 @@
 
 namespace nlmech::ivp {
 
-/// Coefficients of an explicit method: stage i is at c[i] and uses a[i][0..i-1]; weights b.
+/// Coefficients of an explicit method: stage i is at c[i] and uses a[i][0..i-1]; the weights are b.
 ///
-/// Tests hold Euler, Rk4 and Rk6 to the orders 1, 4 and 6 on Duffing's oscillator, observed within 0.1, and
-/// the sums of their rows and weights to 4e-16.
+/// Tests assert the orders 1, 4 and 6 of Euler, Rk4 and Rk6 on Duffing's oscillator (observed within 0.1),
+/// and the sums of their rows and weights (4e-16).
 template <std::size_t s>
 struct Tableau {
   static constexpr std::size_t stages = s;  ///< number of stages
@@ -57,7 +58,7 @@ struct Rk6 {
   double step = 0.01;  ///< step size, positive
 };
 
-/// Euler, Rk4, Rk6, or a user's own: an aggregate with name, tableau and step.
+/// Euler, Rk4, Rk6, or a method of the user: an aggregate with name, tableau and step.
 template <class M>
 concept ExplicitMethod = requires(const M& method) {
   M::tableau.stages;
@@ -65,7 +66,7 @@ concept ExplicitMethod = requires(const M& method) {
   method.step;
 };
 
-/// Row @p i of a method's tableau and its weights, objects of their own as add_stages() wants them.
+/// Row @p i of a method's tableau, and its weights, as objects for add_stages().
 /// @{
 template <class M, std::size_t i>
 inline constexpr auto row_of = M::tableau.a[i];
@@ -73,7 +74,7 @@ template <class M>
 inline constexpr auto weights_of = M::tableau.b;
 /// @}
 
-/// One step of an explicit method; the stages live in the stepper.
+/// Stepper of an explicit method; it owns the stages.
 template <SystemLike S, ExplicitMethod M>
 class ExplicitStepper : public StepperOf<S> {
  public:
@@ -98,7 +99,7 @@ class ExplicitStepper : public StepperOf<S> {
     return {};
   }
 
-  /// A step of the length t - t0 from the start of the latest step: as accurate as the method itself.
+  /// Dense output: a step of size t - t0 from the start of the latest step, as accurate as the method.
   void at(double t, State& x) const override {
     ExplicitStepper shorter(system_);
     shorter.segment_ = segment_;
