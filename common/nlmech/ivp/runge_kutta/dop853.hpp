@@ -27,9 +27,9 @@ struct Pair;
 ///    from 1/5 to 10: over thirteen smooth problems and tolerances from 1e-3 to 1e-13 these constants need 4
 ///    % fewer evaluations than the usual 0.9 and 6, and half as many rejections;
 ///  - the first step changes the state by (atol + rtol)^(1/8) of its size and is at most a tenth of the
-///    segment. A trial takes 11 evaluations, an accepted one another, of f at its end, which is the first of
-///    the next step. A trial whose values are not finite is rejected. The method restarts at each
-///    discontinuity.
+///    segment.
+/// A trial takes 11 evaluations, an accepted one another, of f at its end, which is the first of the next
+/// step. A trial whose values are not finite is rejected. The method restarts at each discontinuity.
 ///
 /// Dense output: the polynomial of degree 7 (section II.6), of order 7, continuously differentiable. It takes
 /// three more evaluations, at the first request within a step only.
