@@ -165,7 +165,7 @@ class Direct final : public std::conditional_t<n == Eigen::Dynamic, detail::AnyP
   using State = std::conditional_t<n == Eigen::Dynamic, ivp::State, Vector<double, n>>;  ///< all components
   using Half = std::conditional_t<n == Eigen::Dynamic, ivp::State,
                                   detail::HalfVector<double, n>>;  ///< positions or velocities
-  using Nodes = Matrix<double, n, Eigen::Dynamic>;                 ///< states at many nodes, one a column
+  using Nodes = Matrix<double, n, Eigen::Dynamic>;                 ///< states at many nodes, one per column
   using Jacobian = Matrix<double, n, n>;                           ///< df/dx
 
   /// Stores a copy of the problem.

@@ -77,7 +77,7 @@ bool repels(const Event& g, double t, const State& x, double near, int direction
   return far > 0 && slope(near / 1e4) > 3 * far;
 }
 
-/// Zeros of a function of time alone.
+/// Zeros of a function of time only.
 class ZerosOfTime {
  public:
   explicit ZerosOfTime(const Event& g) : g_(g) {}

@@ -8,9 +8,9 @@
 ///    if g becomes negative, the run ends with `outside_validity` and the time at which it left. A zero that
 ///    repels the solution (x' = sqrt(x) near x = 0) is ignored.
 ///  - Denominators that depend on time only and become zero between t0 and t1: the run ends with
-///    `outside_validity` if the solution becomes infinite there or many solutions go on from there, as those
-///    of sin(t) x' = cos(t) x beyond pi; it continues where the quotient stays regular, as sin(t)/t does. If
-///    such a denominator is zero at the start, the first part of the solution is a power series
+///    `outside_validity` if the solution becomes infinite there or many solutions continue from there, as
+///    those of sin(t) x' = cos(t) x beyond pi; it continues where the quotient stays regular, as sin(t)/t
+///    does. If such a denominator is zero at the start, the first part of the solution is a power series
 ///    (singular_start.hpp).
 ///  - Denominators that depend on the state: the same where they change sign; the message of a run that fails
 ///    close to a zero of one names the denominator.

@@ -97,7 +97,7 @@ class EventFinder {
   /// Did the last hit change the state? The integration continues from Hit::after.
   [[nodiscard]] bool changed() const { return changed_; }
   /// Call before the integration continues from Hit::after. If the change leaves the function at its zero,
-  /// that zero does not count again, whatever sign rounding gives it.
+  /// that zero does not count again, for either sign by rounding.
   void go_on();
   /// `non_finite` after a NaN value; otherwise success.
   [[nodiscard]] const Status& status() const { return status_; }

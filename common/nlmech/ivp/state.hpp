@@ -43,7 +43,7 @@ using State = BasicState<double>;
 /// State in long double (18 digits), for references.
 using LongState = BasicState<long double>;
 
-/// States at many nodes, one a column.
+/// States at many nodes, one per column.
 using Nodes = Eigen::MatrixXd;
 /// df/dx.
 using Jacobian = Eigen::MatrixXd;

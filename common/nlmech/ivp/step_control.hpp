@@ -21,14 +21,12 @@ struct StepRule {
   double shortest = 16;  ///< smallest step size, in spacings of doubles at t; 0: any h with t + h != t
   double stretch = 0;  ///< largest factor on the first trial to reach the end (ode45: 1.1); 0: the remainder
                        ///< is taken in one step, or in two equal steps if it is below two steps
-  double again =
-      0;  ///< factor on the step size after a repeated rejection; 0: by the error, as after the first
+  double again = 0;    ///< factor after a repeated rejection; 0: by the error, as after the first
   double least_change = 0;  ///< smallest factor to the next step after a rejection
   double most_change = 1;   ///< largest factor to the next step after a rejection
   double kept_from = 1;     ///< after a step shortened to hit the end: keep the planned step size if the
                             ///< controller would change the shortened one by this factor or more
-  bool measured =
-      false;  ///< taken() is the difference of the rounded ends of a trial; otherwise the planned step size
+  bool measured = false;    ///< taken() is the difference of a trial's ends, otherwise the planned step size
 };
 
 /// @p rule with step sizes of at most @p largest_step (Limits).

@@ -372,8 +372,7 @@ class Walk {
   std::vector<Margin> before_, after_;
   std::vector<bool> armed_;
   std::optional<Switch> found_;
-  double part_ =
-      std::numeric_limits<double>::infinity();  // limit on the part of a step between two evaluations
+  double part_ = std::numeric_limits<double>::infinity();  // limit on the part between two evaluations
   bool told_ = false;
   int repeated_ = 0;
   Solution solution_;

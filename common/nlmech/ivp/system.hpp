@@ -36,7 +36,7 @@ class System {
   static constexpr int dimension = Eigen::Dynamic;  ///< number of components of the state: known at run time
   using State = ivp::State;                         ///< all components
   using Half = ivp::State;                          ///< positions or velocities
-  using Nodes = ivp::Nodes;                         ///< states at many nodes, one a column
+  using Nodes = ivp::Nodes;                         ///< states at many nodes, one per column
   using Jacobian = ivp::Jacobian;                   ///< df/dx
 
   /// System of typed equations, or of a type that converts to them; compiled in the library.

@@ -169,7 +169,7 @@ struct Dual {
   friend constexpr bool operator==(const Dual& a, const Dual& b) = default;
 
   /// A function of @p x by the chain rule: @p value is the function's, @p slope its derivative there. A
-  /// partial derivative of 0 stays 0, whatever the slope.
+  /// partial derivative of 0 stays 0 for any slope.
   [[nodiscard]] static constexpr Dual chained(const T& value, const T& slope, const Dual& x) {
     Dual r(value);
     for (std::size_t i = 0; i < n; ++i) {

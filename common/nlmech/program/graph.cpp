@@ -80,7 +80,7 @@ double evaluate(const Node& node, double a, double b) {
     case Operation::atan2: return std::atan2(a, b);
     case Operation::choice: return a;
     case Operation::floor: return std::floor(a);
-    case Operation::table: return std::numeric_limits<double>::quiet_NaN();  // of the time alone
+    case Operation::table: return std::numeric_limits<double>::quiet_NaN();  // a function of time only
     case Operation::combined: return a + node.c * b;
   }
   return 0;

@@ -76,7 +76,7 @@ template <class T>
   return sum / (static_cast<int>(k) * a[0]);
 }
 
-/// Coefficient k of a^p for a real exponent and a_0 > 0, from a r' = p a' r: O(k) operations, whatever p is.
+/// Coefficient k of a^p for a real exponent and a_0 > 0, from a r' = p a' r: O(k) operations for any p.
 template <class T, class P>
 [[nodiscard]] T power(const T* a, const P& p, const T* r, std::size_t k) {
   using std::pow;

@@ -143,14 +143,13 @@ class Run : public AdaptiveStepLoop<System, Run<Sweeps, Newton>> {
   static constexpr std::string_view name = AdaptiveCollocation::name;
   // Fraction of the tolerance for a step of sweeps: errors of an oscillation accumulate.
   static constexpr double caution = 0.1;
-  static constexpr double safety = 0.85;  // safety factor of sweeps
-  static constexpr double safety_newton =
-      0.93;  // safety factor of Newton's iteration, whose estimate is mostly too large
-  static constexpr double rest = 1.2;               // smallest factor by which a step size is increased
-  static constexpr int many_sweeps = 8;             // more sweeps cost more than shorter steps
-  static constexpr double most_growth = 2;          // of the step size
-  static constexpr double first_growth = 8;         // of the first steps, whose size is a guess
-  static constexpr double telling = 1e-8;           // error above which the step size is no guess
+  static constexpr double safety = 0.85;         // safety factor of sweeps
+  static constexpr double safety_newton = 0.93;  // of Newton's iteration, whose estimate is mostly too large
+  static constexpr double rest = 1.2;            // smallest factor by which a step size is increased
+  static constexpr int many_sweeps = 8;          // more sweeps cost more than shorter steps
+  static constexpr double most_growth = 2;       // of the step size
+  static constexpr double first_growth = 8;      // of the first steps, whose size is a guess
+  static constexpr double telling = 1e-8;        // error above which the step size is no guess
   static constexpr double least_remembered = 0.01;  // smallest error to remember: errors pass through zero
   static constexpr int max_slow_trials = 4;  // twice the number of slow trials before Newton's iteration
   static constexpr double much = 1.5;        // factor that the error allows on a step size limited by sweeps

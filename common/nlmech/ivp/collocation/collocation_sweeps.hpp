@@ -157,9 +157,8 @@ class Sweeper : public DenseOutput {
   static constexpr double better_than_here = 1.03;  ///< smallest gain for a change of order
   static constexpr double first_share = 0.1;        ///< relative change of the state in the first step
   static constexpr int most_sweeps = 40;
-  static constexpr double most_foreseen =
-      16;  ///< largest number of predicted sweeps; more cost more than two steps
-  static constexpr double slowest = 0.9;   ///< contraction of a sweep above which the trial ends
+  static constexpr double most_foreseen = 16;  ///< limit of predicted sweeps; more cost more than two steps
+  static constexpr double slowest = 0.9;       ///< contraction of a sweep above which the trial ends
   static constexpr double hopeless = 100;  ///< estimate over tolerance that ends a trial before it converges
   static constexpr double share = 0.05;    ///< residual of the iteration, in tolerances
   static constexpr double outside = 10;

@@ -28,13 +28,14 @@ namespace nlmech::ivp {
 ///  - With a `step`, the integration ends with `wrong_branch` if the estimate, as a displacement, exceeds
 ///    `branch_tolerance` times the displacements and stiffness times h^2 or damping times h changes by more
 ///    than 3 over the step. This never happens on linear problems, where a step has one root only.
-///  - Without a `step`, the step size is adaptive: a step is accepted if max_i |e_i| / (atol + rtol
-///  max(|x0_i|, |x1_i|)) <= 1. The factor to the next step size is 0.9 err^(-1/(p + 1)), from 0.2 to 5; a
-///  step that is not solved is quartered. If h^2 |a_q| > 2, or if the step is a first one or more than twice
-///  as large as the last, it must pass a second estimate, which does not vanish on an oscillation for any
-///  step size: see HermitianTrial::unresolved(). The error of each step is controlled; the final error is
-///  that of all steps times the condition number of the problem. If the estimates add up to a hundredth of
-///  the state and ten thousand tolerances, the run ends with `not_converged`.
+///  - Without a `step`, the step size is adaptive: a step is accepted if
+///    max_i |e_i| / (atol + rtol max(|x0_i|, |x1_i|)) <= 1. The factor to the next step size is
+///    0.9 err^(-1/(p + 1)), from 0.2 to 5; a step that is not solved is quartered. If h^2 |a_q| > 2, or if
+///    the step is a first one or more than twice as large as the last, it must pass a second estimate, which
+///    does not vanish on an oscillation for any step size: see HermitianTrial::unresolved(). The error of
+///    each step is controlled; the final error is that of all steps times the condition number of the
+///    problem. If the estimates add up to a hundredth of the state and ten thousand tolerances, the run ends
+///    with `not_converged`.
 ///
 /// Steps end on the problem's discontinuities. Dense output: the quintic through states and accelerations of
 /// both ends, of the order of the method. Statistics::right_hand_sides counts a and j separately: two per
@@ -44,14 +45,13 @@ namespace nlmech::ivp {
 /// the linear oscillator for h omega up to 1e6, 2000 tolerances for adaptive steps, and a failure status for
 /// van der Pol's jumps whenever the final state is wrong.
 struct Hermitian {
-  static constexpr std::string_view name =
-      "hermitian";                   ///< the family; messages give the name of the operators
-  HermitianPair operators = laier;   ///< a row of hermitian_table, or another pair
-  double step = 0;                   ///< step size; 0: adaptive
-  double relative_tolerance = 1e-9;  ///< rtol of adaptive steps, from 1e-14 to 0.1
-  double absolute_tolerance = 1e-9;  ///< atol, positive
-  double branch_tolerance = 0.1;     ///< see above; positive; infinity: never
-  algebraic::Newton newton = {};     ///< solves each step's equations
+  static constexpr std::string_view name = "hermitian";  ///< the family; messages name the operators
+  HermitianPair operators = laier;                       ///< a row of hermitian_table, or another pair
+  double step = 0;                                       ///< step size; 0: adaptive
+  double relative_tolerance = 1e-9;                      ///< rtol of adaptive steps, from 1e-14 to 0.1
+  double absolute_tolerance = 1e-9;                      ///< atol, positive
+  double branch_tolerance = 0.1;                         ///< see above; positive; infinity: never
+  algebraic::Newton newton = {};                         ///< solves each step's equations
 };
 
 /// @throws std::invalid_argument naming an option out of range and its value

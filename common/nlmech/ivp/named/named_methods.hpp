@@ -18,14 +18,13 @@ namespace nlmech::ivp {
 /// Settings of a method by a user: a step size for methods with fixed steps, or a tolerance for methods with
 /// adaptive steps (default: default_tolerance), not both.
 struct Settings {
-  std::optional<double> step = std::nullopt;  ///< step size; positive
-  std::optional<double> tolerance =
-      std::nullopt;  ///< relative, and absolute by default; positive. Bounds the error of each step; the
-                     ///< errors accumulate, times the condition number of the problem
-  std::optional<double> absolute_tolerance =
-      std::nullopt;  ///< absolute, for components near 0; positive; default: `tolerance`. Not for fixed steps
-  std::optional<int> nodes =
-      std::nullopt;  ///< N of a collocation, from 2 to 200; default: that of the method
+  std::optional<double> step = std::nullopt;       ///< step size; positive
+  std::optional<double> tolerance = std::nullopt;  ///< relative, and absolute by default; positive. Bounds
+                                                   ///< the error of each step; the errors accumulate, times
+                                                   ///< the condition number of the problem
+  std::optional<double> absolute_tolerance = std::nullopt;  ///< for components near 0; positive; default:
+                                                            ///< `tolerance`. Not for fixed steps
+  std::optional<int> nodes = std::nullopt;  ///< N of a collocation, from 2 to 200; default: by the method
   std::optional<double> shape =
       std::nullopt;  ///< c of rbf-coll in 1/time; positive; default: (N - 1) / (4 step)
   std::optional<int> order = std::nullopt;   ///< N of series, from 2 to 100; default: by the tolerance, or

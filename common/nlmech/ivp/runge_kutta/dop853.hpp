@@ -18,11 +18,11 @@ struct Pair;
 /// Order 8 in 12 stages, with estimates of orders 5 and 3 (J. R. Dormand, P. J. Prince; E. Hairer, S. P.
 /// Norsett, G. Wanner, Solving Ordinary Differential Equations I, 2nd edition, 1993, sections II.5 and II.10;
 /// their code is DOP853).
-///  - e5 and e3, the differences of the new state from the formulas of orders 5 and 3, have the norms E =
-///  max_i |e_i|/(atol + rtol max(|x0_i|, |x1_i|)); a step is accepted if err = E5 E5/sqrt(E5^2 + E3^2/100)
-///  <= 1. err is proportional to h^8. Hairer's code has root mean squares in place of the maximum; with the
-///  maximum the tolerance applies to each component, as in the other methods of nlmech, also if many others
-///  are at rest;
+///  - e5 and e3, the differences of the new state from the formulas of orders 5 and 3, have the norms
+///    E = max_i |e_i|/(atol + rtol max(|x0_i|, |x1_i|)); a step is accepted if
+///    err = E5 E5/sqrt(E5^2 + E3^2/100) <= 1. err is proportional to h^8. Hairer's code has root mean squares
+///    in place of the maximum; with the maximum the tolerance applies to each component, as in the other
+///    methods of nlmech, also if many others are at rest;
 ///  - the factor to the next step size is 0.8 err^(-1/8), or less if errors grow (StepControl::change()),
 ///    from 1/5 to 10: over thirteen smooth problems and tolerances from 1e-3 to 1e-13 these constants need 4
 ///    % fewer evaluations than the usual 0.9 and 6, and half as many rejections;

@@ -22,9 +22,8 @@ struct Pair;
 /// W. Reichelt, The MATLAB ODE suite, SIAM J. Sci. Comput. 18 (1997) 1-22):
 ///  - a step is accepted if max_i |e_i| / max(|x0_i|, |x1_i|, atol/rtol) <= rtol, e the difference of both
 ///    orders;
-///  - after a rejection the step size is multiplied by max(0.1, 0.8 (rtol/err)^(1/5)), after further ones it
-///  is
-///    halved; after a step that is accepted at once the factor is (rtol/err)^(1/5)/1.25, at most 5;
+///  - after a rejection the step size is multiplied by max(0.1, 0.8 (rtol/err)^(1/5)), after further ones
+///    it is halved; after a step that is accepted at once the factor is (rtol/err)^(1/5)/1.25, at most 5;
 ///  - the last step is stretched by up to 10 %; no step is below 16 spacings of doubles at t.
 /// A trial whose values are not finite is rejected. The method restarts at each discontinuity.
 ///

@@ -28,9 +28,9 @@ enum class VelocityTime : std::uint8_t {
 ///
 /// The last two options reproduce an error of the source. The rows "Explicit" of Table 4.4 are reproduced if
 /// a run with the step h ends with v(t1 - h/2) and the next one, with another step h', uses it as v(t1 -
-/// h'/2): an error of first order, (h' - h)/2 a in the velocity. That is `CentralDifference{.step = h,
-/// .reported = VelocityTime::half_step_before}` followed by ``CentralDifference{.step = h', .initial =
-/// VelocityTime::half_step_before}``.
+/// h'/2): an error of first order, (h' - h)/2 a in the velocity. That is
+/// `CentralDifference{.step = h, .reported = VelocityTime::half_step_before}` followed by
+/// ``CentralDifference{.step = h', .initial = VelocityTime::half_step_before}``.
 ///
 /// Tests assert the rotation by 2 arcsin(h/2) on the linear oscillator (16 eps per step, h omega up to 1.9),
 /// order 2 (observed within 0.1), growth beyond h omega = 2, and the errors of
