@@ -16,8 +16,9 @@ namespace nlmech::ivp {
 
 /// Initial value problem as passed to a method: the arguments are checked and t0 != t1.
 ///
-/// A method is an aggregate of options with a function `Solution run(const InitialValueProblem&, const
-/// Method&)`; a method that can be inlined with its problem has it as a template on the system.
+/// A method is an aggregate of options with a function
+/// `Solution run(const InitialValueProblem&, const Method&)`; a method that can be inlined with its problem
+/// has it as a template on the system.
 template <SystemLike S>
 struct InitialValueProblemOf {
   const S& system;                ///< the equations

@@ -35,7 +35,7 @@ inline void join(const State& q, const State& v, const State& a, State& x, State
   }
 }
 
-/// The greatest |x_i| with begin <= i < end; not for NaN.
+/// The largest |x_i| with begin <= i < end; not for NaN.
 [[nodiscard]] inline double greatest(const State& x, Eigen::Index begin, Eigen::Index end) {
   double most = 0;
   for (Eigen::Index i = begin; i < end; ++i) most = std::max(most, std::abs(x[i]));

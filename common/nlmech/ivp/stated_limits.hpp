@@ -19,8 +19,8 @@ namespace nlmech::ivp {
 ///   bound at the start of the step. Checked forwards in time only, and only if the initial state is within
 ///   all bounds;
 /// - if an invariant differs from its initial value by more than 10 times the first-order effect of an error
-///   of one tolerance in each component in each step. Checked at the end only: an invariant does not drift
-///   back, and a check in each step would cost more than the steps of some methods.
+///   of one tolerance in each component in each step. Checked at the end only: a drift
+///   persists, and a check in each step would cost more than the steps of some methods.
 ///
 /// Costs nothing without bounds and invariants. Tests: Robertson's reactions with an absolute tolerance that
 /// lets y2 become negative, and oscillators whose energy drifts.

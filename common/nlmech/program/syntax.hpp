@@ -50,14 +50,14 @@ struct Syntax {
 struct Statement {
   std::size_t left;   ///< root of an expression
   std::size_t right;  ///< root of an expression
-  Place place;        ///< of all of it
+  Place place;        ///< place of the whole statement
 };
 
 /// ``x'(0) = 1``: initial value of a solution.
 struct InitialValue {
-  std::string name;   ///< of the unknown
+  std::string name;   ///< name of the unknown
   int primes;         ///< order of the derivative
-  Place place;        ///< of `x'(0)`
+  Place place;        ///< place of `x'(0)`
   std::size_t time;   ///< root of the expression in the brackets
   std::size_t value;  ///< root of the expression after the sign
 };
@@ -67,7 +67,7 @@ struct Condition {
   std::size_t left;    ///< root of an expression
   TokenKind relation;  ///< at_least, at_most, above or below
   std::size_t right;   ///< root of an expression
-  Place place;         ///< of all of it
+  Place place;         ///< place of the whole statement
 };
 
 /// Syntax tree of a whole text.

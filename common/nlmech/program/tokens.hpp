@@ -43,7 +43,7 @@ struct Token {
   bool after_blank;   ///< is it preceded by a blank or the start of the text?
 };
 
-/// All tokens of a text; the last is end_of_text. `#` begins a comment, to the end of its line. The end of a
+/// All tokens of a text; the last is end_of_text. `#` starts a comment, to the end of its line. The end of a
 /// line ends a statement unless a bracket is open or a sign lacks its second operand.
 /// @throws InputError with the position of text that cannot be part of an equation, and for a number that is
 /// not finite

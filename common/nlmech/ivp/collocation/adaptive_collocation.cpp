@@ -147,8 +147,8 @@ class Run : public AdaptiveStepLoop<System, Run<Sweeps, Newton>> {
   static constexpr double safety_newton = 0.93;  // of Newton's iteration, whose estimate is mostly too large
   static constexpr double rest = 1.2;            // smallest factor by which a step size is increased
   static constexpr int many_sweeps = 8;          // more sweeps cost more than shorter steps
-  static constexpr double most_growth = 2;       // of the step size
-  static constexpr double first_growth = 8;      // of the first steps, whose size is a guess
+  static constexpr double most_growth = 2;       // largest factor on the step size
+  static constexpr double first_growth = 8;      // the same for the first steps, whose size is a guess
   static constexpr double telling = 1e-8;        // error above which the step size is no guess
   static constexpr double least_remembered = 0.01;  // smallest error to remember: errors pass through zero
   static constexpr int max_slow_trials = 4;  // twice the number of slow trials before Newton's iteration

@@ -33,8 +33,7 @@ struct RbfCollocation {
   /// so the condition of the basis.
   double shape = 0;
   collocation::Kernel kernel = collocation::Kernel::gaussian;  ///< radial function (Eq. 4.8)
-  collocation::NodeFamily points =
-      collocation::NodeFamily::legendre_gauss_lobatto;  ///< family of nodes
+  collocation::NodeFamily points = collocation::NodeFamily::legendre_gauss_lobatto;  ///< family of nodes
   collocation::Inversion inversion =
       collocation::Inversion::solve;              ///< how the derivative matrix is formed (Eq. 4.15)
   algebraic::Newton newton = collocation_newton;  ///< the iteration for a step's equations
@@ -52,9 +51,8 @@ struct PolynomialCollocation {
   static constexpr std::string_view radau_name = "radau-coll";  ///< with the left end and Radau nodes
   double step = 0.1;                                            ///< step size, positive
   int nodes = 7;                                                ///< N, from 2 to 200
-  collocation::NodeFamily points =
-      collocation::NodeFamily::legendre_gauss_lobatto;  ///< family of nodes
-  algebraic::Newton newton = collocation_newton;        ///< the iteration for a step's equations
+  collocation::NodeFamily points = collocation::NodeFamily::legendre_gauss_lobatto;  ///< family of nodes
+  algebraic::Newton newton = collocation_newton;  ///< the iteration for a step's equations
 };
 
 /// The name of a method, for messages.

@@ -15,14 +15,14 @@ namespace nlmech::ivp {
 /// with positions q, velocities v, accelerations a and their derivatives, the jerks j (J. E. Laier,
 /// High-order algorithm for non-linear dynamics, Eq. 1 with all signs positive, as its Eq. 6 uses it).
 struct HermitianOperator {
-  double A;  ///< of q0
-  double B;  ///< of q1
-  double C;  ///< of h v0
-  double D;  ///< of h v1
-  double E;  ///< of h^2 a0
-  double F;  ///< of h^2 a1
-  double G;  ///< of h^3 j0
-  double H;  ///< of h^3 j1
+  double A;  ///< coefficient of q0
+  double B;  ///< coefficient of q1
+  double C;  ///< coefficient of h v0
+  double D;  ///< coefficient of h v1
+  double E;  ///< coefficient of h^2 a0
+  double F;  ///< coefficient of h^2 a1
+  double G;  ///< coefficient of h^3 j0
+  double H;  ///< coefficient of h^3 j1
 };
 
 /// Two operators, for the two unknowns of a step.

@@ -45,12 +45,12 @@ struct StepGrid {
   return 512 * spacing(std::max(std::abs(t0), std::abs(t1)));
 }
 
-/// Base of fixed-step steppers. A stepper has `std::string_view name() const`, a member `Status step(double
-/// t, double h, const State& x0, State& x1, Statistics&)` that goes from t to t + h, and dense output over
-/// that step. A stepper with values at inner nodes sets has_nodes and fills times_ and states_ in step(). A
-/// stepper that passes derivatives from step to step, or evaluates f at the end of a step, has `void
-/// begin_segment(double begin, double end)`, called before the first step of each interval between
-/// discontinuities.
+/// Base of fixed-step steppers. A stepper has `std::string_view name() const`, a member
+/// `Status step(double t, double h, const State& x0, State& x1, Statistics&)` that integrates from t to t +
+/// h, and dense output over that step. A stepper with values at inner nodes sets has_nodes and fills times_
+/// and states_ in step(). A stepper that passes derivatives from step to step, or evaluates f at the end of a
+/// step, has `void begin_segment(double begin, double end)`, called before the first step of each interval
+/// between discontinuities.
 template <SystemLike S>
 class StepperOf : public DenseOutputOf<S> {
  public:

@@ -42,8 +42,8 @@ struct Dop853 {
   using Pair = dop853::Pair;                          ///< coefficients, error and step control
   double relative_tolerance = 1e-9;                   ///< rtol, from 0 to 0.1
   double absolute_tolerance = 1e-9;                   ///< atol, positive
-  double initial_step = 0;                            ///< of each segment; 0: chosen from f(t0, x0)
-  double largest_step = 0;                            ///< 0: the interval
+  double initial_step = 0;  ///< first step of each segment; 0: chosen from f(t0, x0)
+  double largest_step = 0;  ///< 0: the interval
 };
 
 namespace dop853 {

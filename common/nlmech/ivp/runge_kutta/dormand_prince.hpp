@@ -39,7 +39,7 @@ struct Ode45 {
   using Pair = dormand_prince::Pair;                 ///< coefficients and step control
   double relative_tolerance = 1e-9;                  ///< rtol, from 100 eps = 2.22e-14 to 0.1
   double absolute_tolerance = 1e-9;                  ///< atol, positive
-  double initial_step = 0;                           ///< of each segment; 0: chosen from f(t0, x0)
+  double initial_step = 0;                           ///< first step of each segment; 0: chosen from f(t0, x0)
   double largest_step = 0;                           ///< 0: a tenth of the interval
   int refine = 4;                                    ///< output points per step for observers, from 1 to 1000
 };

@@ -36,8 +36,8 @@ struct Rkn1210 {
   using Pair = rkn1210::Pair;                          ///< coefficients and step control
   double relative_tolerance = 1e-9;                    ///< rtol, from 0 to 0.1
   double absolute_tolerance = 1e-9;                    ///< atol, positive
-  double initial_step = 0;                             ///< of each segment; 0: chosen from q, v and a
-  double largest_step = 0;                             ///< 0: the interval
+  double initial_step = 0;  ///< first step of each segment; 0: chosen from q, v and a
+  double largest_step = 0;  ///< 0: the interval
 };
 
 namespace rkn1210 {

@@ -167,8 +167,8 @@ class Expansion : public DenseOutputOf<S> {
 
 /// Tolerances, order, and the formulas of step-size control; see Series.
 struct Rule {
-  double relative_tolerance;  ///< of the last terms
-  double absolute_tolerance;  ///< of the last terms
+  double relative_tolerance;  ///< rtol of the last terms
+  double absolute_tolerance;  ///< atol of the last terms
   double largest_step;        ///< 0: no bound
   int order;                  ///< order of the series, the same in all steps
 
