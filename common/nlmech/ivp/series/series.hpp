@@ -82,7 +82,7 @@ struct Tail {
   }
   /// Are all coefficients finite? The last ones are computed from the others.
   [[nodiscard]] bool is_finite() const { return sum <= std::numeric_limits<double>::max(); }
-  /// The step size at which the last two terms are 1, times 2^@p log2_safety; positive.
+  /// The step size at which the last two terms are 1, times 2 to the power @p log2_safety; positive.
   [[nodiscard]] double length(int order, double scale, double log2_safety) const {
     const double log2 = std::max(rough_log2(last) / order, rough_log2(before) / (order - 1));
     return scale * rough_exp2(log2_safety - log2);
