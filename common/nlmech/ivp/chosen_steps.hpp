@@ -1,6 +1,5 @@
 /// @file
-/// The walk of a method that chooses its steps: stretches between discontinuities, trials, limits, the
-/// observer.
+/// Loop of a method with adaptive steps: intervals between discontinuities, trial steps, limits, observer.
 #pragma once
 
 #include <cmath>
@@ -16,19 +15,20 @@
 
 namespace nlmech::ivp {
 
-/// Base of one integration with steps of chosen length; integrate_fixed_steps() is its counterpart for equal
-/// ones. The method, Run, has this class as a friend, and
-///  - `Status begin(double end)`: starts control_ on a stretch on which f is smooth, from now_;
-///  - `double attempt(double t1)`: error of a trial step from now_ over the tolerance; NaN if the
-///    trial has no values;
-///  - `Status accept(double t1, double error)` if that is 1 or less: tells control_, and goes on by take();
-///  - `double shorter(double error)` if not: how long the next trial is to be.
+/// Base of one integration with adaptive steps; integrate_fixed_steps() is its counterpart for equal steps.
+/// The method, Run, declares this class a friend and has
+///  - `Status begin(double end)`: starts control_ at now_ on an interval on which f is smooth;
+///  - `double attempt(double t1)`: error of a trial step from now_ divided by the tolerance; NaN if the trial
+///    state is not finite;
+///  - `Status accept(double t1, double error)`, called if that is 1 or less: updates control_ and calls
+///    take();
+///  - `double shorter(double error)`, called otherwise: step size of the next trial.
 template <SystemLike S, class Run>
 class AdaptiveStepLoop {
  public:
   using State = typename S::State;  ///< all components
 
-  /// Goes from begin to end; call once.
+  /// Integrates from t0 to t1; call once.
   [[nodiscard]] SolutionOf<S> run() {
     std::vector<double> ends = problem_.system.discontinuities(problem_.t0, problem_.t1);
     ends.push_back(problem_.t1);
@@ -42,8 +42,8 @@ class AdaptiveStepLoop {
 
  protected:
   /// @param problem outlives the integration
-  /// @param name the method, in sentences
-  /// @param refine values a step for observers, equally spaced
+  /// @param name of the method, for messages
+  /// @param refine number of equally spaced output points per step for observers
   AdaptiveStepLoop(const InitialValueProblemOf<S>& problem, std::string_view name, const StepRule& rule,
                    int refine = 1)
       : problem_(problem),
@@ -54,15 +54,15 @@ class AdaptiveStepLoop {
         states_(problem.system.size(), refine),
         between_(problem.system.size()) {}
 
-  /// Called before the first trial of each step; for methods that plan it there.
+  /// Called before the first trial of each step; a method may plan the step in it.
   [[nodiscard]] Status prepare() { return {}; }
-  /// The failure where the shortest trial, to @p t1, is rejected.
+  /// Failure if a trial of the smallest step size, to @p t1, is rejected.
   [[nodiscard]] Status missed(double t1, double error) const {
     return std::isnan(error) ? non_finite_state(name_, now_.t, t1 - now_.t)
                              : tolerance_missed(name_, now_.t, t1 - now_.t);
   }
-  /// Counts the step to (@p t1, @p x1), shows it to the observer and goes there. @return `interrupted` if the
-  /// observer says stop
+  /// Counts the step to (@p t1, @p x1), passes it to the observer and updates now_.
+  /// @return `interrupted` if the observer returns false
   [[nodiscard]] Status take(double t1, const State& x1, const DenseOutputOf<S>& dense) {
     ++now_.statistics.steps;
     Status status;
@@ -72,14 +72,14 @@ class AdaptiveStepLoop {
     return status;
   }
 
-  const InitialValueProblemOf<S>& problem_;  ///< what is asked
-  SolutionOf<S> now_;                        ///< how far it has come
-  StepControl control_;                      ///< plans the steps
+  const InitialValueProblemOf<S>& problem_;  ///< the problem to integrate
+  SolutionOf<S> now_;                        ///< current time, state, status and statistics
+  StepControl control_;                      ///< step-size control
 
  private:
   Run& self() { return static_cast<Run&>(*this); }
 
-  // One accepted step, if there is one.
+  // Tries steps until one is accepted or the integration fails.
   Status step(double end) {
     for (bool is_first = true;; is_first = false) {
       Status status = check_limits(name_, now_.t, now_.statistics, problem_.limits, watch_);

@@ -1,5 +1,5 @@
 /// @file
-/// The cubic through two states with two derivatives: dense output of methods of order up to 3.
+/// Cubic Hermite interpolation between two states: dense output of methods of order up to 3.
 #pragma once
 
 #include <utility>
@@ -8,9 +8,8 @@
 
 namespace nlmech::ivp {
 
-/// Interpolates a step by the cubic with the states and derivatives of both ends. Against the solution
-/// through them the error is at most h^4/384 max |x''''|; it is continuously differentiable from step to
-/// step.
+/// Interpolates a step by the cubic that has the states and derivatives of both ends. Its error against the
+/// solution through them is at most h^4/384 max |x''''|. It is continuously differentiable from step to step.
 class CubicHermite {
  public:
   /// For states of @p size components.
@@ -20,9 +19,10 @@ class CubicHermite {
   State f0;       ///< dx/dt at the start
   State f1;       ///< dx/dt at the end
   double t0 = 0;  ///< time of the start
-  double h = 1;   ///< length of the step, signed
+  double h = 1;   ///< step size, signed
 
-  /// Goes on to a step of length @p length from time @p t: the end of the step before is its start.
+  /// Moves to the next step, from time @p t with step size @p length: the end of the last step becomes its
+  /// start.
   void next_step(double t, double length) {
     std::swap(x0, x1);
     std::swap(f0, f1);

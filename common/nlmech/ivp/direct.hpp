@@ -1,5 +1,5 @@
 /// @file
-/// A problem adapted to what methods ask of a system: behind System, or without indirection for users and
+/// Adapts a problem to the interface that methods need: behind System, or without indirection for users and
 /// benchmarks that want the right-hand side inlined into the method.
 #pragma once
 
@@ -37,13 +37,13 @@ concept GivesAcceleration = requires(const Problem& problem, double t,
   problem.acceleration(t, q, q, a);
 };
 
-/// True if the problem says itself whether it is of second order, as typed equations do.
+/// True if the problem has a member `second_order()`, as typed equations do.
 template <class Problem>
 concept SaysItsOrder = requires(const Problem& problem) {
   { problem.second_order() } -> std::same_as<bool>;
 };
 
-/// True if the problem offers `jacobian(t, x, j)`, which replaces the one by dual numbers.
+/// True if the problem offers `jacobian(t, x, j)`, which replaces the Jacobian by dual numbers.
 template <class Problem>
 concept GivesJacobian = requires(const Problem& problem, double t,
                                  const Vector<double, Problem::dimension>& x,
@@ -58,7 +58,7 @@ concept TakesDual = requires(const Problem& problem, const D& t, const Vector<D,
   problem(t, x, f);
 };
 
-/// True if the problem announces where it is not smooth.
+/// True if the problem gives the times at which f is not smooth.
 template <class Problem>
 concept GivesDiscontinuities = requires(const Problem& problem, double t) {
   problem.discontinuities(t, t);
@@ -72,7 +72,7 @@ concept GivesSwitches = requires(const Problem& problem, const Mode& mode) {
 };
 
 /// @cond
-/// What System asks of a problem; see Direct.
+/// Virtual interface of a problem behind System; see Direct.
 class AnyProblem {
  public:
   AnyProblem() = default;
@@ -97,64 +97,64 @@ class AnyProblem {
   virtual bool bounds(State&, State&) const = 0;
   virtual Tape record(double) const = 0;
 };
-/// What a problem that is inlined needs of it.
+/// Empty base for an inlined problem.
 class NoInterface {};
 /// @endcond
 
-/// True if the problem has read them off its equations, as typed equations do.
+/// True if the problem has its own linear_terms(), as typed equations do.
 template <class Problem>
 concept GivesLinearTerms = requires(const Problem& problem) {
   { problem.linear_terms() } -> std::convertible_to<program::LinearTerms>;
 };
 
-/// True if the problem knows quantities that stay constant along its solutions.
+/// True if the problem gives quantities that stay constant along its solutions.
 template <class Problem>
 concept GivesInvariants = requires(const Problem& problem, double t,
                                    const Vector<double, Problem::dimension>& x) {
   problem.invariants(t, x);
 };
 
-/// True if the problem says what its components cannot fall below.
+/// True if the problem gives lower bounds of its components.
 template <class Problem>
 concept GivesLowerBounds = requires(const Problem& problem) {
   problem.lower_bounds();
 };
 
-/// True if the problem says what its components cannot exceed.
+/// True if the problem gives upper bounds of its components.
 template <class Problem>
 concept GivesUpperBounds = requires(const Problem& problem) {
   problem.upper_bounds();
 };
 
-/// True if the problem may have bounds, and says whether it has.
+/// True if the problem has a member `bounds(lower, upper)` that returns whether there are bounds.
 template <class Problem>
 concept GivesBounds = requires(const Problem& problem, State& bound) {
   { problem.bounds(bound, bound) } -> std::same_as<bool>;
 };
 
-/// Up to this dimension a problem's Taylor coefficients are unrolled; beyond, by a tape.
+/// Largest dimension with unrolled Taylor coefficients; above it they are computed by a tape.
 inline constexpr int most_unrolled = 8;
 
-/// Partial derivatives carried at once: all of them for a small problem, by eights for one of dynamic size.
+/// Partial derivatives carried at once: all n for a fixed dimension, 8 for a dynamic one.
 template <int n>
 inline constexpr int lanes = n == Eigen::Dynamic ? 8 : n;
 
 }  // namespace detail
 
-/// A problem as a system, inlined. A problem is a callable
+/// Inlines a problem into a system. A problem is a callable
 /// `template <class T> void operator()(const T& t, const Vector<T, m>& x, Vector<T, m>& dxdt) const` with
-/// `static constexpr int dimension = m` (Eigen::Dynamic: a member `int size() const` beside it). It may
-/// offer:
-///  - `acceleration(t, q, v, a)`, the same template on the scalar: a second-order problem, state q then v.
-///    With a member `bool second_order() const` only if that is true;
-///  - `jacobian(t, x, j)` in double: used in place of dual numbers;
-///  - `std::vector<double> discontinuities(t0, t1) const`: where f or a derivative jumps, in the direction of
-///    travel. Methods step onto them. At such a time f is the limit from the right;
-///  - `int switches()`, `in_mode(mode)`, `surfaces(t, x, values, rates)`: functions of time and state whose
-///    signs decide what the equations are, and the smooth equations for each choice (switching.hpp);
-///  - `invariants(t, x)` in double: a vector of what stays constant along every solution;
-///  - `lower_bounds()`, `upper_bounds()`: what a component cannot leave at later times.
-/// @tparam n the dimension that methods see: the problem's, or Eigen::Dynamic, with which the members below
+/// `static constexpr int dimension = m` (Eigen::Dynamic: also a member `int size() const`). It may offer:
+///  - `acceleration(t, q, v, a)`, also a template on the scalar: a second-order problem with the state q,
+///    then v. If there is a member `bool second_order() const`, it decides;
+///  - `jacobian(t, x, j)` in double: replaces dual numbers;
+///  - `std::vector<double> discontinuities(t0, t1) const`: times at which f or a derivative jumps, in the
+///    direction of integration. Methods end a step at each of them. At such a time f is the limit from the
+///    right;
+///  - `int switches()`, `in_mode(mode)`, `surfaces(t, x, values, rates)`: switching functions of time and
+///    state, and the smooth equations for each choice of their signs (switching.hpp);
+///  - `invariants(t, x)` in double: a vector of quantities that stay constant along every solution;
+///  - `lower_bounds()`, `upper_bounds()`: bounds that each component keeps at later times.
+/// @tparam n dimension of the system: that of the problem, or Eigen::Dynamic, with which the members below
 /// override those of AnyProblem
 template <class Problem, int n = Problem::dimension>
 class Direct final : public std::conditional_t<n == Eigen::Dynamic, detail::AnyProblem, detail::NoInterface> {
@@ -165,10 +165,10 @@ class Direct final : public std::conditional_t<n == Eigen::Dynamic, detail::AnyP
   using State = std::conditional_t<n == Eigen::Dynamic, ivp::State, Vector<double, n>>;  ///< all components
   using Half = std::conditional_t<n == Eigen::Dynamic, ivp::State,
                                   detail::HalfVector<double, n>>;  ///< positions or velocities
-  using Nodes = Matrix<double, n, Eigen::Dynamic>;                 ///< states at many nodes, one a column
+  using Nodes = Matrix<double, n, Eigen::Dynamic>;                 ///< states at many nodes, one per column
   using Jacobian = Matrix<double, n, n>;                           ///< df/dx
 
-  /// Takes a copy of the problem.
+  /// Stores a copy of the problem.
   explicit Direct(Problem problem) : problem_(std::move(problem)) {}
 
   /// Number of components of the state.
@@ -216,7 +216,7 @@ class Direct final : public std::conditional_t<n == Eigen::Dynamic, detail::AnyP
     }
   }
 
-  /// df/dx by dual numbers, exact to rounding, or by the problem's own member.
+  /// df/dx by dual numbers, exact to rounding, or by the problem's own jacobian().
   void jacobian(double t, const State& x, Jacobian& j) const {
     if constexpr (detail::GivesJacobian<Problem>) {
       OwnJacobian own(size(), size());
@@ -227,8 +227,8 @@ class Direct final : public std::conditional_t<n == Eigen::Dynamic, detail::AnyP
     }
   }
 
-  /// df/dt at fixed x, which Rosenbrock methods ask for beside the Jacobian: by dual numbers, exact to
-  /// rounding. False, and nothing is written, for a problem that is written for double alone.
+  /// df/dt at fixed x, which Rosenbrock methods need: by dual numbers, exact to rounding.
+  /// @return false, with nothing written, for a problem in double only
   [[nodiscard]] bool time_derivative(double t, const State& x, State& dfdt) const {
     using D = Dual<double, 1>;
     if constexpr (detail::TakesDual<Problem, D>) {
@@ -245,8 +245,8 @@ class Direct final : public std::conditional_t<n == Eigen::Dynamic, detail::AnyP
 
   /// f and its derivative along the solution, g = f_t + f_x f: x' and x'' there. For a second-order problem
   /// the lower half of f is the acceleration and that of g the jerk, 2 and 6 times a Taylor coefficient of
-  /// the position. By dual numbers, exact to rounding. False, and nothing is written, for a problem that is
-  /// written for double alone.
+  /// the position. By dual numbers, exact to rounding.
+  /// @return false, with nothing written, for a problem in double only
   [[nodiscard]] bool second_derivative(double t, const State& x, State& f, State& g) const {
     using D = Dual<double, 1>;
     if constexpr (detail::TakesDual<Problem, D>) {
@@ -330,7 +330,8 @@ class Direct final : public std::conditional_t<n == Eigen::Dynamic, detail::AnyP
     }
   }
 
-  /// How many functions decide by their signs what the equations are. Methods run on smooth ones alone.
+  /// Number of switching functions, whose signs select the equations. Methods integrate smooth equations
+  /// only.
   [[nodiscard]] int switches() const {
     if constexpr (detail::GivesSwitches<Problem>) return problem_.switches();
     return 0;
@@ -341,13 +342,13 @@ class Direct final : public std::conditional_t<n == Eigen::Dynamic, detail::AnyP
       return std::make_shared<const Direct<Problem, Eigen::Dynamic>>(problem_.in_mode(mode));
     throw std::logic_error("this problem has no switches");
   }
-  /// Of the equations of a mode: the functions that decide, or their shares (switching.hpp), and their rates.
+  /// Switching functions, or shares (switching.hpp), of the equations of a mode, and their rates of change.
   void surfaces(double t, const State& x, std::span<double> values, std::span<double> rates) const {
     if constexpr (detail::GivesSwitches<Problem>) problem_.surfaces(t, OwnState(x), values, rates);
   }
 
-  /// What of f is linear with constant coefficients, and its harmonic loads; nothing of a problem that is
-  /// written for double alone, or branches.
+  /// The linear terms of f with constant coefficients, and its harmonic loads; none for a problem that
+  /// branches or is in double only.
   [[nodiscard]] program::LinearTerms linear_terms() const {
     if constexpr (detail::GivesLinearTerms<Problem>) {
       return problem_.linear_terms();
@@ -357,14 +358,14 @@ class Direct final : public std::conditional_t<n == Eigen::Dynamic, detail::AnyP
         const program::Recording recording = program::record(problem_, 0, size(), false);
         return program::linear_terms(recording.graph, recording.slopes);
       } catch (const std::invalid_argument&) {
-        // It branches.
+        // The right-hand side branches.
       }
     }
     return {Eigen::MatrixXd::Zero(size(), size()), {}};
   }
 
-  /// The quantities that stay constant along every solution, at (t, x). False, and nothing is written, if
-  /// the problem names none.
+  /// The quantities that stay constant along every solution, at (t, x).
+  /// @return false, with nothing written, if the problem gives none
   [[nodiscard]] bool invariants(double t, const State& x, Eigen::VectorXd& values) const {
     if constexpr (detail::GivesInvariants<Problem>) {
       if constexpr (n == m) {
@@ -378,8 +379,8 @@ class Direct final : public std::conditional_t<n == Eigen::Dynamic, detail::AnyP
     }
   }
 
-  /// What each component cannot fall below nor exceed at later times, if it is within now; infinite where
-  /// there is no bound. False, and nothing is written, if the problem names none.
+  /// Bounds of each component at later times, valid if the state is within them now; infinite where there is
+  /// no bound. @return false, with nothing written, if the problem gives none
   [[nodiscard]] bool bounds(State& lower, State& upper) const {
     constexpr bool has_lower = detail::GivesLowerBounds<Problem>,
                    has_upper = detail::GivesUpperBounds<Problem>;
@@ -397,9 +398,9 @@ class Direct final : public std::conditional_t<n == Eigen::Dynamic, detail::AnyP
     }
   }
 
-  /// The right-hand side as a tape: called once, at time @p t.
-  /// @throws std::invalid_argument if it is written for double alone, or branches on the state, or branches
-  /// on the time and the problem does not announce discontinuities
+  /// Records the right-hand side as a tape; it is called once, at time @p t.
+  /// @throws std::invalid_argument if the problem is in double only, branches on the state, or branches on
+  /// the time without giving discontinuities
   [[nodiscard]] Tape record(double t) const {
     if constexpr (detail::TakesDual<Problem, program::Recorded>) {
       return program::record(problem_, t, size(), detail::GivesDiscontinuities<Problem>).tape();
@@ -410,9 +411,9 @@ class Direct final : public std::conditional_t<n == Eigen::Dynamic, detail::AnyP
     }
   }
 
-  /// The Taylor coefficients of solutions, to the order @p order >= 1: an object that refers to this one,
-  /// with begin_segment(t, x), expand(t, x, scale) and coefficients(i); see TapedTaylor. Up to 8 components
-  /// and order unrolled::most_order the problem is inlined into it.
+  /// Taylor coefficients of solutions to the order @p order >= 1. The result refers to this object and has
+  /// begin_segment(t, x), expand(t, x, scale) and coefficients(i); see TapedTaylor. The problem is inlined
+  /// into it up to 8 components and order unrolled::most_order.
   [[nodiscard]] auto taylor(int order) const {
     constexpr bool inlined =
         n == m && m >= 1 && m <= detail::most_unrolled && detail::TakesDual<Problem, UnrolledSeries<1>>;

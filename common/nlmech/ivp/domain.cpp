@@ -18,13 +18,13 @@ namespace {
 
 using program::Interval;
 
-/// The state of a function that asks for none.
+/// Placeholder state for functions of time only.
 template <class T>
 struct NoState {
   T operator[](int) const { return T(0); }
 };
 
-/// Bounds at a point, for states that may be off by @p error times 1 and |x_i|.
+/// Bounds at a point for states with errors up to error.absolute + error.relative |x_i|.
 Enclosure at_point(const Event& g, double t, const State& x, StateAccuracy error) {
   std::vector<Interval> box;
   for (const double xi : x)
@@ -32,13 +32,13 @@ Enclosure at_point(const Event& g, double t, const State& x, StateAccuracy error
   return g.bounds(Interval(t), box);
 }
 double middle_of(const Interval& v) { return (v.low + v.high) / 2; }
-/// dg/dt, zero where bounds do not tell.
+/// dg/dt; zero where its bounds include zero.
 double rate_at(const Event& g, double t, const State& x) {
   const Interval rate = at_point(g, t, x, {}).rate;
   return rate.has(0) ? 0 : middle_of(rate);
 }
 
-/// dg/dx, by differences.
+/// dg/dx by central differences.
 State gradient(const Event& g, double t, const State& x) {
   State d(x.size()), at = x;
   for (Eigen::Index i = 0; i < x.size(); ++i) {
@@ -52,7 +52,7 @@ State gradient(const Event& g, double t, const State& x) {
   return d;
 }
 
-/// The state nearest to @p x at which g is @p value, or less by rounding.
+/// The state nearest to @p x at which g is @p value, or less by rounding: at most 8 steps along the gradient.
 State moved_to(const Event& g, double t, State x, double value) {
   constexpr int most = 8;
   for (int k = 0; k < most; ++k) {
@@ -67,7 +67,8 @@ State moved_to(const Event& g, double t, State x, double value) {
   return x;
 }
 
-/// Do the equations lead away from the zero of an argument at @p x ever more steeply the nearer to it?
+/// Do the equations lead away from the zero of an argument at @p x, with a rate per distance that grows
+/// towards it?
 bool repels(const Event& g, double t, const State& x, double near, int direction) {
   const auto slope = [&](double distance) {
     return direction * (rate_at(g, t, moved_to(g, t, x, distance)) - rate_at(g, t, x)) / distance;
@@ -76,12 +77,12 @@ bool repels(const Event& g, double t, const State& x, double near, int direction
   return far > 0 && slope(near / 1e4) > 3 * far;
 }
 
-/// Zeros of a function of time alone.
+/// Zeros of a function of time only.
 class ZerosOfTime {
  public:
   explicit ZerosOfTime(const Event& g) : g_(g) {}
 
-  /// The first one from @p from to @p to, which may lie before it; nothing if there is none.
+  /// The first zero from @p from to @p to (either order); none if there is no zero.
   [[nodiscard]] std::optional<double> first(double from, double to) {
     left_ = 10'000;
     return search(from, to, 0);
@@ -105,7 +106,7 @@ class ZerosOfTime {
     if (const std::optional<double> zero = search(a, middle, depth + 1)) return zero;
     return search(middle, b, depth + 1);
   }
-  // The first double at which the sign is another one.
+  // The first double at which the sign has changed.
   [[nodiscard]] double bisect(double a, double b, bool positive) const {
     for (;;) {
       const double middle = a + (b - a) / 2;
@@ -118,7 +119,7 @@ class ZerosOfTime {
   int left_ = 0;
 };
 
-/// Is @p t within some roundings of @p of?
+/// Are @p t and @p of equal to 8 roundings?
 bool is_near(double t, double of) {
   return std::abs(t - of) <= 8 * eps * std::max(std::abs(t), std::abs(of));
 }
@@ -128,7 +129,7 @@ bool is_zero_at(const Event& g, double t) {
   return std::abs(g.value(t, {})) <= 8 * eps * std::abs(t) * there.rate.magnitude();
 }
 
-/// One integration that looks at its domain.
+/// One integration that checks the domain of its equations.
 class Guarded {
  public:
   Guarded(const SmoothRun& run, const Domain& domain, StateAccuracy accuracy, bool* rests,
@@ -163,7 +164,7 @@ class Guarded {
   }
 
  private:
-  // What stands at the start: a singular point, or an argument that is zero.
+  // Handles a singular point or a zero argument at the start.
   void begin() {
     const auto is_singular = [this](const Event& g) { return is_zero_at(g, t0_); };
     if (std::ranges::any_of(domain_.timed, is_singular)) return begin_series();
@@ -191,11 +192,11 @@ class Guarded {
     all_.status = failed_with(Outcome::interrupted, "the observer stopped the run at t = {:.17g}", all_.t);
   }
 
-  // From here to the next end of a root, or from there back.
+  // Integrates to the next zero of an argument, or to the end of the rest at one.
   void part() {
     stop_.reset();
     finder_.emplace(watched(),
-                    accuracy_);  // by dense output: runs that end at a singular point are not exact
+                    accuracy_);  // dense output: a run that ends at a singular point is inaccurate
     const System& system = rests_ ? *domain_.beyond : system_;
     const Observer look = domain_.watches()
                               ? Observer([this, &system](const Step& step) { return see(system, step); })
@@ -221,7 +222,7 @@ class Guarded {
       leave(stop_->event / 2);
     }
   }
-  // Trial steps beyond the zero of an argument are not finite, so that the last good one may end before it.
+  // Trial steps beyond the zero of an argument are not finite, so the last accepted step may end before it.
   void rest_at_failure() {
     const Outcome outcome = all_.status.outcome();
     if (rests_ || (outcome != Outcome::non_finite && outcome != Outcome::step_underflow)) return;
@@ -234,7 +235,7 @@ class Guarded {
       return;
     }
   }
-  // Arguments that become zero; where one rests, those that leave zero to either side.
+  // Events: arguments that become zero. While an argument rests at zero: its departure to either side.
   [[nodiscard]] std::vector<Event> watched() const {
     std::vector<Event> events;
     for (std::size_t i = 0; i < domain_.arguments.size(); ++i) {
@@ -273,9 +274,9 @@ class Guarded {
     event.ends = 1;
     return event;
   }
-  // What errors of the states make of an argument.
+  // Error of an argument due to the errors of the states.
   [[nodiscard]] double margin_of(std::size_t i) const {
-    constexpr double many_tolerances = 10;  // as events see the errors of all steps
+    constexpr double many_tolerances = 10;  // allowance for the accumulated errors of all steps
     const StateAccuracy errors{many_tolerances * accuracy_.relative, many_tolerances * accuracy_.absolute};
     const Interval there = at_point(domain_.arguments[i], all_.t, all_.x, errors).value;
     const double size = at_point(domain_.arguments[i], t0_, all_.x, {1, 0}).value.magnitude();
@@ -283,7 +284,7 @@ class Guarded {
     return std::max(5 * wide, 1e-12 * (std::isfinite(size) ? size : 1)) + std::numeric_limits<double>::min();
   }
 
-  // Goes on with the equations beyond, from the argument's zero.
+  // Continues with the equations `beyond` from the zero of argument i.
   void rest(std::size_t i) {
     const Event& g = domain_.arguments[i];
     resting_ = i;
@@ -338,7 +339,7 @@ class Guarded {
     is_told_ = true;
     return false;
   }
-  // The observer sees the part of the step up to there.
+  // Passes the part of the step up to t to the observer.
   void stop_at(double t, const State& x, std::size_t event, const Step& step) {
     stop_ = Stop{event, t, x, {}};
     if (!observer_ || t == step.t0) return;
@@ -346,8 +347,8 @@ class Guarded {
     if (!observer_({step.index, step.t0, t, step.x0, stop_->x, {&t, 1}, states, step.dense})) told();
   }
 
-  // A zero of a denominator within a step, but for the ends of the run, beyond which the solution does not
-  // follow from what was before.
+  // First zero of a time-only denominator within a step beyond which the solution is infinite or not unique.
+  // Zeros at t0 and t1 do not count.
   std::optional<double> singular_time(const System& system, const Step& step) {
     for (const Event& g : domain_.timed) {
       double from = step.t0;
@@ -362,7 +363,7 @@ class Guarded {
     }
     return {};
   }
-  // Do f or its derivatives become infinite at @p zero such that the solution does, or is not determined?
+  // Is the solution infinite or not unique at @p zero, where f or its derivatives are infinite?
   bool is_singular(const System& system, double zero, const Step& step) {
     const double before = zero - step.t0, after = step.t1 - zero,
                  room = std::abs(before) > std::abs(after) ? -before : after;
@@ -383,7 +384,7 @@ class Guarded {
     return is_infinite_ || j.eigenvalues().real().maxCoeff() > 1e-2;
   }
 
-  // A run that fails beside the zero of a denominator fails because of it.
+  // Names the denominator in the message of a run that fails close to a zero of it.
   void name_denominator() {
     const Outcome outcome = all_.status.outcome();
     if (outcome != Outcome::step_underflow && outcome != Outcome::non_finite) return;
@@ -428,7 +429,7 @@ class Guarded {
   Stopwatch watch_;
 };
 
-/// The same of the time alone: no state is asked for.
+/// event_of() for an expression of time only; it does not read the state.
 Event timed_event_of(program::Graph graph, program::NodeId node) {
   const program::NodeId rate = program::rates(graph, {node}, {}).front();
   const auto program = std::make_shared<const program::Program>(graph, std::vector{node, rate});

@@ -1,19 +1,19 @@
 /// @file
-/// Integrations that end where their equations do, or rest there, and begin at singular points.
+/// Domain of the equations: integrations that stop or rest at its boundary, or start at a singular point.
 ///
-/// Three things are looked for:
+/// Three cases are detected:
 ///  - Arguments of square roots, powers with a fraction and arcs that reach zero along the solution: an empty
 ///    tank, h' = -sqrt(h). From there the equations with max(g, 0) in place of the argument g are integrated.
 ///    If their solution stays at g = 0, or comes back from there, it is the solution (the tank stays empty);
 ///    if g becomes negative, the run ends with `outside_validity` and the time at which it left. A zero that
-///    the equations repel (x' = sqrt(x) near x = 0) is passed by.
-///  - Denominators of the time alone that become zero on the way: the run ends with `outside_validity` if
-///    the solution becomes infinite there or many solutions go on from there, as those of
-///    sin(t) x' = cos(t) x beyond pi; it goes on where the quotient stays regular, as sin(t)/t does. At the
-///    start the first part of the solution is a power series (singular_start.hpp).
-///  - Denominators that depend on the state: the same where they change their sign; where a run fails beside
-///  a
-///    zero of one, its sentence says so.
+///    repels the solution (x' = sqrt(x) near x = 0) is ignored.
+///  - Denominators that depend on time only and become zero between t0 and t1: the run ends with
+///    `outside_validity` if the solution becomes infinite there or many solutions continue from there, as
+///    those of sin(t) x' = cos(t) x beyond pi; it continues where the quotient stays regular, as sin(t)/t
+///    does. If such a denominator is zero at the start, the first part of the solution is a power series
+///    (singular_start.hpp).
+///  - Denominators that depend on the state: the same where they change sign; the message of a run that fails
+///    close to a zero of one names the denominator.
 #pragma once
 
 #include <memory>
@@ -26,43 +26,43 @@
 
 namespace nlmech::ivp {
 
-/// The expression @p node of @p graph as a function to watch, with bounds along solutions with the slopes
-/// @p slopes: every zero counts, and nothing changes there.
+/// The expression @p node of @p graph as an event, with bounds along solutions of x' = @p slopes. Every zero
+/// counts; the event does not change the state.
 [[nodiscard]] Event event_of(program::Graph graph, program::NodeId node,
                              const std::vector<program::NodeId>& slopes);
 
-/// Where equations end, as functions to watch.
+/// Boundary of the domain of equations, as events.
 struct Domain {
-  /// Nothing to watch.
+  /// No events.
   Domain() = default;
-  /// Of these equations.
+  /// Domain of @p equations.
   explicit Domain(const program::Equations& equations);
 
-  std::vector<Event> arguments;         ///< what must not be negative
-  std::vector<Event> beyond_arguments;  ///< the same, with the rates of the equations beyond
-  std::optional<System> beyond;         ///< the equations with max(g, 0) for each argument g, if there is one
-  std::vector<Event> denominators;      ///< that depend on the state
-  std::vector<Event> crossings;         ///< those of them that can have both signs
-  std::vector<Event> timed;             ///< denominators of the time alone
+  std::vector<Event> arguments;         ///< expressions that must not be negative
+  std::vector<Event> beyond_arguments;  ///< the same, with the rates of the equations `beyond`
+  std::optional<System> beyond;  ///< the equations with max(g, 0) for each argument g; none without arguments
+  std::vector<Event> denominators;  ///< denominators that depend on the state
+  std::vector<Event> crossings;     ///< state-dependent denominators that may become negative
+  std::vector<Event> timed;         ///< denominators that depend on time only
 
-  /// Must every step be looked at?
+  /// Must every step be checked?
   [[nodiscard]] bool watches() const { return !arguments.empty() || !crossings.empty() || !timed.empty(); }
-  /// Is there nothing to watch?
+  /// Are there no events?
   [[nodiscard]] bool empty() const { return arguments.empty() && denominators.empty() && timed.empty(); }
 };
 
-/// @p run as it respects the domain of the equations that it integrates; @p run itself if there is nothing to
-/// watch. The observer sees steps that end where something was found.
+/// Wraps @p run so that it respects the domain of its equations; returns @p run itself if the domain is
+/// empty. A step in which a boundary is found is passed to the observer up to the boundary only.
 /// @param run a method
-/// @param domain of the system that it will be given
-/// @param accuracy of its states
-/// @param rests becomes true when a solution comes to the zero of an argument and goes on; may be null
+/// @param domain of the system that the result will integrate
+/// @param accuracy of the states of @p run
+/// @param rests set to true when a solution reaches the zero of an argument and continues; may be null
 [[nodiscard]] SmoothRun within_domain(SmoothRun run, std::shared_ptr<const Domain> domain,
                                       StateAccuracy accuracy, bool* rests = nullptr);
 
-/// Is there an argument that is zero at (t, x), from which the equations lead away although they may also
-/// rest there, as x' = sqrt(x) from 0? Several solutions begin there.
-/// @param direction of travel, 1 or -1
+/// Do several solutions start at (t, x)? They do if an argument is zero there and the solution may rest there
+/// or leave, as for x' = sqrt(x) from 0.
+/// @param direction of integration, 1 or -1
 [[nodiscard]] bool several_begin(const Domain& domain, double t, const State& x, int direction);
 
 }  // namespace nlmech::ivp

@@ -17,8 +17,8 @@ namespace {
 
 using program::Interval;
 
-constexpr int nodes = 8;                // of the polynomial that represents a part of a step
-constexpr double many_tolerances = 10;  // what errors of steps add up to, as events see it
+constexpr int nodes = 8;                // of the Chebyshev polynomial of a part of a step
+constexpr double many_tolerances = 10;  // allowance for the accumulated errors of all steps
 
 int sign_of(double value) { return (value > 0) - (value < 0); }
 
@@ -52,7 +52,7 @@ class EventFinder::Scan {
         x_(step.x1),
         direction_(step.t1 > step.t0 ? 1 : -1) {}
 
-  /// All of event @p i; sets its sign at the end of the step.
+  /// Finds all zeros of event @p i; sets its sign at the end of the step.
   void run(std::size_t i) {
     event_ = i;
     left_ = work;
@@ -64,9 +64,9 @@ class EventFinder::Scan {
   }
 
  private:
-  static constexpr int deepest = 60;    // of halvings
-  static constexpr int resolving = 12;  // of halvings that wait for the polynomial to represent the states
-  static constexpr int work = 256;      // parts of a step to look at, and as many more for every hit
+  static constexpr int deepest = 60;    // limit of halvings
+  static constexpr int resolving = 12;  // limit of halvings until the polynomial must represent the states
+  static constexpr int work = 256;      // parts of a step to check, and as many more after every hit
   static constexpr int places = 3;      // halvings of a step whose function has no bounds
 
   [[nodiscard]] const Event& event() const { return f_.events_[event_]; }
@@ -83,11 +83,11 @@ class EventFinder::Scan {
   }
   int sign_at(double t) { return sign_of(value_at(t)); }
 
-  // What an error of the states of @p size may be.
+  // Error bound of a state component of @p size.
   [[nodiscard]] double error_of(double size) const {
     return many_tolerances * (f_.accuracy_.absolute + f_.accuracy_.relative * size);
   }
-  // Does the step stay where the event has no zero? Then no dense output is needed.
+  // Does the step stay in the safe box, where the event has no zero? Then no dense output is needed.
   bool is_excluded() {
     if (!event().slopes || !event().bounds || f_.signs_[event_] == 0) return false;
     SafeBox& safe = f_.safe_[event_];
@@ -113,7 +113,8 @@ class EventFinder::Scan {
     }
     return true;
   }
-  // A box of all states so far, or else of those of this step, with what steps half as long again add to it.
+  // Searches for a box around all states so far, or around those of this step, that holds a step 1.5 times as
+  // large.
   bool look_for(SafeBox& safe) {
     const auto size = static_cast<std::size_t>(step_.x0.size());
     const auto ends = [&](std::size_t i) {
@@ -136,7 +137,7 @@ class EventFinder::Scan {
     safe.x.clear();
     return false;
   }
-  // Sets the box and its slopes. Does it hold what comes from the states so far in the time @p h?
+  // Sets the box and its slopes. Does it hold all solutions from the states `seen` over the time @p h?
   bool is_closed(SafeBox& safe, double h) {
     safe.x = safe.seen;
     constexpr int most = 5;
@@ -159,7 +160,7 @@ class EventFinder::Scan {
       f_.box_[i] = safe.x[i].inflated(error_of(safe.x[i].magnitude()) + 1e-14 * safe.x[i].magnitude());
     return !event().bounds(safe.t, f_.box_).value.has(0);
   }
-  // Sets the box of the states from a to b. Does the polynomial represent them?
+  // Sets the box of the states from a to b. Does the Chebyshev polynomial resolve them?
   bool bound_states(double a, double b) {
     const double middle = a + (b - a) / 2, half = (b - a) / 2;
     Nodes &x = f_.samples_, &c = f_.coefficients_;
@@ -180,7 +181,7 @@ class EventFinder::Scan {
     }
     return resolved;
   }
-  // Bounds at one time, for states that may be off by so many times their error.
+  // Bounds at one time, for states with an error of up to @p errors times error_of().
   Enclosure at_point(double t, double errors) {
     const State& x = state(t);
     for (Eigen::Index i = 0; i < x.size(); ++i)
@@ -209,7 +210,7 @@ class EventFinder::Scan {
     between(a, middle, depth + 1);
     between(middle, b, depth + 1);
   }
-  // A part for which there is no work left.
+  // A part that is left undecided at the work limit.
   void undecided(double a, double b) {
     f_.add_open(event_, a, b);
     monotone(a, b, 0);
@@ -219,21 +220,21 @@ class EventFinder::Scan {
     close_open(true);
     f_.signs_[event_] = sign_of(values.low);
   }
-  // A part in which the function grows (1), falls (-1), or is taken to do one of both (0).
+  // A part in which the function rises (1), falls (-1), or is assumed monotone (0).
   void monotone(double a, double b, int slope) {
     close_open();
     int& sign = f_.signs_[event_];
     double from = a;
     if (sign == 0) sign = slope;
     if (sign == 0) {
-      // Where the function leaves zero, its sign is what it is shortly afterwards: there it has moved by far
-      // more than rounding, but hardly come back already.
+      // The sign of a function that leaves zero is evaluated shortly after: the change there exceeds
+      // rounding, and the function has not returned yet.
       from = a + (b - a) * 0x1p-26;
       sign = from == a ? 0 : sign_at(from);
     }
     passage(from, b);
   }
-  // The sign at b; a hit if it is another one than at a.
+  // Sets the sign at b; adds a hit if it differs from the sign at a.
   void passage(double a, double b) {
     int& sign = f_.signs_[event_];
     const int before = sign, after = sign_at(b);
@@ -255,21 +256,21 @@ class EventFinder::Scan {
     const Crossing crossing = event().crossing;
     return crossing == Crossing::either || (crossing == Crossing::rising) == (direction > 0);
   }
-  // A pole and a jump change the sign too. Between neighbouring doubles a continuous function does not move
-  // as far as between two places.
+  // Excludes poles and jumps, which change the sign too: a continuous function changes less between
+  // neighbouring doubles than between a and b.
   bool is_zero(double t, double a, double b) {
     const double across = std::abs(value_at(t) - value_at(std::nextafter(t, a)));
     return !(across > (std::abs(value_at(a)) + std::abs(value_at(b))) / 4);
   }
 
-  // A part in which the function may be zero, but need not.
+  // Adds a part in which a zero is undecided.
   void extend_open(double a, double b) {
     if (!in_open_) open_from_ = a;
     in_open_ = true;
     open_to_ = b;
   }
-  // What such parts are, once the next one is known to be none.
-  // @param leaves is the next one without a zero, though the slope would lead through it?
+  // Classifies the undecided parts once the next part is decided.
+  // @param leaves has the next part no zero?
   void close_open(bool leaves = false) {
     if (!in_open_) return;
     in_open_ = false;
@@ -292,7 +293,7 @@ class EventFinder::Scan {
       f_.add_open(event_, open_from_, open_to_);
     }
   }
-  // The least |g|, by golden section.
+  // Time of the minimum of |g|, by golden section.
   double lowest(double a, double b) {
     constexpr double part = 0.381966011250105;
     double left = a + part * (b - a), right = b - part * (b - a);
@@ -329,8 +330,8 @@ class EventFinder::Scan {
     const double from = std::abs(t - step_.t0) < std::abs(way) / 2 ? t : t - near;
     return (value_at(from + near) - value_at(from)) / near;
   }
-  // By the method itself from the start of the step: the state, and of a crossing the time by Newton's
-  // iteration.
+  // Refines a hit by integrating from the start of the step: the state, and the time of a crossing by
+  // Newton's iteration.
   void refine(Hit& hit) {
     const double way = step_.t1 - step_.t0, slope = slope_near(hit.t);
     constexpr int most = 3;
@@ -353,7 +354,7 @@ class EventFinder::Scan {
   State x_;
   int direction_;
   std::size_t event_ = 0;
-  int left_ = 0;  // evaluations of bounds
+  int left_ = 0;  // parts of the step that may still be checked
   bool in_open_ = false;
   double open_from_ = 0, open_to_ = 0;
 };
@@ -435,8 +436,8 @@ void EventFinder::add_open(std::size_t event, double t0, double t1) {
 Solution integrate_past_changes(const SmoothRun& run, const System& system, const State& x0, double t0,
                                 double t1, EventFinder& finder, const Observer& observer,
                                 const Limits& limits) {
-  constexpr int most_repeated = 4;   // events one after another, each sooner than the one before,
-  constexpr double at_once = 1e-11;  // and within this share of the whole time
+  constexpr int most_repeated = 4;   // limit of successive events, each sooner than the one before,
+  constexpr double at_once = 1e-11;  // and within this fraction of the interval of integration
   const Stopwatch watch;
   Solution all{t0, x0, {}, {}};
   int repeated = 0;
@@ -494,7 +495,7 @@ EventSolution integrate_with_events(const SmoothRun& run, const System& system, 
   const Observer observe = [&](const Step& step) {
     const bool goes_on = finder.see(system, step, limits);
     if (!observer || observer(step)) return goes_on;
-    finder.go_on();  // no more: the observer ends the run
+    finder.go_on();  // discards the change: the observer ends the run
     return false;
   };
   Solution solution = integrate_past_changes(run, system, x0, t0, t1, finder, observe, limits);

@@ -1,6 +1,6 @@
 /// @file
-/// Events: zeros of a function of time and state along a solution (landings, sections, impacts), and what
-/// they do to the state.
+/// Events: zeros of a function of time and state along a solution (landings, Poincare sections, impacts), and
+/// the changes of the state at them.
 #pragma once
 
 #include <cstdint>
@@ -14,104 +14,103 @@
 
 namespace nlmech::ivp {
 
-/// Which zeros count, in the direction of the integration.
+/// Which zeros count, in the direction of integration.
 enum class Crossing {
-  either,   ///< all, those too at which g touches zero
+  either,   ///< all zeros, including those at which g touches zero
   rising,   ///< from negative to positive values
   falling,  ///< from positive to negative values
 };
 
 /// Bounds on a function g and on its derivative along solutions.
 struct Enclosure {
-  program::Interval value;  ///< of g
-  program::Interval rate;   ///< of dg/dt
+  program::Interval value;  ///< bounds on g
+  program::Interval rate;   ///< bounds on dg/dt
 };
 
-/// A function to watch.
+/// An event function and its options.
 struct Event {
   std::function<double(double t, const State& x)> value;  ///< g(t, x), continuous: the event is its zero
-  Crossing crossing = Crossing::either;                   ///< which zeros count
-  int ends = 0;  ///< the integration ends at the so-manieth that counts; 0: at none of them
-  /// Bounds on g over a time and a box of states. With them no zero is passed over: a part of a step without
-  /// one is a part where the bounds exclude it. Without them the signs of g at 8 places of a step decide.
+  Crossing crossing = Crossing::either;                   ///< direction of the zeros that count
+  int ends = 0;  ///< the integration ends at this zero, counted from 1; 0: at none
+  /// Bounds on g over a time and a box of states. With them no zero is missed: a part of a step counts as
+  /// free of zeros only if the bounds exclude them. Without them the signs of g at 8 points of a step decide.
   std::function<Enclosure(const program::Interval& t, std::span<const program::Interval> x)> bounds = {};
-  /// What it makes of the state, which the integration goes on from; empty: it changes nothing.
+  /// Changes the state, from which the integration continues; empty: no change.
   std::function<void(double t, State& x)> change = {};
-  /// Bounds on dx/dt of the equations that the bounds go with, a component each: steps that stay far from a
-  /// zero by them cost less.
+  /// Bounds on dx/dt of the same equations, one per component. They make steps cheaper that stay far from a
+  /// zero.
   std::function<void(const program::Interval& t, std::span<const program::Interval> x,
                      std::span<program::Interval> slopes)>
       slopes = {};
 };
 
-/// An event that took place.
+/// A zero that was found.
 struct Hit {
   std::size_t event;  ///< its place in the list
-  double t;           ///< when: at the zero or at most one spacing of doubles after it
-  State x;            ///< the state
+  double t;           ///< time: the zero, or at most one spacing of doubles after it
+  State x;            ///< state at t
   int direction;      ///< 1 if g rises, -1 if it falls, 0 if it touches zero to within the tolerance
-  State after = {};   ///< what the event makes of x; empty if it changes nothing
+  State after = {};   ///< state after the change by the event; empty without a change
 };
 
-/// A part of an integration in which an event cannot be told from none.
+/// A part of an integration in which it is undecided whether an event takes place.
 struct OpenEvent {
   std::size_t event;  ///< its place in the list
-  double t0;          ///< from
-  double t1;          ///< to
+  double t0;          ///< start of the part
+  double t1;          ///< end of the part
 };
 
-/// How far the states of a run may be off.
+/// Error bounds of the states of a run: relative |x_i| + absolute.
 struct StateAccuracy {
-  double relative = 0;  ///< of |x_i|
-  double absolute = 0;  ///< besides
+  double relative = 0;  ///< relative to |x_i|
+  double absolute = 0;  ///< absolute, added
 };
 
-/// Finds events in one step after another; an observer calls it. `integrate_with_events` is the usual way.
+/// Finds events step by step; called by an observer. `integrate_with_events` does all of this.
 ///
 /// Where an event has bounds, the step is halved until each part has no zero by the bounds on g, or at most
 /// one by those on dg/dt (interval bisection). The box of states of a part is that of the Chebyshev
-/// polynomial of degree 7 through the dense output, where the last two coefficients show that it is resolved.
-/// Zeros that remain open to within the accuracy of the states, double ones for instance, are hits of
-/// direction 0 if g has a minimum or maximum there and the event counts both directions; else they are in
-/// open().
+/// polynomial of degree 7 through the dense output, if its last two coefficients are small enough. Zeros that
+/// stay undecided within the accuracy of the states, such as double zeros, are hits of direction 0 if g has a
+/// minimum or maximum there and the event counts both directions; otherwise they are in open().
 ///
-/// A function that is zero where the integration starts makes no event there. Poles and jumps, where the sign
-/// changes without a zero, are no events.
+/// A zero at the start of the integration is not an event. Poles and jumps, which change the sign without a
+/// zero, are not events.
 class EventFinder {
  public:
-  /// @param run the method, by which the time of an event is made as accurate as the steps; empty: the dense
-  /// output is good enough
+  /// @param run the method, which refines the time of an event to the accuracy of the steps; empty: the dense
+  /// output is accurate enough
   /// @throws std::invalid_argument for an event without a function
   explicit EventFinder(std::vector<Event> events, StateAccuracy accuracy = {}, SmoothRun run = {});
 
-  /// Looks at a step of @p system; false if the run must stop in it: an event ends it or changes the state,
-  /// or a value was not a number.
+  /// Searches a step of @p system for events. @return false if the run must stop in it: an event ends it or
+  /// changes the state, or a value is NaN
   [[nodiscard]] bool see(const System& system, const Step& step, const Limits& limits = {});
-  /// How many functions are watched.
+  /// Number of event functions.
   [[nodiscard]] std::size_t events() const { return events_.size(); }
-  /// What was found up to now, in the direction of travel.
+  /// Events found so far, in the direction of integration.
   [[nodiscard]] const std::vector<Hit>& hits() const { return hits_; }
-  /// Where an event could not be decided: the first such part of each event, up to the last one.
+  /// Undecided parts: for each event, from the start of the first one to the end of the last one.
   [[nodiscard]] const std::vector<OpenEvent>& open() const { return open_; }
   /// Did the last hit end the integration?
   [[nodiscard]] bool ended() const { return ended_; }
-  /// Did the last hit change the state? The integration goes on from Hit::after.
+  /// Did the last hit change the state? The integration continues from Hit::after.
   [[nodiscard]] bool changed() const { return changed_; }
-  /// To be called before the integration goes on from Hit::after. Where the change leaves the function at its
-  /// zero, the event is over, on whichever side rounding has left it.
+  /// Call before the integration continues from Hit::after. If the change leaves the function at its zero,
+  /// that zero does not count again, for either sign by rounding.
   void go_on();
-  /// `non_finite` once a value was not a number; else success.
+  /// `non_finite` after a NaN value; otherwise success.
   [[nodiscard]] const Status& status() const { return status_; }
 
  private:
   class Scan;
-  /// States and times for which an event has no zero: a solution that comes from x0 to x1 within h and keeps
-  /// x0 + [0, h/2] f and x1 - [0, h/2] f inside has none on its way (Moore 1966).
+  /// States and times without a zero of an event: a step from x0 to x1 of size h has no zero if the box holds
+  /// x0 + [0, h/2] f and x1 - [0, h/2] f (Moore 1966).
   struct SafeBox {
     program::Interval t{0};
     std::vector<program::Interval> x, slopes;
     std::vector<program::Interval> seen;  // the states so far
-    int wait = 0, pause = 1;              // steps until the next one is looked for, and after that
+    int wait = 0, pause = 1;              // steps until the next search for a box, and after that
   };
   void begin(double t, const State& x);
   bool stops_at(Hit& hit);
@@ -120,48 +119,49 @@ class EventFinder {
   std::vector<Event> events_;
   StateAccuracy accuracy_;
   SmoothRun run_;
-  std::vector<int> signs_;              // of each function; 0: not known yet
-  std::vector<int> counts_;             // of hits of each event
-  std::vector<program::Interval> box_;  // of the states, of a part of a step
-  Nodes samples_, coefficients_;        // of a part of a step
-  std::vector<SafeBox> safe_;           // of each event
+  std::vector<int> signs_;              // sign of each function; 0: not known yet
+  std::vector<int> counts_;             // number of hits of each event
+  std::vector<program::Interval> box_;  // bounds on the states in a part of a step
+  Nodes samples_, coefficients_;        // Chebyshev polynomial of a part of a step
+  std::vector<SafeBox> safe_;           // one per event
   std::vector<Hit> hits_;
   std::vector<OpenEvent> open_;
   Status status_;
   bool ended_ = false, changed_ = false, goes_on_ = false;
 };
 
-/// A run with its events.
+/// Solution and events.
 struct EventSolution {
-  Solution solution;            ///< ends at the asked time, or with success at the event that ends it
-  std::vector<Hit> hits;        ///< in the direction of travel
-  std::vector<OpenEvent> open;  ///< where events could not be decided
+  Solution solution;            ///< ends at t1, or with success at the event that ends it
+  std::vector<Hit> hits;        ///< events in the direction of integration
+  std::vector<OpenEvent> open;  ///< parts in which events are undecided
 };
 
-/// Integrates on after every event that changes the state.
+/// Integrates and restarts after every event that changes the state.
 /// @param run the method
-/// @param finder whose see() @p observer calls for each step, and returns false when that does
-/// @return as of @p run; `outside_validity` where events that change the state accumulate (a ball that
-/// bounces ever faster); `non_finite` where a function is not a number
+/// @param finder @p observer calls its see() for each step and returns false if see() does
+/// @return the solution of @p run; status `outside_validity` if events that change the state accumulate (a
+/// ball that bounces ever faster), `non_finite` if a function is NaN
 [[nodiscard]] Solution integrate_past_changes(const SmoothRun& run, const System& system, const State& x0,
                                               double t0, double t1, EventFinder& finder,
                                               const Observer& observer, const Limits& limits);
 
-/// @p run with events that change the state, as an integration of its own; @p run itself if none does.
+/// Wraps @p run so that it applies the events that change the state; returns @p run itself if none does.
 [[nodiscard]] SmoothRun with_changes(const SmoothRun& run, const std::vector<Event>& events,
                                      StateAccuracy accuracy);
 
-/// The same with hits; for any integrator.
+/// Integrates with events by any @p run and returns the hits.
 [[nodiscard]] EventSolution integrate_with_events(const SmoothRun& run, const System& system, const State& x0,
                                                   double t0, double t1, std::vector<Event> events,
                                                   StateAccuracy accuracy, const Observer& observer,
                                                   const Limits& limits);
 
-/// integrate() with events. One that ends the integration makes a success of it: the solution's time and
-/// state are those of the event, as accurate as the steps (a test asserts 16 eps of the time for an
+/// integrate() with events. An event that ends the integration ends it with success: the time and state of
+/// the solution are those of the event, as accurate as the steps (a test asserts 16 eps of the time for an
 /// oscillator by `series` at a tolerance of 1e-15).
-/// @param observer sees every step, the one too in which an event ends the integration or changes the state
-/// @throws std::invalid_argument as integrate(), and for an event without a function
+/// @param observer receives every step, including one in which an event ends the integration or changes the
+/// state
+/// @throws std::invalid_argument as integrate() does, and for an event without a function
 template <class Method>
 [[nodiscard]] EventSolution integrate_with_events(const System& system, const State& x0, double t0, double t1,
                                                   const Method& method, std::vector<Event> events,

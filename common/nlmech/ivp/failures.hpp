@@ -1,5 +1,5 @@
 /// @file
-/// The sentences with which integrations fail: one wording for all methods.
+/// Failure messages of integrations, shared by all methods.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace nlmech::ivp {
 
-/// The state that a step led to has a NaN or an infinity.
+/// The state after a step has a NaN or an infinity.
 [[nodiscard]] Status non_finite_state(std::string_view method, double t, double step);
 /// The right-hand side has a NaN or an infinity at a finite state.
 [[nodiscard]] Status non_finite_rhs(std::string_view method, double t);
@@ -17,23 +17,23 @@ namespace nlmech::ivp {
 [[nodiscard]] Status non_finite_coefficients(std::string_view method, double t, int order);
 /// t + step == t.
 [[nodiscard]] Status step_underflow(std::string_view method, double t, double step);
-/// Doubles near @p t are so far apart that rounding of the time is a noticeable part of a given step:
-/// step_underflow. @param shortest step that is not refused
+/// The fixed step is too small for the spacing of doubles near @p t: step_underflow.
+/// @param shortest smallest step size that is accepted
 [[nodiscard]] Status time_too_coarse(std::string_view method, double t, double step, double shortest);
-/// Step control arrived at the shortest step and still misses the tolerance: step_underflow.
+/// The error exceeds the tolerance at the smallest step size: step_underflow.
 [[nodiscard]] Status tolerance_missed(std::string_view method, double t, double step);
-/// More steps than allowed.
+/// The limit of steps is reached.
 [[nodiscard]] Status step_limit(std::string_view method, double t, std::int64_t steps);
-/// More wall time than allowed.
+/// The limit of wall time is reached.
 [[nodiscard]] Status time_limit(std::string_view method, double t, double seconds);
 /// The function of an event is NaN.
 [[nodiscard]] Status event_undefined(double t);
-/// A component leaves the bound that the problem states. @param component from 1
+/// A component violates its bound. @param component from 1
 [[nodiscard]] Status bound_left(std::string_view method, int component, double t, double value, double bound);
-/// A quantity that the problem conserves has moved. @param which from 1
+/// An invariant has changed. @param which from 1
 [[nodiscard]] Status invariant_lost(std::string_view method, int which, double t, double value,
                                     double before);
-/// The observer said stop.
+/// The observer stopped the run.
 [[nodiscard]] Status interrupted(std::string_view method, double t);
 /// The nonlinear equations of a step were not solved. @p outcome as from algebraic::newton
 [[nodiscard]] Status step_not_solved(std::string_view method, Outcome outcome, double t, double step,
@@ -44,11 +44,11 @@ void require_step(std::string_view method, double step);
 void require_within(std::string_view method, std::string_view option, double value, double low, double high);
 /// @throws std::invalid_argument unless @p second_order: the method is for problems with accelerations
 void require_second_order(std::string_view method, bool second_order);
-/// @throws std::invalid_argument saying that the accelerations depend on velocities
+/// @throws std::invalid_argument always: the accelerations depend on velocities
 [[noreturn]] void refuse_velocities(std::string_view method);
-/// The failure `outside_validity` of the same content.
+/// The same as the status `outside_validity`.
 [[nodiscard]] Status depends_on_velocities(std::string_view method, double t);
-/// @throws std::invalid_argument unless @p given: the method is for problems that can be differentiated
+/// @throws std::invalid_argument unless @p given: the method needs derivatives of the problem
 void require_derivatives(std::string_view method, bool given);
 
 }  // namespace nlmech::ivp

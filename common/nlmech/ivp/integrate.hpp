@@ -1,5 +1,5 @@
 /// @file
-/// The one function that integrates: any system, any method, one kind of answer.
+/// integrate(): any system by any method.
 #pragma once
 
 #include <string_view>
@@ -14,10 +14,11 @@
 
 namespace nlmech::ivp {
 
-/// What is to be integrated, as a method gets it: arguments already checked, t0 != t1.
+/// Initial value problem as passed to a method: the arguments are checked and t0 != t1.
 ///
-/// A method is an aggregate of options and a function `Solution run(const InitialValueProblem&, const
-/// Method&)` beside it; one that is inlined with its problem too has it as a template on the system.
+/// A method is an aggregate of options with a function
+/// `Solution run(const InitialValueProblem&, const Method&)`; a method that can be inlined with its problem
+/// has it as a template on the system.
 template <SystemLike S>
 struct InitialValueProblemOf {
   const S& system;                ///< the equations
@@ -25,29 +26,29 @@ struct InitialValueProblemOf {
   double t0;                      ///< start
   double t1;                      ///< end, before or after t0
   const ObserverOf<S>& observer;  ///< may be empty
-  const Limits& limits;           ///< bounds on the work
+  const Limits& limits;           ///< limits of steps, wall time and step size
 };
-/// Of a System.
+/// Initial value problem of a System.
 using InitialValueProblem = InitialValueProblemOf<System>;
 
 namespace detail {
 
-/// @throws std::invalid_argument naming the value that cannot be meant
+/// @throws std::invalid_argument if a time or the interval is not finite or the sizes differ; names the value
 void check_arguments(double t0, double t1, Eigen::Index given_size, int size);
-/// Failure `non_finite` for an initial state with NaN or infinity, naming the component; else success.
+/// Failure `non_finite` for an initial state with NaN or infinity, with the component; otherwise success.
 [[nodiscard]] Status check_initial_state(const double* x0, int size, double t0);
 
-/// A method with its options, as all that stands around its run sees it. What is written for this is compiled
-/// once for a system, and not for each method anew.
+/// Type-erased method with its options. Code for it is compiled once per system, not once per method.
 template <SystemLike S>
 struct AnyMethod {
-  const void* method;                                                                 ///< the aggregate
-  SolutionOf<S> (*run)(const InitialValueProblemOf<S>& problem, const void* method);  ///< by it
-  std::string_view name;                                                              ///< in sentences
-  bool by_tolerances = false;                             ///< does it choose its steps?
-  double relative_tolerance = 0, absolute_tolerance = 0;  ///< if it does
+  const void* method;  ///< the aggregate
+  SolutionOf<S> (*run)(const InitialValueProblemOf<S>& problem,
+                       const void* method);               ///< integrates by the method
+  std::string_view name;                                  ///< for messages
+  bool by_tolerances = false;                             ///< are the steps adaptive?
+  double relative_tolerance = 0, absolute_tolerance = 0;  ///< for adaptive steps
 };
-/// The same of @p method, which must live as long.
+/// AnyMethod of @p method, which outlives it.
 template <SystemLike S, class Method>
 [[nodiscard]] AnyMethod<S> any_method(const Method& method) {
   AnyMethod<S> any{&method,
@@ -63,9 +64,9 @@ template <SystemLike S, class Method>
   return any;
 }
 
-/// Runs a method with tolerances, and checks it against what the problem says of its solutions. A step in
-/// which the observer ends the run is not looked at: it may lead beyond what counts of it.
-/// @param run the method's, of a problem like @p problem with another observer
+/// Runs a method with tolerances and checks the bounds and invariants of the problem. A step in which the
+/// observer ends the run is not checked: it may extend beyond the event.
+/// @param run integrates a copy of @p problem with another observer
 template <SystemLike S, class Run>
 [[nodiscard]] SolutionOf<S> run_within(const InitialValueProblemOf<S>& problem, const AnyMethod<S>& method,
                                        Run&& run) {
@@ -119,15 +120,15 @@ extern template Solution integrate_by<System>(const AnyMethod<System>&, const Sy
                                               double, const Observer&, const Limits&);
 }  // namespace detail
 
-/// Integrates dx/dt = f(t, x) from (t0, x0) to t1 (forwards or backwards) by @p method.
-/// Never throws for what happens on the way: blow-up, non-convergence, step underflow and used-up limits are
-/// the solution's status; so is, for a method with tolerances, a run that leaves the bounds or invariants
-/// that the problem names (StatedLimits).
-/// @param system a System, or a Direct for inlined right-hand sides. One that switches is integrated from
+/// Integrates dx/dt = f(t, x) from (t0, x0) to t1 (forwards or backwards) by @p method. Never throws for
+/// events during the integration: blow-up, non-convergence, step underflow and reached limits are the status
+/// of the solution. For a method with tolerances, so is a violation of the problem's bounds or invariants
+/// (StatedLimits).
+/// @param system a System, or a Direct for inlined right-hand sides. A switching system is integrated from
 /// switch to switch (switching.hpp)
-/// @param x0 as many components as the system has
+/// @param x0 initial state, with the size of the system
 /// @param t0 start, finite
-/// @param t1 end, finite; equal to t0 gives x0 back
+/// @param t1 end, finite; t1 = t0 returns x0
 /// @param method an aggregate such as `Rk4{.step = 0.01}`
 /// @param observer called after each accepted step
 /// @param limits bounds on steps and wall time

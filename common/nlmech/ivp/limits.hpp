@@ -1,5 +1,5 @@
 /// @file
-/// Whether an integration may go on.
+/// Limits of steps and wall time.
 #pragma once
 
 #include <cmath>
@@ -11,7 +11,7 @@
 
 namespace nlmech::ivp {
 
-/// `step_limit` or `time_limit` at time @p t if one is used up by @p done and @p watch; else success.
+/// `step_limit` or `time_limit` at time @p t if @p done or @p watch has reached it; otherwise success.
 [[nodiscard]] inline Status check_limits(std::string_view method, double t, const Statistics& done,
                                          const Limits& limits, const Stopwatch& watch) {
   if (done.steps + done.rejected >= limits.steps) return step_limit(method, t, limits.steps);

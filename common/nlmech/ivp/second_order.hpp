@@ -1,5 +1,5 @@
 /// @file
-/// What methods for accelerations share: they split a state into positions and velocities.
+/// Helpers for second-order methods, which split a state into positions and velocities.
 #pragma once
 
 #include <algorithm>
@@ -25,7 +25,7 @@ template <class X>
   return x.tail(Eigen::fix<m>(static_cast<int>(x.size()) / 2));
 }
 
-/// Puts a state and its derivative together: x = (q, v), f = (v, a).
+/// Assembles a state and its derivative: x = (q, v), f = (v, a).
 inline void join(const State& q, const State& v, const State& a, State& x, State& f) {
   const Eigen::Index size = q.size();
   for (Eigen::Index i = 0; i < size; ++i) {
@@ -35,7 +35,7 @@ inline void join(const State& q, const State& v, const State& a, State& x, State
   }
 }
 
-/// The greatest |x_i| with begin <= i < end; not for NaN.
+/// The largest |x_i| with begin <= i < end; not for NaN.
 [[nodiscard]] inline double greatest(const State& x, Eigen::Index begin, Eigen::Index end) {
   double most = 0;
   for (Eigen::Index i = begin; i < end; ++i) most = std::max(most, std::abs(x[i]));

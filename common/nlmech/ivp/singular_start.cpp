@@ -18,7 +18,7 @@ namespace {
 
 using Eigen::Index;
 
-constexpr int points = 17;  // of the polynomial, with the start
+constexpr int points = 17;  // nodes of the polynomial, including the start
 
 Status refused(double t0, std::string_view why) {
   return failed_with(Outcome::outside_validity,
@@ -26,7 +26,7 @@ Status refused(double t0, std::string_view why) {
                      t0, why);
 }
 
-/// x' = f multiplied by the distance from the start, at a small distance.
+/// f and df/dx times the distance t - t0 from the start, at a small distance.
 struct Limits0 {
   Eigen::VectorXd f;  ///< (t - t0) f
   Eigen::MatrixXd j;  ///< (t - t0) df/dx
@@ -40,7 +40,7 @@ Limits0 near_start(const System& system, const State& x0, double t0, double dist
   return {(t - t0) * f, (t - t0) * j};
 }
 
-/// What the limits at the singular point say about solutions that begin there.
+/// Checks the limits at the singular point: success if one smooth solution may start there.
 Status examine(const System& system, const State& x0, double t0, double way) {
   const Limits0 far = near_start(system, x0, t0, 1e-6 * way), near = near_start(system, x0, t0, 1e-8 * way);
   if (!near.f.allFinite() || !near.j.allFinite() || !far.j.allFinite())
@@ -59,7 +59,7 @@ Status examine(const System& system, const State& x0, double t0, double way) {
   return {};
 }
 
-/// The collocation of one interval.
+/// Collocation on one interval.
 class Collocation {
  public:
   Collocation(const System& system, const State& x0, double t0)
@@ -70,7 +70,8 @@ class Collocation {
         weights_(collocation::barycentric_weights(nodes_)),
         slope_(collocation::polynomial_differentiation_matrix(nodes_)) {}
 
-  /// The polynomial on the interval of length @p h, which may be negative; nothing if there is none.
+  /// The polynomial on [t0, t0 + @p h], h of either sign; none if Newton's iteration fails or the check
+  /// between the nodes does.
   std::optional<StatePolynomial> solve(double h) const {
     Nodes x = x0_.replicate(1, points);
     constexpr int most = 25;
@@ -88,7 +89,7 @@ class Collocation {
   }
 
  private:
-  // One step of Newton's iteration; the size of the change, relative to each component.
+  // One step of Newton's iteration. @return the largest change relative to the size of its component
   double improve(double h, Nodes& x) const {
     const Index n = x0_.size(), size = (points - 1) * n;
     Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(size, size), j(n, n);
@@ -114,7 +115,7 @@ class Collocation {
     }
     return change.allFinite() ? update : std::nan("");
   }
-  // Does it meet the equations between the nodes?
+  // Does the polynomial satisfy the equations between the nodes?
   bool is_solution(double h, const Nodes& x, const StatePolynomial& found) const {
     State f(x0_.size()), at(x0_.size());
     const Nodes slopes = x * slope_.transpose();

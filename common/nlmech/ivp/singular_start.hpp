@@ -1,5 +1,5 @@
 /// @file
-/// Solutions that begin where the equations are singular: x'' + 2 x'/t + x = 0 from t = 0.
+/// Solutions that start at a singular point of the equations: x'' + 2 x'/t + x = 0 from t = 0.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,18 +9,19 @@
 
 namespace nlmech::ivp {
 
-/// A polynomial in time for the state.
+/// State as a polynomial in time.
 class StatePolynomial final : public DenseOutput {
  public:
-  /// None.
+  /// Without values.
   StatePolynomial() = default;
-  /// On [t0, t0 + h] through @p values, one a column, at t0 + h times @p nodes, which ascend from 0 to 1.
+  /// Polynomial on [t0, t0 + h] through the columns of @p values at t0 + h times @p nodes (ascending, from 0
+  /// to 1).
   StatePolynomial(double t0, double h, Eigen::VectorXd nodes, Nodes values);
   /// The state at @p t.
   void at(double t, State& x) const override;
   /// t0 + h.
   [[nodiscard]] double end() const { return t0_ + h_; }
-  /// The state there.
+  /// The state at end().
   [[nodiscard]] State last() const { return values_.rightCols(1); }
 
  private:
@@ -29,16 +30,15 @@ class StatePolynomial final : public DenseOutput {
   Nodes values_;
 };
 
-/// The first part of a solution that begins at a regular singular point: t0 + h with f = g(t, x)/(t - t0), g
-/// analytic and g(t0, x0) = 0. The power series about t0 is found as the polynomial of degree 16 that meets
-/// the equations at the sixteen right Radau points of the interval, none of which is t0, by Newton's
-/// iteration; the interval is halved until the polynomial meets them between these points to a relative 1e-12
-/// of f, and then divided by four.
+/// First part, to t0 + h, of a solution that starts at a regular singular point: f = g(t, x)/(t - t0), g
+/// analytic and g(t0, x0) = 0. Newton's iteration finds the polynomial of degree 16 that satisfies the
+/// equations at the sixteen right Radau points of the interval, none of which is t0. The interval is halved
+/// until the polynomial satisfies them between these points to a relative 1e-12, and then divided by four.
 ///
-/// @param series becomes the polynomial, from t0 to a time that is not beyond t1
-/// @return `outside_validity` with the reason if there is none: the initial values do not fit, several
-/// solutions begin with them (an eigenvalue of lim (t - t0) df/dx is positive), or the singularity is of
-/// another kind
+/// @param series receives the polynomial, from t0 to a time not beyond t1
+/// @return `outside_validity` with the reason if there is no such polynomial: the initial values are
+/// inconsistent, several solutions start from them (an eigenvalue of lim (t - t0) df/dx is positive), the
+/// singularity is of another kind, or there are more than 60 components
 [[nodiscard]] Status begin_at_singular_point(const System& system, const State& x0, double t0, double t1,
                                              StatePolynomial& series);
 

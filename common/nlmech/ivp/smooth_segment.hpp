@@ -1,5 +1,5 @@
 /// @file
-/// Times at which a right-hand side is asked for, so that a step that ends on a jump does not look across it.
+/// Evaluation times of the right-hand side: a step that ends on a jump must not evaluate f beyond it.
 #pragma once
 
 #include <algorithm>
@@ -8,11 +8,11 @@
 
 namespace nlmech::ivp {
 
-/// A stretch of time on which the right-hand side is smooth, between two neighbouring discontinuities or
-/// ends. At a discontinuity f is the limit from the right, so at the later end of a segment it is asked for
-/// one double before; a sum t + h that rounds below the earlier end is that end; elsewhere the time is left
-/// alone. A method that asks for f at segment(t) sees on each segment, forwards or backwards, one smooth
-/// function.
+/// Interval of time on which the right-hand side is smooth, between two neighbouring discontinuities or ends.
+/// At a discontinuity f is the limit from the right, so at the later end of a segment f is evaluated one
+/// double earlier. A sum t + h that rounds below the earlier end is replaced by that end. Other times are
+/// unchanged. A method that evaluates f at segment(t) integrates one smooth function on each segment,
+/// forwards or backwards.
 class SmoothSegment {
  public:
   /// The whole line.
@@ -22,7 +22,7 @@ class SmoothSegment {
       : earlier_(std::min(begin, end)),
         later_(std::max(begin, end)),
         before_(std::nextafter(later_, earlier_)) {}
-  /// Where to ask for f when the method means @p t.
+  /// Time at which to evaluate f for the time @p t.
   [[nodiscard]] double operator()(double t) const { return t < later_ ? std::max(t, earlier_) : before_; }
 
  private:

@@ -1,5 +1,5 @@
 /// @file
-/// What an integration gives back, and what an observer sees of it on the way.
+/// Result of an integration, and the steps that an observer receives.
 #pragma once
 
 #include "nlmech/ivp/state.hpp"
@@ -7,7 +7,7 @@
 
 namespace nlmech::ivp {
 
-/// The end of an integration.
+/// Result of an integration: final time and state, status, statistics.
 using Solution = BasicSolution<State>;
 /// The solution within one step.
 using DenseOutput = BasicDenseOutput<State>;
@@ -15,7 +15,7 @@ using DenseOutput = BasicDenseOutput<State>;
 using Step = BasicStep<State, Nodes>;
 /// Called after each accepted step.
 using Observer = BasicObserver<Step>;
-using nlmech::Limits;  ///< bounds on the work
+using nlmech::Limits;  ///< limits of steps, wall time and step size
 
 /// The same for a system @p S with states of its own type: System, or Direct with vectors of fixed size.
 /// @{

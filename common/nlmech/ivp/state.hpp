@@ -13,18 +13,18 @@
 
 namespace nlmech::ivp {
 
-/// A column of numbers: Eigen's vector of run-time length, made of its components as `State{1, 0}`. (An
-/// Eigen::VectorXd would take two numbers in braces for a count of rows and of columns.)
+/// State vector: an Eigen vector of dynamic size that is constructed from its components, as `State{1, 0}`.
+/// (Eigen::VectorXd takes two numbers in braces as the numbers of rows and columns.)
 template <class T>
 class BasicState : public Vector<T, Eigen::Dynamic> {
  public:
-  using Base = Vector<T, Eigen::Dynamic>;  ///< what it is to Eigen
+  using Base = Vector<T, Eigen::Dynamic>;  ///< Eigen type
 
   /// No components.
   BasicState() = default;
-  /// So many components, not set. Of whole numbers alone: State(1.0) is no state.
+  /// @p size uninitialised components. Integers only: State(1.0) does not compile.
   explicit BasicState(std::integral auto size) : Base(static_cast<Eigen::Index>(size)) {}
-  /// Of these components.
+  /// From its components.
   BasicState(std::initializer_list<T> x) : Base(static_cast<Eigen::Index>(x.size())) {
     std::copy(x.begin(), x.end(), this->begin());
   }
@@ -40,15 +40,15 @@ class BasicState : public Vector<T, Eigen::Dynamic> {
 };
 /// The state of a system.
 using State = BasicState<double>;
-/// The same to some 18 digits, for references.
+/// State in long double (18 digits), for references.
 using LongState = BasicState<long double>;
 
-/// States at many nodes, one a column.
+/// States at many nodes, one per column.
 using Nodes = Eigen::MatrixXd;
 /// df/dx.
 using Jacobian = Eigen::MatrixXd;
-/// On which side of each surface a system switches: 1 where its function is positive, -1 where it is
-/// negative, 0 for a motion that stays on the surface.
+/// Side of each switching surface: 1 where its function is positive, -1 where it is negative, 0 for a motion
+/// that stays on the surface.
 using Mode = std::vector<std::int8_t>;
 
 }  // namespace nlmech::ivp

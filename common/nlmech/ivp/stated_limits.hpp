@@ -1,6 +1,5 @@
 /// @file
-/// What a problem says of its solutions, bounds and conserved quantities, as a condition on the steps of a
-/// run.
+/// Checks a run against the bounds and invariants of its problem.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,23 +13,24 @@
 
 namespace nlmech::ivp {
 
-/// Holds a run to the bounds and invariants that its problem names (problems/problem.hpp). A run by a method
+/// Checks a run against the bounds and invariants of its problem (problems/problem.hpp). A run by a method
 /// with tolerances does not end with success
-/// - if a component leaves its bound by more than 10 (atol + rtol d), d its distance from the bound at the
-///   begin of that step. Forwards in time, and if the initial state is within all bounds;
-/// - if an invariant moves away from its initial value by more than 10 times what errors of all steps so far,
-///   each a tolerance of each component, make of it to first order. Looked at at the end alone: what has
-///   moved stays moved, and an observer on the way would cost more than the steps of some methods.
+/// - if a component violates its bound by more than 10 (atol + rtol d), where d is its distance from the
+///   bound at the start of the step. Checked forwards in time only, and only if the initial state is within
+///   all bounds;
+/// - if an invariant differs from its initial value by more than 10 times the first-order effect of an error
+///   of one tolerance in each component in each step. Checked at the end only: a drift
+///   persists, and a check in each step would cost more than the steps of some methods.
 ///
-/// Costs nothing where the problem names neither. Tests: Robertson's reactions with an absolute tolerance
-/// that lets y2 become negative, and oscillators whose energy moves.
+/// Costs nothing without bounds and invariants. Tests: Robertson's reactions with an absolute tolerance that
+/// lets y2 become negative, and oscillators whose energy drifts.
 template <class S>
 class StatedLimits {
  public:
   using State = typename S::State;  ///< all components
 
   /// @param system outlives this object
-  /// @param method the name, in sentences
+  /// @param method name, for messages
   StatedLimits(const S& system, std::string_view method, double t0, const State& x0, double t1,
                double relative, double absolute)
       : system_(system), method_(method), relative_(relative), absolute_(absolute) {
@@ -47,9 +47,10 @@ class StatedLimits {
     }
   }
 
-  /// Has each step to be looked at?
+  /// Must each step be checked?
   [[nodiscard]] bool has_bounds() const { return has_bounds_; }
-  /// Looks at a step; if has_bounds(). @return false if it must not be accepted: status() says why
+  /// Checks a step against the bounds; requires has_bounds(). @return false if it must not be accepted;
+  /// status() gives the reason
   bool respects(const StepOf<S>& step) {
     for (Eigen::Index i = 0; i < step.x1.size(); ++i) {
       const double x = step.x1[i], below = lower_[i] - x, above = x - upper_[i];
@@ -62,11 +63,11 @@ class StatedLimits {
     }
     return true;
   }
-  /// Looks at the end of a run of so many steps. @return as respects()
+  /// Checks the invariants at the end of a run of @p steps steps. @return as respects()
   bool respects_end(std::int64_t steps, double t, const State& x) {
     return !has_invariants_ || conserves(steps, t, x);
   }
-  /// Success, or what is broken, where, and what to change.
+  /// Success, or the bound or invariant that is violated, and the time.
   [[nodiscard]] const Status& status() const { return status_; }
 
  private:
@@ -86,7 +87,8 @@ class StatedLimits {
     }
     return true;
   }
-  // What an error of a tolerance in each component makes of the invariants at x; at least some roundings.
+  // Updates allowed_ by the effect on the invariants of an error of one tolerance in each component at x,
+  // plus rounding.
   void allow(double t, const State& x) {
     constexpr double epsilon = 2.220446049250313e-16, root = 1.5e-8;
     Eigen::VectorXd& sum = change_;
@@ -94,7 +96,7 @@ class StatedLimits {
     probe_ = x;
     for (Eigen::Index i = 0; i < x.size(); ++i) {
       const double tolerance = absolute_ + relative_ * std::abs(x[i]);
-      // Differences of a length that rounding does not spoil.
+      // Difference step large enough against rounding.
       const double length = std::max(tolerance, root * std::max(std::abs(x[i]), x.cwiseAbs().maxCoeff()));
       probe_[i] = x[i] + length;
       if (system_.invariants(t, probe_, varied_))
@@ -120,7 +122,7 @@ concept HasTolerances = requires(const Method& method) {
   method.absolute_tolerance;
 };
 
-/// Are they what its steps are chosen by? Not if it has a step that is given.
+/// Does the method choose its steps by its tolerances? False if a fixed step is given.
 template <HasTolerances Method>
 [[nodiscard]] bool goes_by_tolerances(const Method& method) {
   if constexpr (requires { method.step; }) {
@@ -130,7 +132,7 @@ template <HasTolerances Method>
   }
 }
 
-/// The name of a method, in sentences.
+/// The name of a method, for messages.
 template <class Method>
 [[nodiscard]] std::string_view method_name(const Method& method) {
   if constexpr (requires { std::string_view(Method::name); }) {

@@ -1,5 +1,5 @@
 /// @file
-/// How a method that controls its error goes from one length of a step to the next.
+/// Step-size control of error-controlled methods.
 #pragma once
 
 #include <algorithm>
@@ -13,51 +13,50 @@ namespace nlmech::ivp {
   return std::nextafter(std::abs(t), std::numeric_limits<double>::infinity()) - std::abs(t);
 }
 
-/// In what methods differ, but for the formulas by which an error gives a length: those are each method's
-/// own, as published.
+/// Method-specific constants of step-size control. The formula for the step size is in each method, as
+/// published.
 struct StepRule {
-  double largest = std::numeric_limits<double>::infinity();  ///< no step is planned to be longer
-  double bound = std::numeric_limits<double>::infinity();    ///< no trial is longer, stretched or not
-  double shortest = 16;  ///< no step is shorter than so many spacings of doubles; 0: unless it is lost in t
-  double stretch = 0;    ///< the first trial may be so many times longer to meet the end (ode45: 1.1);
-                         ///< 0: what is left is one step or two equal ones, never a stub
-  double again = 0;      ///< factor after further rejections; 0: by the error, as after the first
-  double least_change = 0;  ///< from a step that was rejected before to the next, at least
-  double most_change = 1;   ///< and at most
-  double kept_from = 1;     ///< if the end cut a step short and its error would have it change so many times
-                            ///< or more, the length that was planned holds on
-  bool measured = false;    ///< formulas start from the difference of a trial's ends, else from what was
-                            ///< planned, which rounding may make another double
+  double largest = std::numeric_limits<double>::infinity();  ///< largest planned step size
+  double bound = std::numeric_limits<double>::infinity();  ///< largest step size of a trial, stretched or not
+  double shortest = 16;  ///< smallest step size, in spacings of doubles at t; 0: any h with t + h != t
+  double stretch = 0;  ///< largest factor on the first trial to reach the end (ode45: 1.1); 0: the remainder
+                       ///< is taken in one step, or in two equal steps if it is below two steps
+  double again = 0;    ///< factor after a repeated rejection; 0: by the error, as after the first
+  double least_change = 0;  ///< smallest factor to the next step after a rejection
+  double most_change = 1;   ///< largest factor to the next step after a rejection
+  double kept_from = 1;     ///< after a step shortened to hit the end: keep the planned step size if the
+                            ///< controller would change the shortened one by this factor or more
+  bool measured = false;    ///< taken() is the difference of a trial's ends, otherwise the planned step size
 };
 
-/// The rule, where steps are at most @p largest_step long besides (Limits).
+/// @p rule with step sizes of at most @p largest_step (Limits).
 [[nodiscard]] inline StepRule bounded(StepRule rule, double largest_step) {
   rule.largest = std::min(rule.largest, largest_step);
   rule.bound = std::min(rule.bound, largest_step);
   return rule;
 }
 
-/// The lengths of one integration's steps. A step is planned until a trial of it is accepted; lengths are
-/// positive in both directions of time.
+/// Step sizes of one integration. Trials of a step are planned until one is accepted. Step sizes are positive
+/// in both directions of time.
 ///
-/// Tests hold it to the lengths that each rule says, exactly.
+/// Tests assert the exact step sizes of each rule.
 class StepControl {
  public:
-  /// By @p rule.
+  /// Step-size control by @p rule.
   explicit StepControl(const StepRule& rule) : rule_(rule) {}
-  /// What it goes by.
+  /// The constants.
   [[nodiscard]] const StepRule& rule() const { return rule_; }
 
-  /// Plans the next step to be @p length long, with nothing of the steps before remembered.
+  /// Starts with step size @p length and without history.
   void start(double length) {
     length_ = length;
     rejections_ = 0;
     forget();
   }
-  /// Forgets the error of the step before, if errors are no longer of the same kind.
+  /// Discards the error of the last step; for a change of the error estimate.
   void forget() { before_ = 0; }
 
-  /// Where the next trial ends, from @p t towards @p end; @p t if its length is lost in the time.
+  /// End of the next trial from @p t towards @p end; @p t if t + h == t.
   [[nodiscard]] double plan(double t, double end) {
     if (rejections_ == 0) {
       shortest_ = rule_.shortest > 0 ? rule_.shortest * spacing(t) : 0;
@@ -78,30 +77,31 @@ class StepControl {
     is_shortest_ = planned <= shortest_;
     return end_;
   }
-  /// Length that was planned, before the end cut or stretched it.
+  /// Planned step size, before it is shortened or stretched to hit the end.
   [[nodiscard]] double length() const { return length_; }
-  /// Length of the trial.
+  /// Step size of the trial.
   [[nodiscard]] double taken() const { return taken_; }
 
-  /// The trial is the step; the next one is to be @p wanted long.
+  /// Accepts the trial; @p wanted is the wanted size of the next step.
   void accepted(double wanted) {
     if (rejections_ > 0) wanted = std::clamp(wanted, rule_.least_change * taken_, rule_.most_change * taken_);
     const bool kept = is_cut_ && wanted >= rule_.kept_from * taken_;
     length_ = kept ? std::max(length_, wanted) : wanted;
     rejections_ = 0;
   }
-  /// The next trial is to be @p wanted long. @return false if it cannot be shorter
+  /// Rejects the trial; @p wanted is the wanted step size of the next one. @return false if the step size
+  /// cannot be reduced
   [[nodiscard]] bool rejected(double wanted) {
     if (rejections_++ > 0 && rule_.again > 0) wanted = rule_.again * taken_;
     length_ = std::max(shortest_, wanted);
     return !is_shortest_ && begin_ + std::copysign(length_, end_ - begin_) != begin_;
   }
 
-  /// By what the length may change after the trial: safety / root, less if errors grow from step to step (K.
+  /// Factor on the step size after the trial: safety / root, less if errors grow from step to step (K.
   /// Gustafsson, Control-theoretic techniques for stepsize selection in implicit Runge-Kutta methods, ACM
-  /// Trans. Math. Software 20 (1994) 496-517). Call once a step, before accepted().
-  /// @param root err^(1/k), positive, where the error of a step of length h goes with h^k
-  /// @param remembered what the next step takes for it
+  /// Trans. Math. Software 20 (1994) 496-517). Call once per step, before accepted().
+  /// @param root err^(1/k), positive, for an error proportional to h^k
+  /// @param remembered value of root that the next call uses as that of this step
   [[nodiscard]] double change(double safety, double root, double remembered) {
     double change = safety / root;
     if (before_ > 0) change = std::min(change, change * (taken_ / before_) * (root_before_ / root));
@@ -113,8 +113,8 @@ class StepControl {
  private:
   StepRule rule_;
   double length_ = 0, taken_ = 0, shortest_ = 0;
-  double before_ = 0, root_before_ = 0;  // length of the step before, and what change() remembers of it
-  double begin_ = 0, end_ = 0;           // of the trial
+  double before_ = 0, root_before_ = 0;  // size of the last step, and its root for change()
+  double begin_ = 0, end_ = 0;           // ends of the trial
   int rejections_ = 0;
   bool is_cut_ = false, is_shortest_ = false;
 };

@@ -15,14 +15,14 @@
 namespace nlmech::ivp {
 namespace {
 
-/// Where equations of a mode cease to be valid.
+/// A point where the equations of a mode cease to be valid.
 struct Switch {
-  std::size_t surface;  ///< at which function's zero, or end of a motion on it
-  double t;             ///< when
-  State x;              ///< where
+  std::size_t surface;  ///< index of the switching function
+  double t;             ///< time
+  State x;              ///< state
 };
 
-/// A system in one mode after another.
+/// Integrates a system mode by mode.
 class Walk {
  public:
   Walk(const System& system, double t0, double t1, const SmoothRun& run, const Observer& observer,
@@ -43,7 +43,7 @@ class Walk {
 
   Solution from(double t, const State& x0) {
     solution_ = {t, x0, {}, {}};
-    // Functions may jump at known times too: there all modes are found anew.
+    // Switching functions may jump at discontinuities: all modes are determined anew there.
     std::vector<double> ends = system_.discontinuities(t, end_);
     ends.push_back(end_);
     for (const double end : ends) {
@@ -57,12 +57,12 @@ class Walk {
   }
 
  private:
-  static constexpr int places = 4;          // of a step at which surfaces are looked at, at least
-  static constexpr int most_repeated = 32;  // switches one after another at once,
-  static constexpr double at_once = 1e-12;  // that is within this share of the whole time
+  static constexpr int places = 4;  // smallest number of points of a step at which surfaces are evaluated
+  static constexpr int most_repeated = 32;  // limit of successive switches at once,
+  static constexpr double at_once = 1e-12;  // that is within this fraction of the interval of integration
 
-  /// How far the equations of a mode are from the end of their validity by one function, and how fast that
-  /// changes in the direction of travel. Negative beyond the end.
+  /// Distance of a switching function from the end of validity of the mode, negative beyond it, and its rate
+  /// in the direction of integration.
   struct Margin {
     double value, slope;
   };
@@ -78,7 +78,7 @@ class Walk {
     if (systems_.size() > most_known) systems_.clear();
     return systems_.emplace(mode, system_.in_mode(mode)).first->second;
   }
-  // How fast function i changes in the direction of travel, if the motion were on that side of its zero.
+  // Rate of function i in the direction of integration, with the equations of the given side of its zero.
   double rate(std::size_t i, int side, double t, const State& x) {
     Mode mode = mode_;
     mode[i] = static_cast<std::int8_t>(side);
@@ -86,7 +86,8 @@ class Walk {
     return direction_ * rates_[i];
   }
 
-  // The signs away from zeros; at these, to which side the motion leads, which may depend on the others.
+  // Sets the mode: the sign of each function that is not zero; at a zero the side to which the motion leads,
+  // which may depend on the other functions.
   void begin(double t, const State& x) {
     if (!solution_.status.ok()) return;
     std::fill(mode_.begin(), mode_.end(), std::int8_t{1});
@@ -109,14 +110,14 @@ class Walk {
     }
     if (solution_.status.ok()) hold(t, x);
   }
-  // Where no side leads away, as at the bottom of an empty tank, h' = -sqrt(max(h, 0)): the side with
-  // derivatives.
+  // Selects the side with finite derivatives if no side leads away, as in an empty tank, h' = -sqrt(max(h,
+  // 0)).
   void prefer_smooth(std::size_t i, double t, const State& x) {
     if (rate(i, 1, t, x) != 0 || rate(i, -1, t, x) != 0 || is_smooth(t, x)) return;
     mode_[i] = static_cast<std::int8_t>(-mode_[i]);
     if (!is_smooth(t, x)) mode_[i] = static_cast<std::int8_t>(-mode_[i]);
   }
-  // Are there derivatives beside the state?
+  // Are the derivatives close to the state finite?
   bool is_smooth(double t, const State& x) {
     constexpr double beside = 1e-30, steep = 1e12;
     Jacobian j(x.size(), x.size());
@@ -125,7 +126,8 @@ class Walk {
   }
 
   // [choose]
-  // The mode of a function at its zero: the side to which the motion leads.
+  // Sets the mode of a function at its zero: the side to which the motion leads; 0 if both sides lead to the
+  // surface.
   void choose(std::size_t i, double t, const State& x) {
     const double above = rate(i, 1, t, x), below = rate(i, -1, t, x);
     if (above > 0 && below < 0 && direction_ < 0) {
@@ -137,7 +139,7 @@ class Walk {
     }
   }
   // [choose]
-  // Is there a motion in this mode?
+  // Checks that there is a motion on the surfaces of this mode.
   void hold(double t, const State& x) {
     look(mode_, t, x);
     for (std::size_t i = 0; i < mode_.size(); ++i) {
@@ -163,7 +165,7 @@ class Walk {
                                    fmt::format(sentence, std::forward<Args>(args)...));
   }
 
-  // Of values_ and rates_.
+  // Margin of function i from values_ and rates_.
   [[nodiscard]] Margin margin(std::size_t i) const {
     const double value = values_[i], side = mode_[i];
     if (mode_[i] == 0) return {std::min(value, 1 - value), 0};
@@ -183,7 +185,7 @@ class Walk {
       return fail(Outcome::step_limit, solution_.t, "{} steps are used up", limits_.steps);
     if (watch_.seconds() > limits_.seconds)
       return fail(Outcome::time_limit, solution_.t, "{} s are used up", limits_.seconds);
-    const System smooth = in(mode_);  // a copy: others are looked at in between
+    const System smooth = in(mode_);  // a copy: in() may clear the cache
     found_.reset();
     armed_.assign(mode_.size(), false);
     told_ = false;
@@ -206,7 +208,7 @@ class Walk {
     solution_.x = part.x;
     if (solution_.status.ok()) solution_.status = part.status;
   }
-  // What is left of the limits.
+  // The remaining limits.
   [[nodiscard]] Limits left() const {
     return {std::max<std::int64_t>(limits_.steps - used(), 1),
             std::max(limits_.seconds - watch_.seconds(), 1e-6), limits_.largest_step};
@@ -219,15 +221,14 @@ class Walk {
     if (before == 0) {
       mode_[at.surface] = rate(at.surface, 1, at.t, at.x) > 0 ? 1 : -1;
     } else {
-      // The rates alone decide; where they do not, the motion has come from one side and goes on to the
-      // other.
+      // choose() decides by the rates; if they do not decide, the motion crosses to the other side.
       mode_[at.surface] = static_cast<std::int8_t>(-before);
       choose(at.surface, at.t, at.x);
     }
     if (solution_.status.ok()) hold(at.t, at.x);
   }
 
-  // A step of the method: the first switch in it ends the segment.
+  // Searches a step of the method: the first switch in it ends the segment.
   bool seen(const System& smooth, const Step& step) {
     double from = step.t0;
     margins(from, step.x0, before_);
@@ -249,10 +250,10 @@ class Walk {
     }
     return !observer_ || observer_(step) || stop();
   }
-  // The next place after @p from at which the functions are looked at; after_ gets their margins there. A
-  // step may be long against the changes of a function: that of a motion at constant speed has no end. So
-  // parts of it are halved until the functions there are what their values and rates at both ends say. The
-  // next part is at most twice as long, in the next step too.
+  // Next evaluation point of the functions after @p from; sets after_ to their margins there. A step may be
+  // long compared with the changes of a function: for a motion at constant speed its size is unbounded. So
+  // parts of the step are halved until the values and rates at both ends predict the functions between them.
+  // The next part is at most twice as long, also in the next step.
   double next_place(const Step& step, double from) {
     const double whole = std::abs(step.t1 - step.t0) / places, least = whole * 0x1p-30;
     for (double part = std::min(part_, whole);; part /= 2) {
@@ -264,8 +265,8 @@ class Walk {
       return to == from ? step.t1 : to;
     }
   }
-  // Are the functions between two places the cubics through their values and rates there, as far as three
-  // places between show, which no period divides?
+  // Do the functions agree with the cubics through their values and rates at both ends, at three points
+  // between whose fractions are irrational against aliasing?
   bool is_resolved(const Step& step, double from, double to) {
     constexpr double part_of_size = 0.01, noise = 1e-12;
     const double h = std::abs(to - from);
@@ -273,7 +274,7 @@ class Walk {
       const double r = 1 - s, t = from + s * (to - from);
       look(mode_, t, step.at(t));
       for (std::size_t i = 0; i < mode_.size(); ++i) {
-        if (mode_[i] == 0) continue;  // shares have no rates
+        if (mode_[i] == 0) continue;  // the share of a motion on the surface has no rate
         const Margin &a = before_[i], &b = after_[i];
         const double cubic = r * r * ((1 + 2 * s) * a.value + s * h * a.slope) +
                              s * s * ((1 + 2 * r) * b.value - r * h * b.slope);
@@ -285,10 +286,11 @@ class Walk {
     }
     return true;
   }
-  // Where a function is beyond its end between two places at which it is not; else the first place.
+  // A time between two points at which a function is negative although it is positive at both; @p from if
+  // there is none.
   double dip(const Step& step, std::size_t i, double from, double to) {
     if (!(before_[i].slope < 0 && after_[i].slope > 0 && before_[i].value > 0)) return from;
-    constexpr int halvings = 26;  // the lowest value to the square of 2^-26
+    constexpr int halvings = 26;  // minimum to a relative 2^-52: the square of 2^-26
     double low = from, high = to;
     for (int k = 0; k < halvings; ++k) {
       const double middle = low + (high - low) / 2;
@@ -304,8 +306,8 @@ class Walk {
   }
   [[nodiscard]] bool earlier(double a, double b) const { return direction_ * (a - b) < 0; }
 
-  // The first double at which the mode does not hold, by the dense output. A function that has not been
-  // positive since the segment began is looked for nearer and nearer to the start.
+  // The first double at which the mode is not valid, by the dense output. For a function that has not been
+  // positive in this segment, the search halves the distance to the start.
   double first_zero(const Step& step, std::size_t i, double from, double to) {
     while (!armed_[i]) {
       const double after = from + (to - from) / 2;
@@ -327,7 +329,8 @@ class Walk {
     if (t != step.t0) refine(smooth, step, i, t, x);
     found_ = Switch{i, t, x};
   }
-  // By steps of the method from the start of the step: Newton's iteration for the time, and the state there.
+  // Refines a switch by integrating from the start of the step: Newton's iteration for the time, and the
+  // state.
   void refine(const System& smooth, const Step& step, std::size_t i, double& t, State& x) {
     constexpr int most = 4;
     for (int k = 1;; ++k) {
@@ -343,7 +346,7 @@ class Walk {
       t = next;
     }
   }
-  // Shows the part of the step before the switch.
+  // Passes the part of the step before the switch to the observer.
   bool cut(const Step& step) {
     if (!observer_ || found_->t == step.t0) return false;
     Nodes states(step.x0.size(), 1);
@@ -360,16 +363,16 @@ class Walk {
   const Limits& limits_;
   int direction_;
   double first_, end_;
-  double stretch_end_ = end_;  // the next known time at which the equations change
-  SmoothSegment segment_;      // up to it
+  double stretch_end_ = end_;  // next discontinuity, or the end
+  SmoothSegment segment_;      // up to stretch_end_
   Mode mode_;
   std::map<Mode, System> systems_;
   std::vector<double> values_, rates_;
-  std::vector<double> greatest_;  // size of each function so far
+  std::vector<double> greatest_;  // largest magnitude of each function so far
   std::vector<Margin> before_, after_;
   std::vector<bool> armed_;
   std::optional<Switch> found_;
-  double part_ = std::numeric_limits<double>::infinity();  // longest part of a step between two looks
+  double part_ = std::numeric_limits<double>::infinity();  // limit on the part between two evaluations
   bool told_ = false;
   int repeated_ = 0;
   Solution solution_;

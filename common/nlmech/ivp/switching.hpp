@@ -1,10 +1,10 @@
 /// @file
-/// Systems that are smooth but for switching surfaces: friction, impacts, saturations.
+/// Systems that are smooth between switching surfaces: friction, impacts, saturations.
 ///
-/// Between two surfaces every method sees smooth equations, whose solution it may carry beyond the surface
-/// while it looks for the time of the switch. That time is found on its dense output and then made exact by
-/// steps of the method itself, so that it is as accurate as they are. Where both sides of a surface lead back
-/// to it, the motion stays there (friction that sticks) until one of them leads away.
+/// Between two surfaces a method integrates smooth equations, and may continue them beyond the surface to
+/// locate the switch. The time of the switch is located on the dense output and then refined by steps of the
+/// method, so it is as accurate as they are. Where the slopes on both sides of a surface lead to it, the
+/// motion stays on it (sticking friction) until one of them leads away.
 #pragma once
 
 #include <functional>
@@ -18,12 +18,14 @@ namespace nlmech::ivp {
 using SmoothRun = std::function<Solution(const System&, const State& x0, double t0, double t1,
                                          const Observer&, const Limits&)>;
 
-/// Integrates a system that switches from (t0, x0) to t1.
+/// Integrates a switching system from (t0, x0) to t1.
 ///
-/// The observer sees steps that end at switches. Statuses as of the method; `outside_validity` where a motion
-/// backwards would have to stay on a surface, or switches accumulate; `non_finite` where a function is none.
-/// @param system switches() > 0; on a surface, surfaces() gives the upper side's share of the slopes, 0 to 1
-/// @param run one integration of smooth equations
+/// Steps passed to the observer end at switches. The status is that of the method; `outside_validity` if a
+/// motion backwards in time would have to stay on a surface, or if switches accumulate; `non_finite` if a
+/// switching function is NaN.
+/// @param system switches() > 0; on a surface, surfaces() gives the share of the upper side in the slopes, 0
+/// to 1
+/// @param run integrates smooth equations
 [[nodiscard]] Solution integrate_switching(const System& system, const State& x0, double t0, double t1,
                                            const SmoothRun& run, const Observer& observer,
                                            const Limits& limits);

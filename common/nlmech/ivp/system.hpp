@@ -1,5 +1,5 @@
 /// @file
-/// A problem behind the one small interface from which every method takes what it needs.
+/// System: the interface between problems and methods.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,7 +14,7 @@
 
 namespace nlmech::ivp {
 
-/// What a method asks of a system; Direct and System have it.
+/// Requirements of a method on a system; Direct and System satisfy them.
 template <class S>
 concept SystemLike = requires(const S& system, double t, const typename S::State& x, typename S::State& f,
                               const typename S::Nodes& xs, typename S::Nodes& fs, typename S::Jacobian& j,
@@ -28,20 +28,20 @@ concept SystemLike = requires(const S& system, double t, const typename S::State
   system.discontinuities(t, t);
 };
 
-/// A problem behind a virtual interface. Methods are compiled once, for System, so that many problems and
-/// many methods cost their sum to compile, not their product. A call costs one indirection; rhs() over many
-/// nodes costs one for all of them. Copies share the problem.
+/// A problem behind a virtual interface. Methods are compiled once, for System, so the compile time grows
+/// with the sum of problems and methods, not with their product. A call costs one indirection; rhs() at many
+/// nodes costs one in total. Copies share the problem.
 class System {
  public:
-  static constexpr int dimension = Eigen::Dynamic;  ///< components of the state: known at run time
+  static constexpr int dimension = Eigen::Dynamic;  ///< number of components of the state: known at run time
   using State = ivp::State;                         ///< all components
   using Half = ivp::State;                          ///< positions or velocities
-  using Nodes = ivp::Nodes;                         ///< states at many nodes, one a column
+  using Nodes = ivp::Nodes;                         ///< states at many nodes, one per column
   using Jacobian = ivp::Jacobian;                   ///< df/dx
 
-  /// Of typed equations, and of what converts to them; compiled in the library.
+  /// System of typed equations, or of a type that converts to them; compiled in the library.
   explicit System(program::Problem problem);
-  /// Compiles a problem: see Direct for what a problem has to offer.
+  /// Compiles a problem; see Direct for its members.
   template <class Problem>
   requires(!std::same_as<Problem, System> &&
            !std::convertible_to<Problem, program::Problem>) explicit System(Problem problem)
@@ -59,13 +59,12 @@ class System {
   }
   /// df/dx, exact to rounding.
   void jacobian(double t, const State& x, Jacobian& j) const { problem_->jacobian(t, x, j); }
-  /// df/dt at fixed x, exact to rounding. False, and nothing is written, for a problem that is written for
-  /// double alone.
+  /// df/dt at fixed x, exact to rounding. @return false, with nothing written, for a problem in double only
   [[nodiscard]] bool time_derivative(double t, const State& x, State& dfdt) const {
     return problem_->time_derivative(t, x, dfdt);
   }
-  /// f and g = f_t + f_x f, that is x' and x'' of the solution through (t, x), exact to rounding. False, and
-  /// nothing is written, for a problem that is written for double alone.
+  /// f and g = f_t + f_x f, that is x' and x'' of the solution through (t, x), exact to rounding.
+  /// @return false, with nothing written, for a problem in double only
   [[nodiscard]] bool second_derivative(double t, const State& x, State& f, State& g) const {
     return problem_->second_derivative(t, x, f, g);
   }
@@ -78,34 +77,34 @@ class System {
   void acceleration(double t, const State& q, const State& v, State& a) const {
     problem_->acceleration(t, q, v, a);
   }
-  /// Times between @p t0 and @p t1, in the direction of travel, at which f or a derivative of it jumps.
+  /// Times between @p t0 and @p t1, in the direction of integration, at which f or a derivative of it jumps.
   [[nodiscard]] std::vector<double> discontinuities(double t0, double t1) const {
     return problem_->discontinuities(t0, t1);
   }
-  /// How many functions decide by their signs what the equations are; 0 for smooth equations.
+  /// Number of switching functions, whose signs select the equations; 0 for smooth equations.
   [[nodiscard]] int switches() const { return problem_->switches(); }
   /// The smooth equations of a mode. @throws std::logic_error if there are no switches
   [[nodiscard]] System in_mode(const Mode& mode) const { return System(problem_->in_mode(mode)); }
-  /// Of the equations of a mode: the functions that decide, or their shares (switching.hpp), and their rates.
+  /// Switching functions, or shares (switching.hpp), of the equations of a mode, and their rates of change.
   void surfaces(double t, const State& x, std::span<double> values, std::span<double> rates) const {
     problem_->surfaces(t, x, values, rates);
   }
-  /// What of f is linear with constant coefficients, and its harmonic loads: read off the equations; nothing
-  /// of a problem that is written for double alone, or branches.
+  /// The linear terms of f with constant coefficients, and its harmonic loads, from its expressions; none for
+  /// a problem that branches or is in double only.
   [[nodiscard]] program::LinearTerms linear_terms() const { return problem_->linear_terms(); }
-  /// The quantities that stay constant along every solution, at (t, x). False, and nothing is written, if
-  /// the problem names none.
+  /// The quantities that stay constant along every solution, at (t, x).
+  /// @return false, with nothing written, if the problem gives none
   [[nodiscard]] bool invariants(double t, const State& x, Eigen::VectorXd& values) const {
     return problem_->invariants(t, x, values);
   }
-  /// What each component cannot fall below nor exceed at later times, if it is within now; infinite where
-  /// there is no bound. False, and nothing is written, if the problem names none.
+  /// Bounds of each component at later times, valid if the state is within them now; infinite where there is
+  /// no bound. @return false, with nothing written, if the problem gives none
   [[nodiscard]] bool bounds(State& lower, State& upper) const { return problem_->bounds(lower, upper); }
-  /// The right-hand side as a tape: called once, at time @p t. @throws std::invalid_argument as
+  /// Records the right-hand side as a tape; it is called once, at time @p t. @throws std::invalid_argument as
   /// Direct::record()
   [[nodiscard]] Tape record(double t) const { return problem_->record(t); }
-  /// The Taylor coefficients of solutions, to the order @p order >= 1, through the tape: an object that
-  /// refers to this one; see TapedTaylor.
+  /// Taylor coefficients of solutions to the order @p order >= 1, by the tape. The result refers to this
+  /// object; see TapedTaylor.
   [[nodiscard]] TapedTaylor<System> taylor(int order) const { return {*this, order}; }
 
  private:

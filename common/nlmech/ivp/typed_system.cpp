@@ -1,4 +1,4 @@
-// The System of equations as they are typed, compiled once.
+// System of typed equations, compiled once in the library.
 #include "nlmech/ivp/system.hpp"
 
 namespace nlmech::ivp {

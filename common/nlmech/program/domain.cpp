@@ -23,7 +23,7 @@ Interval bounds_of(const Graph& graph, NodeId id) {
   return bounds;
 }
 
-/// What a node divides by.
+/// The denominator of a node, if there is one.
 std::optional<NodeId> denominator_of(const Node& n) {
   switch (n.operation) {
     case Operation::quotient: return n.b;
@@ -43,7 +43,8 @@ bool depends_on_state(const Graph& graph, NodeId id) {
   return std::find(states, end, true) != end;
 }
 
-/// Expressions in which arguments of roots are at least zero, and those of arcs between -1 and 1.
+/// The expressions @p ids with arguments of roots replaced by max(a, 0), and those of arcs clamped to [-1,
+/// 1].
 std::vector<NodeId> continued(Graph& graph, const std::vector<NodeId>& ids,
                               const std::vector<NodeId>& arguments) {
   const std::vector<bool> part = parts_of(graph, ids);

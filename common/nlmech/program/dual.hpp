@@ -1,6 +1,6 @@
 /// @file
-/// Dual numbers: a value together with its n partial derivatives, so that a function written once also gives
-/// its Jacobian matrix, exact to rounding. They nest: Dual<Dual<double, 2>, 2> gives second derivatives.
+/// Dual numbers: a value together with its n partial derivatives, so that a function also gives its Jacobian,
+/// exact to rounding. They nest: Dual<Dual<double, 2>, 2> gives second derivatives.
 #pragma once
 
 #include <array>
@@ -17,24 +17,24 @@ namespace nlmech {
 /// Value and n partial derivatives of a quantity that depends on n variables.
 ///
 /// Arithmetic follows the rules of differentiation; each partial derivative costs a few operations of T, and
-/// nothing is allocated. It is always inlined, where GCC at -O2 would call it.
-/// Against derivatives in 50 digits every function here is right to 8 units in the last place of the largest
-/// term of its rule, a power x^p to 8 + |p log x| (tests/series).
+/// nothing is allocated. Operations are always inlined, which GCC at -O2 would not do. Against derivatives in
+/// 50 digits every function here is right to 8 units in the last place of the largest term of its rule, a
+/// power x^p to 8 + |p log x| (tests/series).
 ///
-/// There is no order (<, >): a program that branches on a dual number says so with value_of().
+/// There is no order (<, >): a program branches on value_of() of a dual number.
 ///
 /// Where a function is not differentiable:
 /// - sqrt, log and pow at 0 have an infinite slope, which becomes the partial derivative. A partial
 ///   derivative that is exactly 0 stays 0, not 0 * inf: a variable that the argument does not depend on has
 ///   no influence.
-/// - abs at 0 takes the derivative from the right.
+/// - abs at 0 has the derivative from the right.
 /// - Products follow IEEE arithmetic: x * sqrt(x) at 0 gives 0 * inf = NaN although x^1.5 has the derivative
 ///   0 there; pow(x, 1.5) gives it.
 template <class T, int n>
 struct Dual {
   static_assert(n >= 1, "a dual number has at least one partial derivative");
 
-  T value{};                   ///< of the quantity
+  T value{};                   ///< value of the quantity
   std::array<T, n> partial{};  ///< derivative by each of the n variables
 
   /// Zero, constant.
@@ -169,7 +169,7 @@ struct Dual {
   friend constexpr bool operator==(const Dual& a, const Dual& b) = default;
 
   /// A function of @p x by the chain rule: @p value is the function's, @p slope its derivative there. A
-  /// partial derivative of 0 stays 0, whatever the slope.
+  /// partial derivative of 0 stays 0 for any slope.
   [[nodiscard]] static constexpr Dual chained(const T& value, const T& slope, const Dual& x) {
     Dual r(value);
     for (std::size_t i = 0; i < n; ++i) {
@@ -179,13 +179,13 @@ struct Dual {
   }
 };
 
-/// The number inside, through all nesting.
+/// The innermost value, for any nesting.
 template <class T, int n>
 [[nodiscard]] constexpr auto value_of(const Dual<T, n>& x) {
   return value_of(x.value);
 }
 
-/// The point @p x as n independent variables: the argument that makes a function give its Jacobian matrix.
+/// The point @p x as n independent variables, the argument for a Jacobian.
 template <class T, int n>
 [[nodiscard]] Vector<Dual<T, n>, n> variables(const Vector<T, n>& x) {
   Vector<Dual<T, n>, n> v;
@@ -206,14 +206,14 @@ template <class T, int n, int rows>
 }  // namespace nlmech
 
 /// @cond Doxygen cannot follow specialisations of another library's templates
-// What Eigen has to know about dual numbers as entries of vectors and matrices.
+// Traits of dual numbers as entries of Eigen vectors and matrices.
 template <class T, int n>
 struct Eigen::NumTraits<nlmech::Dual<T, n>> : Eigen::GenericNumTraits<nlmech::Dual<T, n>> {
   using Real = nlmech::Dual<T, n>;        ///< not complex
   using NonInteger = nlmech::Dual<T, n>;  ///< fractions are of the same type
   using Nested = nlmech::Dual<T, n>;      ///< held by value in expressions
-  using Literal = nlmech::Dual<T, n>;     ///< of constants in Eigen's own algorithms
-  /// Properties that Eigen asks for; costs in units of its cost model.
+  using Literal = nlmech::Dual<T, n>;     ///< type of constants in Eigen's algorithms
+  /// Properties for Eigen; costs in units of its cost model.
   enum {
     IsComplex = 0,
     IsInteger = 0,
@@ -225,13 +225,13 @@ struct Eigen::NumTraits<nlmech::Dual<T, n>> : Eigen::GenericNumTraits<nlmech::Du
   };
   /// Spacing of numbers at 1, of the value's type.
   static Real epsilon() { return Eigen::NumTraits<T>::epsilon(); }
-  /// Eigen's idea of equality to working precision.
+  /// Tolerance of Eigen for equality.
   static Real dummy_precision() { return Eigen::NumTraits<T>::dummy_precision(); }
   /// Decimal digits of the value's type.
   static int digits10() { return Eigen::NumTraits<T>::digits10(); }
 };
 
-/// A matrix of numbers times a vector of dual numbers, and the like, gives dual numbers.
+/// Operations of numbers with dual numbers give dual numbers.
 template <class T, int n, class S, class Operation>
 requires std::convertible_to<S, T>
 struct Eigen::ScalarBinaryOpTraits<nlmech::Dual<T, n>, S, Operation> {
@@ -310,7 +310,7 @@ template <class T, int n>
   return Dual<T, n>::chained(cosh(x.value), sinh(x.value), x);
 }
 
-/// Hyperbolic tangent. Its slope is formed as 1/cosh^2, which keeps all digits where 1 - tanh^2 loses them.
+/// Hyperbolic tangent. Its slope is 1/cosh^2, without the cancellation of 1 - tanh^2.
 template <class T, int n>
 [[nodiscard]] Dual<T, n> tanh(const Dual<T, n>& x) {
   using std::cosh;
@@ -319,8 +319,7 @@ template <class T, int n>
   return Dual<T, n>::chained(tanh(x.value), secant * secant, x);
 }
 
-/// Arc sine. Its slope is formed from (1 - x)(1 + x), which keeps all digits near the ends; at the ends see
-/// Dual.
+/// Arc sine. Its slope uses (1 - x)(1 + x), without cancellation near the ends; at the ends see Dual.
 template <class T, int n>
 [[nodiscard]] Dual<T, n> asin(const Dual<T, n>& x) {
   using std::asin;
@@ -328,7 +327,7 @@ template <class T, int n>
   return Dual<T, n>::chained(asin(x.value), 1 / sqrt((1 - x.value) * (1 + x.value)), x);
 }
 
-/// Arc cosine; as asin().
+/// Arc cosine; accuracy as asin().
 template <class T, int n>
 [[nodiscard]] Dual<T, n> acos(const Dual<T, n>& x) {
   using std::acos;
@@ -351,13 +350,12 @@ template <class T, int n>
   return Dual<T, n>::chained(asinh(x.value), 1 / sqrt(1 + x.value * x.value), x);
 }
 
-/// Angle of the point (x, y), from -pi to pi. At the origin, where there is no derivative, those that are
-/// asked for are not finite.
+/// Angle of the point (x, y), from -pi to pi. At the origin the derivatives are not finite.
 template <class T, int n>
 [[nodiscard]] Dual<T, n> atan2(const Dual<T, n>& y, const Dual<T, n>& x) {
   using std::abs;
   using std::atan2;
-  // In units of the larger coordinate, so that no square leaves the range of T.
+  // In units of the larger coordinate, so that squares do not overflow.
   const T unit = abs(value_of(x)) < abs(value_of(y)) ? T(abs(y.value)) : T(abs(x.value));
   const T a = x.value / unit, b = y.value / unit, square = (a * a + b * b) * unit;
   return Dual<T, n>::chained(atan2(y.value, x.value), a / square, y) +

@@ -13,7 +13,7 @@
 
 namespace nlmech::program {
 
-/// Makes equations of what was parsed.
+/// Makes Equations from a syntax tree.
 class EquationReader {
  public:
   explicit EquationReader(Equations& made)
@@ -23,8 +23,8 @@ class EquationReader {
         tree_(made.tree_),
         meaning_(made.graph_, made.names_, made.source_, made.tree_) {}
 
-  // Names with a prime, in the order in which the text first has them, with a prime or without, be it as an
-  // initial value.
+  // Finds the unknowns: names that occur with a prime, in the order of their first occurrence with or without
+  // one, including initial values.
   void find_unknowns() {
     std::map<std::string, std::size_t> first;
     for (const Syntax& node : tree_.nodes) {
@@ -62,7 +62,7 @@ class EquationReader {
     made_.initial_.resize(made_.state_names_.size());
   }
 
-  // `name = ...` is a definition unless it is the name of an unknown; all else are equations.
+  // `name = ...` is a definition unless the name is an unknown; other statements are equations.
   void define(const Settings& settings) {
     std::map<std::string, Place> definitions;
     for (const Statement& statement : tree_.statements) {
@@ -151,7 +151,7 @@ class EquationReader {
     }
   }
 
-  // Equations, and definitions that are no numbers, without comments, blanks as one.
+  // Sets the summary: equations, and definitions that are not numbers, without comments, with single blanks.
   void summarise() {
     for (const Statement& statement : tree_.statements) {
       const Syntax& left = tree_.nodes[statement.left];
@@ -213,7 +213,7 @@ class EquationReader {
   }
 
   static bool is_time(const Syntax& node) { return node.name == "t" && node.primes == 0; }
-  // Conditions of definitions, before anything is made of these.
+  // Checks the conditions of definitions before these are used.
   void hold_definitions(const Settings& settings) {
     for (const Condition& c : tree_.conditions) {
       const Syntax& left = tree_.nodes[c.left];

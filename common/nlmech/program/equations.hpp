@@ -1,5 +1,5 @@
 /// @file
-/// Equations as they are typed, solved for the highest derivative of each unknown.
+/// Typed equations, solved for the highest derivative of each unknown.
 #pragma once
 
 #include <map>
@@ -16,28 +16,27 @@
 
 namespace nlmech::program {
 
-/// A value given from outside: `--set a=4`.
+/// Values of definitions from outside the text: `--set a=4`.
 using Settings = std::map<std::string, double>;
 
-/// How high derivatives may be.
+/// Highest order of a derivative.
 inline constexpr int highest_order = 4;
-/// How many unknowns there may be.
+/// Largest number of unknowns.
 inline constexpr int most_unknowns = 2000;
 
-/// A system of equations. Every method of initial value problems runs on it, through Problem (problem.hpp).
+/// A system of equations. All methods for initial value problems integrate it through Problem (problem.hpp).
 ///
 /// The state holds all unknowns in the order in which the text names them, then their first derivatives, and
-/// so on, without the highest ones. So a system of second order has positions and then velocities.
+/// so on, without the highest ones. The state of a second-order system is positions, then velocities.
 class Equations {
  public:
   /// Reads equations, definitions (`a = 3`, `r = sqrt(x^2 + y^2)`), initial values (``x'(0) = 1``),
-  /// conditions
-  /// (`t <= 10` is the end, `x >= 0` holds along every solution that begins so, `a > 0` is asked of a
-  /// definition) and what is conserved (``conserved x'^2 + x^2``).
-  /// @param settings replace definitions by numbers, and give those that the text leaves out
-  /// @throws InputError that points at the mistake and says what was expected; for a setting that is not
-  /// finite, that the text does not name, or that breaks a condition
-  /// @param read_table for table("load.csv"); none: tables are refused
+  /// conditions (`t <= 10` sets the final time, `x >= 0` holds along every solution that starts with it, `a >
+  /// 0` restricts a definition) and conserved quantities (``conserved x'^2 + x^2``).
+  /// @param settings replace definitions by numbers, and add definitions that the text omits
+  /// @throws InputError with the position of the mistake and what is expected; for a setting that is not
+  /// finite, that the text does not name, or that violates a condition
+  /// @param read_table reads table("load.csv"); empty: tables are not allowed
   explicit Equations(SourceText source, const Settings& settings = {}, TableReader read_table = {});
 
   /// Components of the state.
@@ -46,57 +45,57 @@ class Equations {
   [[nodiscard]] bool second_order() const;
   /// "x", "y", "x'", "y'"
   [[nodiscard]] const std::vector<std::string>& state_names() const { return state_names_; }
-  /// The unknowns, as the text first names them.
+  /// The unknowns, in the order of the text.
   [[nodiscard]] const std::vector<Unknown>& unknowns() const { return names_.unknowns; }
-  /// The definitions that are numbers, as the text names them.
+  /// The definitions that are numbers, with their names.
   [[nodiscard]] const std::vector<std::pair<std::string, double>>& parameters() const { return parameters_; }
   /// The derivative of each component of the state, in graph().
   [[nodiscard]] const std::vector<NodeId>& slopes() const { return slopes_; }
-  /// What stays constant along every solution, in graph().
+  /// The conserved quantities, in graph().
   [[nodiscard]] const std::vector<NodeId>& conserved() const { return conserved_; }
-  /// What each component cannot fall below at later times, if it is above now; empty: no component has a
+  /// Lower bound of each component at later times, valid if it is satisfied now; empty: no component has a
   /// bound.
   [[nodiscard]] const std::vector<double>& lower_bounds() const { return lower_; }
-  /// What each cannot exceed.
+  /// Upper bound of each component, likewise.
   [[nodiscard]] const std::vector<double>& upper_bounds() const { return upper_; }
   /// All expressions.
   [[nodiscard]] const Graph& graph() const { return graph_; }
   /// The text.
   [[nodiscard]] const SourceText& source() const { return source_; }
 
-  /// Where a solution begins, if the text says so.
+  /// Initial time, if the text gives it.
   [[nodiscard]] std::optional<double> initial_time() const { return initial_time_; }
-  /// Where it ends, if the text says so.
+  /// Final time, if the text gives it.
   [[nodiscard]] std::optional<double> final_time() const { return final_time_; }
   /// The times between which all tables have values; infinite without tables.
   [[nodiscard]] std::pair<double, double> times_of_tables() const { return {names_.earliest, names_.latest}; }
-  /// The equations and the definitions that are no numbers, in one line.
+  /// The equations, and the definitions that are not numbers, in one line.
   [[nodiscard]] const std::string& summary() const { return summary_; }
-  /// The initial state, of what the text gives and @p text, which has the precedence: "x=1, x'=0". Its values
-  /// are expressions of the definitions.
+  /// The initial state from the equations and from @p text, which takes precedence: "x=1, x'=0". Values are
+  /// expressions of the definitions.
   /// @param name of @p text in messages: "--initial"
-  /// @throws InputError for a value that is missing, given twice, not finite, or of no component
+  /// @throws InputError for a value that is missing, given twice, not finite, or for an unknown component
   [[nodiscard]] std::vector<double> initial_state(const std::string& name, const std::string& text);
 
-  /// The components in the order in which @p text of initial_state() names them, if it names all; else in
-  /// that of the state.
+  /// The components in the order of @p text of initial_state() if it names all of them; otherwise in the
+  /// order of the state.
   [[nodiscard]] std::vector<int> initial_order(const std::string& text) const;
 
-  /// A quantity beside the state.
+  /// An output quantity in addition to the state.
   struct Column {
     std::string name;  ///< "E", "x''"
     NodeId node;       ///< in graph()
   };
-  /// Adds quantities of @p text, definitions or their names and highest derivatives: "E = x'^2/2 + x^2/2; r;
-  /// x''".
-  /// @throws InputError that points at the mistake, and for a name that a component or an earlier one has
+  /// Adds the quantities of @p text (definitions, names of definitions, highest derivatives): "E = x'^2/2 +
+  /// x^2/2; r; x''".
+  /// @throws InputError with the position of the mistake, and for a name that is already used
   void read_columns(const std::string& name, const std::string& text, std::vector<Column>& columns);
 
-  /// The value of an expression of numbers and of definitions that are.
+  /// The value of an expression of numbers and of definitions that are numbers.
   /// @throws InputError that points at the mistake
   [[nodiscard]] double number(const std::string& name, const std::string& text);
 
-  /// An expression of time, state and definitions, "x = 0" being x - 0.
+  /// An expression of time, state and definitions; "x = 0" is x - 0.
   /// @throws InputError that points at the mistake
   [[nodiscard]] NodeId expression(const std::string& name, const std::string& text);
 

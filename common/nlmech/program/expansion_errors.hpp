@@ -1,12 +1,12 @@
 /// @file
-/// What is said to a problem that cannot be expanded in a power series.
+/// Error of a problem that cannot be expanded in a power series.
 #pragma once
 
 namespace nlmech {
 
-/// A right-hand side has asked for the number inside a series, to branch on it.
-/// @param timed does the number depend on the time alone, so that the problem can announce the branch?
-/// @throws std::invalid_argument always, with what to change
+/// Reports that a right-hand side branches on the value of a series.
+/// @param timed does the value depend on time only, so that the problem can give its discontinuities?
+/// @throws std::invalid_argument always, with a remedy
 [[noreturn]] void throw_unannounced_branch(bool timed);
 
 }  // namespace nlmech

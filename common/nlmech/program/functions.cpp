@@ -12,7 +12,7 @@
 namespace nlmech::program {
 namespace {
 
-/// Names of functions elsewhere, and ours for the same, if there is one.
+/// Names of functions in other programs, and the nlmech name if there is one.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 52> elsewhere = {{
     {"arcsin", "asin"},   {"arccos", "acos"},   {"arctan", "atan"},  {"arctg", "atan"},
     {"arctan2", "atan2"}, {"arcsinh", "asinh"}, {"arsinh", "asinh"}, {"arccosh", "acosh"},
@@ -29,7 +29,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 52> elsewher
     {"trunc", ""},        {"rand", ""},         {"random", ""},      {"delta", ""},
 }};
 
-/// How many letters must be changed, added or left out (Levenshtein).
+/// Levenshtein distance: number of letters to change, add or omit.
 std::size_t distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});

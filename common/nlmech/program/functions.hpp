@@ -1,5 +1,5 @@
 /// @file
-/// The functions that an equation may name.
+/// The functions of equations.
 #pragma once
 
 #include <array>
@@ -10,8 +10,8 @@
 
 namespace nlmech::program {
 
-/// A function of one to three arguments. Those up to asinh are operations of their own; all others are made
-/// of operations (Graph::call()).
+/// A function of one to three arguments. Those up to asinh are operations of the graph; the others are
+/// composed of operations (Graph::call()).
 enum class Function : std::uint8_t {
   sqrt,
   exp,
@@ -49,14 +49,14 @@ enum class Function : std::uint8_t {
   stepped_table
 };
 
-/// How it is written.
+/// Name and number of arguments of a function.
 struct FunctionInfo {
-  Function function;      ///< which
-  std::string_view name;  ///< as in an equation
-  int arguments;          ///< how many
+  Function function;      ///< the function
+  std::string_view name;  ///< name in equations
+  int arguments;          ///< number of arguments
 };
 
-/// All of them, some by two names.
+/// All functions; some have two names.
 inline constexpr std::array functions = {
     FunctionInfo{Function::sqrt, "sqrt", 1},      FunctionInfo{Function::exp, "exp", 1},
     FunctionInfo{Function::log, "log", 1},        FunctionInfo{Function::log, "ln", 1},
@@ -77,7 +77,7 @@ inline constexpr std::array functions = {
     FunctionInfo{Function::mod, "mod", 2},        FunctionInfo{Function::choose, "if", 3},
     FunctionInfo{Function::table, "table", 1}};
 
-/// The function of that name, if there is one.
+/// The function with the name @p name, if there is one.
 [[nodiscard]] constexpr std::optional<FunctionInfo> function_by_name(std::string_view name) {
   for (const FunctionInfo& info : functions) {
     if (info.name == name) return info;
@@ -85,8 +85,8 @@ inline constexpr std::array functions = {
   return std::nullopt;
 }
 
-/// What a user may have meant by a function that is not there: "atan is" of arctan, a list of all functions
-/// of gamma or besselj. Empty for a name that is like none that anybody knows.
+/// A hint for an unknown function: "atan is" for arctan, a list of all functions for gamma or besselj. Empty
+/// for a name that resembles no known function.
 [[nodiscard]] std::string what_there_is(std::string_view name);
 
 }  // namespace nlmech::program

@@ -27,7 +27,7 @@ double apply(Function function, double a) {
   }
 }
 
-// A reciprocal by which one may multiply in place of dividing.
+// Is the reciprocal exact, so that a multiplication may replace the division?
 bool has_exact_reciprocal(double c) {
   int exponent = 0;
   return std::abs(std::frexp(c, &exponent)) == 0.5 && std::abs(exponent) < 1000;
@@ -80,7 +80,7 @@ double evaluate(const Node& node, double a, double b) {
     case Operation::atan2: return std::atan2(a, b);
     case Operation::choice: return a;
     case Operation::floor: return std::floor(a);
-    case Operation::table: return std::numeric_limits<double>::quiet_NaN();  // of the time alone
+    case Operation::table: return std::numeric_limits<double>::quiet_NaN();  // a function of time only
     case Operation::combined: return a + node.c * b;
   }
   return 0;
@@ -114,7 +114,7 @@ NodeId Graph::add(Operation operation, NodeId a, NodeId b, double c, Function fu
   const bool known_operands = !leaf && is_number(a) && (!has_two_operands(operation) || is_number(b)) &&
                               operation != Operation::choice;
   if (known_operands) return number(evaluate(node, (*this)[a].c, (*this)[b].c));
-  // NaN has no place among keys that are compared: it makes a node of its own each time.
+  // NaN cannot be a key: it always makes a new node.
   const auto id = std::isnan(c) ? nodes() : known_.try_emplace(node.key(), nodes()).first->second;
   if (id == nodes()) {
     nodes_.push_back(node);
@@ -123,7 +123,7 @@ NodeId Graph::add(Operation operation, NodeId a, NodeId b, double c, Function fu
   return id;
 }
 
-// There is one zero.
+// Zero has one sign: -0 becomes 0.
 NodeId Graph::number(double c) { return add(Operation::number, 0, 0, c + 0.0); }
 
 NodeId Graph::sum(NodeId a, NodeId b) {
@@ -174,7 +174,7 @@ NodeId Graph::quotient(NodeId a, NodeId b) {
 NodeId Graph::power(NodeId a, NodeId b) {
   if (!is_number(b)) return add(Operation::any_power, a, b);
   const double p = (*this)[b].c;
-  constexpr int most = 64;  // beyond, a library's power has fewer roundings
+  constexpr int most = 64;  // above it, std::pow has fewer roundings
   if (is_number(a)) return number(std::pow((*this)[a].c, p));
   if (p == 0.5) return call(Function::sqrt, a, a);
   if (p == std::floor(p) && std::abs(p) <= most) return power_by_products(a, static_cast<int>(p));
@@ -212,11 +212,11 @@ NodeId Graph::call(Function function, NodeId a, NodeId b) {
     case Function::sec: return quotient(one, call(Function::cos, a, a));
     case Function::csc: return quotient(one, call(Function::sin, a, a));
     case Function::cot: return quotient(call(Function::cos, a, a), call(Function::sin, a, a));
-    case Function::acosh: {  // cosh(2 u) = 1 + 2 sinh^2(u) keeps the digits near 1
+    case Function::acosh: {  // cosh(2 u) = 1 + 2 sinh^2(u): no cancellation near 1
       const NodeId half = quotient(difference(a, one), number(2)), root = call(Function::sqrt, half, half);
       return product(number(2), call(Function::asinh, root, root));
     }
-    case Function::atanh: {  // of a = tanh(u), a/sqrt(1 - a^2) is sinh(u)
+    case Function::atanh: {  // for a = tanh(u), a/sqrt(1 - a^2) is sinh(u)
       const NodeId square = product(difference(one, a), sum(one, a));
       const NodeId sine = quotient(a, call(Function::sqrt, square, square));
       return call(Function::asinh, sine, sine);
@@ -225,7 +225,7 @@ NodeId Graph::call(Function function, NodeId a, NodeId b) {
   }
 }
 
-// What does not change between its jumps may be zero for some time.
+// An expression that is constant between jumps may be zero over an interval.
 NodeId Graph::sign_of(NodeId a) {
   if (drift(a) != 0) return by_sign(a, number(1), number(-1));
   return choice(a, choice(negative(a), number(0), number(1)), number(-1));
@@ -235,7 +235,7 @@ NodeId Graph::where(NodeId a, bool strict, NodeId yes, NodeId no) {
   return strict ? choice(negative(a), no, yes) : choice(a, yes, no);
 }
 
-// At a jump the value just after it: of what falls, that is one less than the whole number that is reached.
+// At a jump the value just after it; for decreasing a that is the integer reached minus one.
 NodeId Graph::rounded_down(NodeId a) {
   if (drift(a) < 0) return difference(negative(add(Operation::floor, negative(a))), number(1));
   return add(Operation::floor, a);
@@ -245,9 +245,9 @@ NodeId Graph::rounded_up(NodeId a) {
   return negative(add(Operation::floor, negative(a)));
 }
 
-// A choice by the sign of @p a, for which it does not matter what is chosen at 0: one function for all
-// multiples of a, and for a - b and b - a. What depends on the time alone rises through 0, so that the choice
-// there is that of the later side.
+// A choice by the sign of @p a with an arbitrary value at 0: one switching function for all multiples of a,
+// and for a - b and b - a. A function of time only is made to rise through 0, so the choice at 0 is that of
+// the later side.
 NodeId Graph::by_sign(NodeId a, NodeId positive, NodeId negative) {
   while ((*this)[a].operation == Operation::scaled || (*this)[a].operation == Operation::divided) {
     if ((*this)[a].c < 0) std::swap(positive, negative);

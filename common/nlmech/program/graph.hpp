@@ -1,5 +1,5 @@
 /// @file
-/// Expressions of the time and the state as a graph of operations in which nothing stands twice.
+/// Expressions of time and state as a graph of operations without duplicates.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +17,7 @@
 
 namespace nlmech::program {
 
-/// What a node computes from its operands a, b and its number c.
+/// Operation of a node on its operands a, b and its number c.
 enum class Operation : std::uint8_t {
   number,      ///< c
   variable,    ///< the time (a = 0), component a - 1 of the state
@@ -33,40 +33,40 @@ enum class Operation : std::uint8_t {
   any_power,   ///< a^b
   function,    ///< function of a
   atan2,       ///< atan2(a, b)
-  choice,      ///< a where the function of the switch is not negative, else b
-  floor,       ///< greatest whole number up to a, which depends on the time alone
+  choice,      ///< a where the switching function is not negative, otherwise b
+  floor,       ///< floor(a), where a depends on time only
   table,       ///< value of table number c at the time a
-  combined     ///< a + c b; in programs alone
+  combined     ///< a + c b; in Program only
 };
 
-/// A node of the graph, by its number.
+/// Number of a node of the graph.
 using NodeId = int;
 
-/// Where a vector with an entry a node has the one of @p id, not negative.
+/// Index of node @p id >= 0 in a vector with one entry per node.
 [[nodiscard]] inline std::size_t index(NodeId id) { return static_cast<std::size_t>(id); }
 
-/// An operation with its operands, which have smaller numbers.
+/// An operation with its operands, whose numbers are smaller than that of the node.
 struct Node {
-  Operation operation;  ///< what
-  Function function;    ///< of Operation::function
+  Operation operation;  ///< the operation
+  Function function;    ///< for Operation::function
   NodeId a;             ///< first operand
   NodeId b;             ///< second operand
-  NodeId decides;       ///< of a choice: the function whose sign decides
+  NodeId decides;       ///< for a choice: the switching function
   double c;             ///< a number
 
-  /// For finding a node that is there already.
+  /// Key for the search of an existing node.
   [[nodiscard]] auto key() const { return std::tuple(operation, function, a, b, decides, c); }
 };
 
-/// Values at times.
+/// Tabulated function of time.
 struct Table {
-  std::vector<double> times;   ///< of each row; two or more, which ascend
-  std::vector<double> values;  ///< there
-  bool stepped = false;        ///< the values hold up to the next row; else straight between two rows
+  std::vector<double> times;   ///< time of each row; two or more, ascending
+  std::vector<double> values;  ///< value of each row
+  bool stepped = false;        ///< is the function piecewise constant? Otherwise piecewise linear
 
   /// Are all members equal?
   bool operator==(const Table&) const = default;
-  /// The value at time @p t; not a number outside of the times.
+  /// The value at time @p t; NaN outside the times of the table.
   template <class T>
   [[nodiscard]] T at(const T& t) const {
     const auto now = value_of(t);
@@ -78,7 +78,7 @@ struct Table {
     const std::size_t i = std::min(row, times.size() - 2);
     return values[i] + slope(i) * (t - times[i]);
   }
-  /// Bounds on the values at all times of @p t; the whole line outside of the times.
+  /// Bounds on the values at all times of @p t; the whole line outside the times of the table.
   [[nodiscard]] Interval bounds(const Interval& t) const {
     const double first = std::max(t.low, times.front()), last = std::min(t.high, times.back());
     if (!(first <= last)) return {};
@@ -90,15 +90,15 @@ struct Table {
     }
     return Interval::outwards(low, high);
   }
-  /// Between row @p i and the next.
+  /// Slope between row @p i and the next.
   [[nodiscard]] double slope(std::size_t i) const {
     return (values[i + 1] - values[i]) / (times[i + 1] - times[i]);
   }
 };
 
-/// Builds nodes. Operations on numbers are carried out, and those without effect (x + 0, 1 x) left out. What
-/// is zero as a formula is the number 0, whatever the state: 0 x, 0/x, x - x; so a term with the factor 0 is
-/// not there. For the same reason x^0 is 1.
+/// Builds nodes. Operations on numbers are evaluated, those without effect (x + 0, 1 x) are omitted.
+/// Expressions that are zero as formulas (0 x, 0/x, x - x) are the number 0 for any state, so terms with the
+/// factor 0 vanish. Likewise x^0 is 1.
 class Graph {
  public:
   /// @param size components of the state
@@ -124,26 +124,27 @@ class Graph {
   [[nodiscard]] NodeId quotient(NodeId a, NodeId b);
   /// a^b
   [[nodiscard]] NodeId power(NodeId a, NodeId b);
-  /// a^p by repeated squaring: right also where a is zero or negative.
+  /// a^p by repeated squaring; valid also for zero and negative a.
   [[nodiscard]] NodeId power_by_products(NodeId a, int p);
-  /// A function but `choose`; @p b is the second argument of those that have two. abs, sign, heaviside, min
-  /// and max become choices, by one function where they change on one surface: abs(x), sign(-2 x) and
-  /// max(0, x) all look at x. On the surface itself sign and heaviside are those of a side; sign(0) of the
-  /// number is 0, heaviside(0) is 1. floor, ceil, frac and mod are known of numbers and of what is linear in
-  /// the time between its jumps: see drift(). At a jump they have the value just after it.
+  /// Any function but `choose`; @p b is the second argument of functions of two. abs, sign, heaviside, min
+  /// and max become choices, with one switching function if they change on the same surface: abs(x), sign(-2
+  /// x) and max(0, x) all have x. On the surface sign and heaviside have the value of one side; of the number
+  /// 0, sign is 0 and heaviside 1. floor, ceil, frac and mod are defined for numbers and for expressions
+  /// linear in time between jumps: see drift(). At a jump they have the value just after it.
   [[nodiscard]] NodeId call(Function function, NodeId a, NodeId b);
-  /// @p yes where @p a >= 0 (@p strict: > 0), else @p no. On a surface of the state it is that of a side.
+  /// @p yes where @p a >= 0 (@p strict: > 0), otherwise @p no. On a surface of the state it has the value of
+  /// one side.
   [[nodiscard]] NodeId where(NodeId a, bool strict, NodeId yes, NodeId no);
-  /// @p yes where @p decides is not negative, else @p no; not a number where it is none.
+  /// @p yes where @p decides is not negative, otherwise @p no; NaN where it is NaN.
   [[nodiscard]] NodeId choice(NodeId decides, NodeId yes, NodeId no);
 
-  /// The values of a table by the time.
+  /// A table as a function of time.
   [[nodiscard]] NodeId table(const Table& table);
   /// The tables, by number.
   [[nodiscard]] const std::vector<std::shared_ptr<const Table>>& tables() const { return tables_; }
 
-  /// The derivative by the time of what depends on the time alone and is linear in it between jumps: 2 t - 1,
-  /// mod(t, 3). NaN of all else.
+  /// The time derivative of an expression that depends on time only and is linear in it between jumps: 2 t -
+  /// 1, mod(t, 3). NaN for other expressions.
   [[nodiscard]] double drift(NodeId id) const { return drifts_[static_cast<std::size_t>(id)]; }
 
   /// The operation of @p node on other operands.
@@ -151,11 +152,11 @@ class Graph {
 
   /// A node.
   [[nodiscard]] const Node& operator[](NodeId id) const { return nodes_[static_cast<std::size_t>(id)]; }
-  /// How many nodes there are.
+  /// Number of nodes.
   [[nodiscard]] int nodes() const { return static_cast<int>(nodes_.size()); }
-  /// Is it that number?
+  /// Is node @p id the number @p c?
   [[nodiscard]] bool is_number(NodeId id, double c) const { return is_number(id) && (*this)[id].c == c; }
-  /// Is it a number?
+  /// Is node @p id a number?
   [[nodiscard]] bool is_number(NodeId id) const { return (*this)[id].operation == Operation::number; }
 
  private:
@@ -169,7 +170,7 @@ class Graph {
 
   int size_;
   std::vector<Node> nodes_;
-  std::vector<double> drifts_;  // of each node
+  std::vector<double> drifts_;  // drift() of each node
   std::vector<std::shared_ptr<const Table>> tables_;
   std::map<decltype(Node{}.key()), NodeId> known_;
 };
@@ -177,18 +178,18 @@ class Graph {
 /// Has the operation a second operand?
 [[nodiscard]] bool has_two_operands(Operation operation);
 
-/// The value of an operation on numbers.
+/// The value of the operation of @p node for numbers as operands.
 [[nodiscard]] double evaluate(const Node& node, double a, double b);
 
-/// The derivatives of @p ids by the time along a solution whose slopes are @p slopes. A choice has the
-/// derivative of what is chosen.
+/// The time derivatives of @p ids along a solution with the slopes @p slopes. A choice has the derivative of
+/// the chosen operand.
 [[nodiscard]] std::vector<NodeId> rates(Graph& graph, const std::vector<NodeId>& ids,
                                         const std::vector<NodeId>& slopes);
 
-/// The derivative of a function by its argument @p a, where it has the value @p value.
+/// The derivative of a function with respect to its argument @p a, where it has the value @p value.
 [[nodiscard]] NodeId derivative(Graph& graph, Function function, NodeId value, NodeId a);
 
-/// Which nodes @p ids are made of, by their numbers.
+/// Marks the nodes on which @p ids depend, including @p ids, by their numbers.
 [[nodiscard]] std::vector<bool> parts_of(const Graph& graph, const std::vector<NodeId>& ids);
 
 }  // namespace nlmech::program

@@ -1,6 +1,6 @@
 /// @file
-/// Power series that gain one coefficient at a time: an expression is evaluated again for every order, and
-/// each of its operations computes one new coefficient and remembers the others.
+/// Power series that gain one coefficient per pass: an expression is evaluated once per order, and each of
+/// its operations computes one new coefficient and stores it.
 ///
 /// The Taylor coefficients of a solution of x' = f(t, x) need this: coefficient k of f gives coefficient k +
 /// 1 of x. Evaluating f with PowerSeries for every order would repeat all lower coefficients: order^3
@@ -21,24 +21,24 @@
 
 namespace nlmech {
 
-/// Where the coefficients of all operations of an expression live. An operation is known by its place in the
-/// sequence of operations, so every pass must perform the same sequence: which it does if the expression
-/// branches on nothing but values that stay the same (parameters, value_of() of a series).
+/// Memory of the coefficients of all operations of an expression. An operation is identified by its position
+/// in the sequence of operations, so every pass must perform the same sequence. It does if the expression
+/// branches only on constant values (parameters, value_of() of a series).
 template <class T>
 class SeriesMemory {
  public:
-  /// Room for series up to @p order, in blocks that are kept from one use to the next.
+  /// Prepares for series up to @p order; reuses the memory.
   void start(std::size_t order) {
     stride_ = order + 1;
     used_ = variables_ = 0;
     coefficient_.clear();
   }
-  /// A new series that is set from outside; all variables come before the first pass.
+  /// Adds a series that is set from outside; all variables are added before the first pass.
   [[nodiscard]] std::size_t add_variable() {
     variables_ = used_ + 1;
     return add();
   }
-  /// Begins the pass that computes the coefficients number @p k of all operations; k = 0, 1, 2, ...
+  /// Starts the pass that computes coefficient @p k of all operations; k = 0, 1, 2, ...
   void begin_pass(std::size_t k) {
     pass_ = k;
     used_ = variables_;
@@ -49,7 +49,7 @@ class SeriesMemory {
     if (coefficient_.size() < used_ * stride_) coefficient_.resize(used_ * stride_, T(0));
     return series;
   }
-  /// Which coefficient is computed now.
+  /// Number of the coefficient of the current pass.
   [[nodiscard]] std::size_t pass() const { return pass_; }
   /// The coefficients of a series; valid until the next add().
   [[nodiscard]] T* operator[](std::size_t series) { return coefficient_.data() + series * stride_; }
@@ -59,8 +59,8 @@ class SeriesMemory {
   std::vector<T> coefficient_;
 };
 
-/// A power series in a SeriesMemory, or a constant. The numbers that a right-hand side is evaluated with; the
-/// operations are those of PowerSeries, and give the same coefficients.
+/// A power series in a SeriesMemory, or a constant: scalar for the evaluation of a right-hand side. The
+/// operations are those of PowerSeries and give the same coefficients.
 template <class T>
 class GrowingSeries {
  public:
@@ -113,7 +113,7 @@ class GrowingSeries {
     if (b.is_constant()) return result(a, b, [&](std::size_t k, const T*) { return T(a[k] * b.constant_); });
     return result(a, b, [&](std::size_t k, const T*) { return recurrence::product(a.data(), b.data(), k); });
   }
-  /// Quotient. A divisor that begins with 0 gives infinities and NaN, as numbers do.
+  /// Quotient. A divisor with c_0 = 0 gives infinities and NaN, as for numbers.
   friend GrowingSeries operator/(const GrowingSeries& a, const GrowingSeries& b) {
     if (a.is_constant() && b.is_constant()) return T(a.constant_ / b.constant_);
     if (b.is_constant()) return result(a, b, [&](std::size_t k, const T*) { return T(a[k] / b.constant_); });
@@ -129,14 +129,14 @@ class GrowingSeries {
   /// Divides by a series.
   GrowingSeries& operator/=(const GrowingSeries& b) { return *this = *this / b; }
 
-  /// The series whose coefficients next(a, r, k) gives pass by pass, a being those of this series and r those
-  /// below k.
+  /// The series with the coefficients next(a, r, k), one per pass; a are the coefficients of this series, r
+  /// those of the result below k.
   template <class Next>
   [[nodiscard]] GrowingSeries by_recurrence(const Next& next) const {
     if (is_constant()) return T(next(&constant_, nullptr, 0));
     return result(*this, *this, [&](std::size_t k, const T* r) { return next(data(), r, k); });
   }
-  /// The integral of g da from the point of the series on; 0 if this, a, is a constant.
+  /// The integral of g da from the expansion point, where a is this series; 0 if a is a constant.
   [[nodiscard]] GrowingSeries integral_of(const GrowingSeries& g) const {
     if (is_constant()) return {};
     if (g.is_constant())
@@ -146,7 +146,7 @@ class GrowingSeries {
       return k == 0 ? T(0) : T(recurrence::slope_product(data(), g.data(), k) / static_cast<int>(k));
     });
   }
-  /// Two series that need each other: r_k = first(a, g, k), then g_k = second(a, r, k).
+  /// Two coupled series: r_k = first(a, g, k), then g_k = second(a, r, k).
   template <class First, class Second>
   [[nodiscard]] std::pair<GrowingSeries, GrowingSeries> by_recurrences(const First& first,
                                                                        const Second& second) const {
@@ -160,7 +160,7 @@ class GrowingSeries {
     memory[other][k] = second(data(), memory[one], k);
     return {GrowingSeries(memory, one), GrowingSeries(memory, other)};
   }
-  /// The number inside the coefficient c_0.
+  /// The value of the coefficient c_0.
   friend auto value_of(const GrowingSeries& a) { return value_of(a[0]); }
 
  private:
@@ -168,7 +168,7 @@ class GrowingSeries {
   [[nodiscard]] bool is_constant() const { return memory_ == nullptr; }
   [[nodiscard]] const T* data() const { return (*memory_)[series_]; }
 
-  /// The next operation of the pass: @p next(k, r) is its coefficient k, r are those below.
+  /// The result of the next operation of the pass: @p next(k, r) is its coefficient k, r are those below k.
   template <class Next>
   static GrowingSeries result(const GrowingSeries& a, const GrowingSeries& b, const Next& next) {
     SeriesMemory<T>& memory = a.is_constant() ? *b.memory_ : *a.memory_;
@@ -185,7 +185,7 @@ class GrowingSeries {
 }  // namespace nlmech
 
 /// @cond Doxygen cannot follow specialisations of another library's templates
-// What Eigen has to know about growing series as entries of vectors.
+// Traits of growing series as entries of Eigen vectors.
 template <class T>
 struct Eigen::NumTraits<nlmech::GrowingSeries<T>>
     : nlmech::detail::NumberTraits<nlmech::GrowingSeries<T>, 5, 10, 100> {};

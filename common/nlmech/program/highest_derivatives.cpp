@@ -9,7 +9,7 @@
 namespace nlmech::program {
 namespace {
 
-/// Which equation is solved for which unknown, and the blocks in which they hang together.
+/// Assignment of equations to unknowns, and the blocks of coupled unknowns.
 class Structure {
  public:
   Structure(const std::vector<LinearEquation>& equations, int unknowns)
@@ -25,7 +25,7 @@ class Structure {
     }
   }
 
-  // The first unknown that no equation is left for, or -1.
+  // The first unknown without an equation, or -1.
   [[nodiscard]] int undetermined() const {
     const auto place = std::find(equation_of_.begin(), equation_of_.end(), -1);
     return place == equation_of_.end() ? -1 : static_cast<int>(place - equation_of_.begin());
@@ -34,7 +34,7 @@ class Structure {
     return equations_[index(equation_of_[index(unknown)])];
   }
 
-  // Strongly connected unknowns (Tarjan), those first on which others depend.
+  // Strongly connected components of the unknowns (Tarjan); a block precedes those that depend on it.
   std::vector<std::vector<int>> blocks() {
     number_.assign(equation_of_.size(), -1);
     lowest_ = number_;
@@ -90,21 +90,21 @@ class Structure {
   int count_ = 0;
 };
 
-/// A h = b, whose entries are nodes.
+/// The linear system A h = b with nodes as entries.
 struct Block {
   std::vector<std::vector<NodeId>> a;
   std::vector<NodeId> b;
 };
 
-/// Solves a block: one of numbers by elimination with the largest pivot of each column. With other entries no
-/// pivot is known to stay away from zero; so up to three unknowns by determinants, and more by orthogonal
-/// columns, which need none and are as stable (Bjorck, Numerical Methods for Least Squares Problems, 1996,
-/// section 2.4: modified Gram-Schmidt, the right-hand side treated as a further column).
+/// Solves a block. Numbers: by elimination with partial pivoting. For other entries no pivot is known to be
+/// nonzero: up to three unknowns by determinants, more by orthogonal columns, which need no pivots and are as
+/// stable (Bjorck, Numerical Methods for Least Squares Problems, 1996, section 2.4: modified Gram-Schmidt,
+/// the right-hand side treated as a further column).
 class BlockSolver {
  public:
   BlockSolver(Graph& graph, Block block) : g_(graph), a_(std::move(block.a)), b_(std::move(block.b)) {}
 
-  // Nothing if the determinant is the number 0.
+  // The solution; none if the determinant is the number 0.
   std::optional<std::vector<NodeId>> solve() {
     const bool numbers = std::all_of(a_.begin(), a_.end(), [this](const std::vector<NodeId>& row) {
       return std::all_of(row.begin(), row.end(), [this](NodeId n) { return g_.is_number(n); });

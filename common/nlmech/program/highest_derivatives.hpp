@@ -1,5 +1,5 @@
 /// @file
-/// Equations that are linear in the highest derivatives of the unknowns, solved for these.
+/// Solution of equations that are linear in the highest derivatives of the unknowns.
 #pragma once
 
 #include <functional>
@@ -14,26 +14,26 @@ namespace nlmech::program {
 
 /// rest + sum of coefficients times highest derivatives = 0.
 struct LinearEquation {
-  NodeId rest;                    ///< of time and state
-  std::map<int, NodeId> highest;  ///< coefficient for each unknown that has one; none of them the number 0
+  NodeId rest;                    ///< expression of time and state
+  std::map<int, NodeId> highest;  ///< coefficients by unknown; never the number 0
 };
 
-/// A system of such equations. It is solved in blocks: what can be worked out one by one is, and only what
-/// hangs together (accelerations under a mass matrix) by elimination.
+/// A system of linear equations for the highest derivatives. It is solved in blocks: uncoupled derivatives
+/// one by one, coupled ones (accelerations with a mass matrix) together.
 class HighestDerivatives {
  public:
-  /// How many may hang together by coefficients that depend on time or state.
+  /// Largest block with coefficients that depend on time or state.
   static constexpr int most_coupled = 12;
-  /// How many may hang together by numbers alone.
+  /// Largest block whose coefficients are numbers.
   static constexpr int most_coupled_by_numbers = 64;
-  /// To throw: a sentence about the highest derivative of an unknown.
+  /// Makes the error with a message about the highest derivative of an unknown.
   using Mistake = std::function<InputError(int unknown, std::string_view sentence)>;
 
-  /// @param graph takes the new nodes
+  /// @param graph receives the new nodes
   HighestDerivatives(Graph& graph, int unknowns) : graph_(graph), unknowns_(unknowns) {}
-  /// One more equation.
+  /// Adds an equation.
   void add(LinearEquation equation) { equations_.push_back(std::move(equation)); }
-  /// The highest derivative of each unknown. @throws what @p mistake makes where they are not determined
+  /// The highest derivative of each unknown. @throws the error of @p mistake if they are not determined
   [[nodiscard]] std::vector<NodeId> solve(const Mistake& mistake);
 
  private:

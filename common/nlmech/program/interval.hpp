@@ -1,5 +1,5 @@
 /// @file
-/// Intervals: a type of number for which a program computes bounds on its values.
+/// Interval arithmetic: bounds on the values of a program.
 #pragma once
 
 #include <algorithm>
@@ -9,18 +9,18 @@
 
 namespace nlmech::program {
 
-/// All numbers from low to high. Ends are rounded outwards, so that the result of a program on intervals
-/// holds its values on all numbers of these (Moore, Interval Analysis, 1966). What is undefined for some of
-/// the numbers is bounded for the others; what is undefined for all of them is the whole line.
+/// All numbers from low to high. Ends are rounded outwards, so the result of a program on intervals contains
+/// its values for all numbers in them (Moore, Interval Analysis, 1966). A function that is undefined for some
+/// of the numbers is bounded for the others; if it is undefined for all, the result is the whole line.
 struct Interval {
-  double low = -std::numeric_limits<double>::infinity();  ///< not above any of them
-  double high = std::numeric_limits<double>::infinity();  ///< not below any of them
+  double low = -std::numeric_limits<double>::infinity();  ///< lower end
+  double high = std::numeric_limits<double>::infinity();  ///< upper end
 
   /// The whole line.
   constexpr Interval() = default;
   /// One number.
   constexpr explicit Interval(double x) : low(x), high(x) {}
-  /// From @p a to @p b, which must not be smaller; the whole line if one is not a number.
+  /// From @p a to @p b >= a; the whole line if one is NaN.
   constexpr Interval(double a, double b) {
     if (a <= b) {
       low = a;
@@ -28,21 +28,21 @@ struct Interval {
     }
   }
 
-  /// Is the number among them?
+  /// Is @p x in the interval?
   [[nodiscard]] constexpr bool has(double x) const { return low <= x && x <= high; }
   /// high - low
   [[nodiscard]] constexpr double width() const { return high - low; }
-  /// The greatest absolute value.
+  /// The largest absolute value.
   [[nodiscard]] constexpr double magnitude() const { return std::max(std::abs(low), std::abs(high)); }
   /// The interval widened by @p by on both sides.
   [[nodiscard]] Interval inflated(double by) const { return outwards(low - by, high + by); }
 
-  /// From a to b and some roundings further: four, which is more than functions of the C library are off by.
+  /// From a to b, widened by four roundings, which exceeds the error of the functions of the C library.
   [[nodiscard]] static Interval outwards(double a, double b) {
     constexpr double share = 4 * std::numeric_limits<double>::epsilon();
     constexpr double least = std::numeric_limits<double>::denorm_min(),
                      most = std::numeric_limits<double>::max();
-    // Beyond the range of doubles there is no next one.
+    // Infinities have no next double: the range ends at the largest one.
     const double low = a <= most ? a - (share * std::abs(a) + least) : a > most ? most : a;
     const double high = b >= -most ? b + (share * std::abs(b) + least) : b < -most ? -most : b;
     return {low, high};
@@ -106,7 +106,7 @@ template <class F>
 [[nodiscard]] Interval growing(const F& f, const Interval& a) {
   return Interval::outwards(f(a.low), f(a.high));
 }
-/// Is there a whole number k with low <= first + k period <= high, to some roundings?
+/// Is there an integer k with low <= first + k period <= high, to some roundings?
 [[nodiscard]] inline bool has_multiple(const Interval& a, double first, double period) {
   const double margin = 8 * std::numeric_limits<double>::epsilon() * a.magnitude();
   const double k = std::ceil((a.low - margin - first) / period);
@@ -129,7 +129,7 @@ template <class F>
 }
 [[nodiscard]] inline Interval cos(const Interval& a) {
   constexpr double pi = std::numbers::pi;
-  // Beyond 1e14 the margin of a quarter of a turn is lost.
+  // Above 1e14 the rounding margin of has_multiple() is not small against a quarter period.
   if (!(a.width() < 2 * pi) || a.magnitude() > 1e14) return {-1, 1};
   const double one = std::cos(a.low), other = std::cos(a.high);
   const Interval ends = Interval::outwards(std::min(one, other), std::max(one, other));
@@ -189,12 +189,12 @@ template <class F>
 }
 [[nodiscard]] inline Interval atan2(const Interval& y, const Interval& x) {
   if (y.has(0) && x.low <= 0) return {-std::numbers::pi, std::numbers::pi};
-  // Away from the cut the greatest and the least angles are at corners.
+  // Away from the branch cut the largest and smallest angles are at corners.
   const double a = std::atan2(y.low, x.low), b = std::atan2(y.low, x.high), c = std::atan2(y.high, x.low),
                d = std::atan2(y.high, x.high);
   return Interval::outwards(std::min({a, b, c, d}), std::max({a, b, c, d}));
 }
-/// @p yes where @p decides is not negative, else @p no; both where that is open.
+/// @p yes if @p decides is not negative, @p no if it is negative, otherwise the hull of both.
 [[nodiscard]] inline Interval choice(const Interval& decides, const Interval& yes, const Interval& no) {
   return decides.low >= 0 ? yes : decides.high < 0 ? no : hull(yes, no);
 }

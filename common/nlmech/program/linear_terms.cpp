@@ -8,10 +8,10 @@
 namespace nlmech::program {
 namespace {
 
-/// constant + drift t + linear x + harmonics, and perhaps more that is not kept.
+/// constant + drift t + linear x + harmonics; `more` if there are other terms, which are dropped.
 struct Form {
   double constant = 0, drift = 0;
-  std::map<int, double> linear;                      // by component
+  std::map<int, double> linear;                      // coefficients by component
   std::map<double, std::complex<double>> harmonics;  // cosine + i sine, by frequency
   bool more = false;
 
@@ -36,7 +36,7 @@ Form sum(double of_a, const Form& a, double of_b, const Form& b) {
   return made;
 }
 
-// Products of two terms that vary are no terms of a form.
+// Products of two terms that are not constant are dropped.
 Form product(const Form& a, const Form& b) {
   Form made = sum(b.constant, a, a.constant, b);
   made.constant = a.constant * b.constant;

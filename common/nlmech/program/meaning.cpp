@@ -66,7 +66,7 @@ LinearForm Meaning::form_of(std::size_t index) {
   --depth_;
   return form;
 }
-// What is not finite for every state is a mistake: 1/0, sqrt(-1), exp(1000).
+// Numbers that are not finite are mistakes: 1/0, sqrt(-1), exp(1000).
 void Meaning::hold_to_numbers(const LinearForm& form, const Syntax& node) const {
   const auto hold = [&](NodeId id) {
     if (!graph_.is_number(id) || std::isfinite(graph_[id].c)) return;
@@ -186,7 +186,7 @@ LinearForm Meaning::call(const Syntax& node) {
   hold_to_domain(node, arguments);
   return {graph_.call(node.function, arguments.front(), arguments.back()), {}};
 }
-// Of functions whose jumps must be known beforehand.
+// Checks the arguments of functions whose jumps must be known in advance.
 void Meaning::hold_to_domain(const Syntax& node, const std::vector<NodeId>& arguments) const {
   const std::string_view name =
       source_.at(node.place).substr(0, source_.at(node.place).find_first_of(" \t("));

@@ -1,5 +1,5 @@
 /// @file
-/// What the names and expressions of a text mean.
+/// Evaluation of the names and expressions of a text to nodes of a graph.
 #pragma once
 
 #include <cstddef>
@@ -19,69 +19,71 @@ namespace nlmech::program {
 /// An unknown of the equations.
 struct Unknown {
   std::string name;  ///< "x"
-  int order;         ///< of its highest derivative
-  Place place;       ///< where that first stands
+  int order;         ///< order of its highest derivative
+  Place place;       ///< first occurrence of that derivative
 };
 
 /// "x''"
 [[nodiscard]] std::string with_primes(const std::string& name, int primes);
 
-/// An expression that is linear in the highest derivatives: rest + sum of coefficients times these.
+/// An expression that is linear in the highest derivatives: rest + sum of coefficients times highest
+/// derivatives.
 struct LinearForm {
-  NodeId rest;                    ///< of time and state
-  std::map<int, NodeId> highest;  ///< coefficient of the highest derivative of each unknown; no number 0
+  NodeId rest;                    ///< expression of time and state
+  std::map<int, NodeId> highest;  ///< coefficient of the highest derivative by unknown; never the number 0
 };
 
-/// Reads the table in a file. @throws InputError naming file, line and value
+/// Reads the table in a file. @throws InputError with file, line and value
 using TableReader = std::function<Table(const std::string& file)>;
 
-/// What names mean.
+/// Symbol table of a text.
 struct Names {
-  std::vector<Unknown> unknowns;                               ///< as the text first names them
-  std::map<std::string, int> numbers;                          ///< of the unknowns
-  std::map<std::pair<std::string, int>, int> components;       ///< of the state, by name and primes
-  std::map<std::string, LinearForm> defined;                   ///< definitions that are worked out
-  TableReader read_table;                                      ///< none: no tables
-  double earliest = -std::numeric_limits<double>::infinity();  ///< time of all tables that were read
-  double latest = std::numeric_limits<double>::infinity();     ///< the same
+  std::vector<Unknown> unknowns;                               ///< in the order of the text
+  std::map<std::string, int> numbers;                          ///< index of each unknown, by name
+  std::map<std::pair<std::string, int>, int> components;       ///< component of the state, by name and primes
+  std::map<std::string, LinearForm> defined;                   ///< evaluated definitions
+  TableReader read_table;                                      ///< reads tables; empty: no tables
+  double earliest = -std::numeric_limits<double>::infinity();  ///< earliest time covered by all tables
+  double latest = std::numeric_limits<double>::infinity();     ///< latest time covered by all tables
 
-  /// The component of the state that a node of a tree names, or -1.
+  /// The component of the state named by a node of a tree, or -1.
   [[nodiscard]] int component(const Syntax& node) const;
   /// "x'', y'"
   [[nodiscard]] std::string highest() const;
 };
 
-/// Works out the expressions of a text.
+/// Evaluates the expressions of a text to nodes of a graph.
 class Meaning {
  public:
-  /// How deep definitions and brackets may be nested together.
+  /// Largest depth of nested definitions and brackets together.
   static constexpr int most_depth = 1000;
-  /// How many operations they may make.
+  /// Largest number of operations.
   static constexpr int most_operations = 1'000'000;
 
-  /// @param names learns definitions
+  /// @param names receives the definitions
   Meaning(Graph& graph, Names& names, const SourceText& source, const SyntaxTree& tree)
       : graph_(graph), names_(names), source_(source), tree_(tree) {}
 
-  /// A definition, to be worked out when it is needed.
+  /// Adds a definition, which is evaluated on first use.
   void define(const std::string& name, std::size_t node) { definitions_[name] = node; }
   /// Is it the name of a definition?
   [[nodiscard]] bool is_defined(const std::string& name) const {
     return definitions_.contains(name) || names_.defined.contains(name);
   }
-  /// A definition. @param place where it is named
+  /// The value of a definition. @param place of the use
   const LinearForm& definition(const std::string& name, const Place& place);
 
-  /// An expression that may hold highest derivatives. @throws InputError that points at the mistake
+  /// Evaluates an expression that may contain highest derivatives. @throws InputError with the position of
+  /// the mistake
   [[nodiscard]] LinearForm form_of(std::size_t node);
-  /// One that may not. @throws InputError
+  /// Evaluates an expression without highest derivatives. @throws InputError with the position of the mistake
   [[nodiscard]] NodeId expression(std::size_t node);
-  /// One that is a number, which does not change with time and state.
-  /// @param what in messages: "an initial value"
+  /// Evaluates an expression that is a number, independent of time and state.
+  /// @param what for messages: "an initial value"
   /// @throws InputError
   [[nodiscard]] double number(std::size_t node, std::string_view what);
 
-  /// to - what
+  /// to -= what
   void subtract(LinearForm& to, const LinearForm& what) { add(to, what, true); }
 
  private:
@@ -107,9 +109,9 @@ class Meaning {
   Names& names_;
   const SourceText& source_;
   const SyntaxTree& tree_;
-  std::map<std::string, std::size_t> definitions_;  // and their expressions
-  std::map<std::string, bool> open_;                // definitions that are being worked out
-  std::size_t handled_ = 0;                         // terms of linear forms
+  std::map<std::string, std::size_t> definitions_;  // definitions with their expressions
+  std::map<std::string, bool> open_;                // definitions under evaluation
+  std::size_t handled_ = 0;                         // number of processed terms of linear forms
   int depth_ = 0;
 };
 

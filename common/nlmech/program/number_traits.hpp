@@ -1,20 +1,20 @@
 /// @file
-/// What Eigen has to know about the numbers of this component as entries of vectors and matrices.
+/// Traits of the number types of this component as entries of Eigen vectors and matrices.
 #pragma once
 
 #include <Eigen/Core>
 
 namespace nlmech::detail {
 
-/// Base of Eigen::NumTraits<T> for a real, signed number that is dear to copy. Costs are in units of Eigen's
-/// cost model.
+/// Base of Eigen::NumTraits<T> for a real, signed number that is expensive to copy. Costs are in units of
+/// Eigen's cost model.
 template <class T, int read, int add, int multiply>
 struct NumberTraits : Eigen::GenericNumTraits<T> {
   using Real = T;        ///< not complex
   using NonInteger = T;  ///< fractions are of the same type
   using Nested = T;      ///< held by value in expressions
-  using Literal = T;     ///< of constants in Eigen's own algorithms
-  /// Properties that Eigen asks for.
+  using Literal = T;     ///< type of constants in Eigen's algorithms
+  /// Properties for Eigen.
   enum {
     IsComplex = 0,
     IsInteger = 0,

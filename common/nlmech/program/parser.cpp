@@ -8,8 +8,8 @@
 namespace nlmech::program {
 namespace {
 
-/// Recursive descent. From loosest to tightest: sum, product (also by standing side by side, with the same
-/// rank as * and /), sign, power (to the right).
+/// Recursive descent parser. Increasing precedence: sum, product (also implicit, with the precedence of * and
+/// /), sign, power (right-associative).
 class Parser {
  public:
   Parser(const SourceText& source, SyntaxTree& tree, Separator separator)
@@ -92,8 +92,8 @@ class Parser {
     tree_.conditions.push_back({left, relation, right, {first, tree_.nodes[right].place.end}});
   }
 
-  // The word, and behind it an expression without a sign that would make an equation or a condition of it;
-  // within brackets comparisons may stand.
+  // Is the next statement `conserved expression`? The expression has no sign of an equation or condition,
+  // except comparisons within brackets.
   [[nodiscard]] bool begins_conserved() const {
     if (!sees(TokenKind::name) || name_of(peek()) != "conserved" || peek().primes > 0) return false;
     int depth = 0;
@@ -110,14 +110,15 @@ class Parser {
     end_statement("an operator or the end of what is conserved");
   }
 
-  // x'(0) = : a name that is no function, a bracket directly behind it, and the sign = after its end.
+  // Is the next statement x'(0) = ...? A name that is not a function, directly followed by a bracket, and =
+  // after the bracket.
   [[nodiscard]] bool begins_initial_value() const {
     if (!sees(TokenKind::name) || peek(1).kind != TokenKind::open || peek(1).after_blank) return false;
     if (function_by_name(name_of(peek()))) return false;
     const std::size_t behind = behind_bracket(1);
     return behind > 0 && peek(behind).kind == TokenKind::equals;
   }
-  // How many tokens ahead that bracket is closed and what follows it stands; 0: it is not closed.
+  // Number of tokens to the token after the closing bracket; 0: it is not closed.
   [[nodiscard]] std::size_t behind_bracket(std::size_t ahead) const {
     for (int depth = 0;; ++ahead) {
       const TokenKind kind = peek(ahead).kind;
@@ -160,7 +161,7 @@ class Parser {
     return gathered(SyntaxKind::sum, std::move(terms));
   }
 
-  // Does the next token begin a factor without a sign before it?
+  // Does the next token start a factor without a sign before it?
   [[nodiscard]] bool stands_beside() const {
     if (sees(TokenKind::number))
       throw source_.mistake(peek().place, "a number stands before what it multiplies; else write * or ^");
@@ -182,7 +183,7 @@ class Parser {
       }
     }
   }
-  // `1/2 x` is read as on paper; of `a/b x` a reader cannot tell what is divided by what.
+  // `1/2 x` means (1/2) x; `a/b x` is ambiguous.
   [[nodiscard]] bool is_fraction(const std::vector<Syntax::Operand>& factors) const {
     if (factors.size() != 2 || tree_.nodes[factors[1].node].kind != SyntaxKind::number) return false;
     const Syntax& first = tree_.nodes[factors[0].node];
@@ -199,7 +200,7 @@ class Parser {
                                   part(b), sees(TokenKind::open) ? "(...)" : part(c)));
   }
 
-  // Counts how deep brackets, signs and exponents are nested.
+  // Counts the depth of nested brackets, signs and exponents.
   class Nested {
    public:
     Nested(Parser& parser) : parser_(parser) {
@@ -256,7 +257,7 @@ class Parser {
   [[nodiscard]] bool sees_word(std::string_view word) const {
     return sees(TokenKind::name) && source_.at(peek().place) == word;
   }
-  // From loosest to tightest: or, and, not, comparison. Within them these words are no names.
+  // Increasing precedence: or, and, not, comparison. In conditions these words are not names.
   std::size_t condition() {
     ++conditions_;
     const std::size_t root = alternatives();
@@ -304,7 +305,7 @@ class Parser {
                 .relation = relation,
                 .operands = {{left}, {right}}});
   }
-  // A bracket of an expression is followed by an operator or a relation.
+  // Is the bracket a condition? The bracket of an expression is followed by an operator or a relation.
   [[nodiscard]] bool bracket_is_condition() const {
     const std::size_t behind = behind_bracket(0);
     if (behind == 0) return false;
@@ -322,7 +323,7 @@ class Parser {
     return add(
         {.kind = SyntaxKind::name, .place = token.place, .name = std::string(name), .primes = token.primes});
   }
-  // Of a name with a bracket directly behind it.
+  // The error for a name that is no function, directly followed by a bracket.
   [[nodiscard]] InputError no_function(const Token& token) const {
     const std::string name = quoted_input(source_.at(token.place));
     const std::string product =
@@ -343,7 +344,7 @@ class Parser {
       return other.kind == TokenKind::name && other.primes > 0 && name_of(other) == name_of(token);
     });
   }
-  // Does it stand anywhere without a bracket directly behind it?
+  // Does the name occur anywhere without a bracket directly after it?
   [[nodiscard]] bool is_name(const Token& token) const {
     for (std::size_t i = 0; i + 1 < tokens_.size(); ++i) {
       const bool alone = tokens_[i + 1].kind != TokenKind::open || tokens_[i + 1].after_blank;

@@ -1,6 +1,5 @@
 /// @file
-/// Truncated power series in one variable: what turns a right-hand side into the Taylor coefficients of its
-/// solution.
+/// Truncated power series in one variable, for the Taylor coefficients of solutions.
 #pragma once
 
 #include <algorithm>
@@ -18,17 +17,17 @@
 
 namespace nlmech {
 
-/// c_0 + c_1 s + ... + c_k s^k, the terms beyond s^k unknown. The order k is that of the series at hand; an
-/// operation on two series gives the lower of the two orders, so that no unknown term is ever made up.
+/// c_0 + c_1 s + ... + c_k s^k, with unknown terms beyond s^k. An operation on two series gives the lower of
+/// the two orders k, so unknown terms are never used.
 ///
-/// Series without stored coefficients are the constant 0 of every order, and a constant (made from a number)
-/// keeps its one coefficient and has every order too: that is what the coefficients of an equation are.
+/// A series without stored coefficients is the constant 0. A constant (made from a number), such as a
+/// coefficient of an equation, stores one coefficient; its order is unlimited.
 ///
-/// There is no order relation (<, >): a program that branches on a series says so with value_of(). Operations
-/// cost k^2/2 multiplications each; memory is allocated for every result.
+/// There is no order relation (<, >): a program branches on value_of() of a series. An operation costs k^2/2
+/// multiplications and allocates memory for its result.
 ///
-/// Coefficient k of a product is right to (k + 1) eps sum |a_i b_{k-i}|. The other functions feed their
-/// coefficients back; up to order 30 they stay within 2k to 3k units in the last place on series with known
+/// The error of coefficient k of a product is at most (k + 1) eps sum |a_i b_{k-i}|. The other functions are
+/// recursive; up to order 30 their errors are 2k to 3k units in the last place for series with known
 /// coefficients (tests/series, in double, long double and 50 digits).
 template <class T>
 class PowerSeries {
@@ -43,7 +42,7 @@ class PowerSeries {
   requires std::convertible_to<S, T> PowerSeries(const S& constant)
       : c_{static_cast<T>(constant)}, constant_(true) {}
 
-  /// Series with the coefficients @p c; its order is their number less one. Without coefficients: the
+  /// Series with the coefficients @p c; its order is their number minus one. Without coefficients: the
   /// constant 0.
   explicit PowerSeries(std::vector<T> c) : c_(std::move(c)), constant_(c_.empty()) {}
 
@@ -115,7 +114,7 @@ class PowerSeries {
     for (std::size_t k = 0; k < r.size(); ++k) r.c_[k] = recurrence::product(a.c_.data(), b.c_.data(), k);
     return r;
   }
-  /// Quotient. A divisor that begins with 0 gives infinities and NaN, as numbers do.
+  /// Quotient. A divisor with c_0 = 0 gives infinities and NaN, as for numbers.
   friend PowerSeries operator/(const PowerSeries& a, const PowerSeries& b) {
     if (b.constant_) return divided(a, b[0]);
     PowerSeries r(std::vector<T>(a.constant_ ? b.size() : std::min(a.size(), b.size()), T(0)));
@@ -137,8 +136,8 @@ class PowerSeries {
   requires std::convertible_to<S, T>
   friend PowerSeries operator/(PowerSeries a, const S& s) { return std::move(a /= s); }
 
-  /// The series whose coefficients next(a, r, k) gives one by one, a being those of this series and r those
-  /// below k.
+  /// The series with the coefficients next(a, r, k); a are the coefficients of this series, r those of the
+  /// result below k.
   template <class Next>
   [[nodiscard]] PowerSeries by_recurrence(const Next& next) const {
     const T constant = (*this)[0];
@@ -147,7 +146,7 @@ class PowerSeries {
     for (std::size_t k = 0; k < r.size(); ++k) r[k] = next(c_.data(), r.data(), k);
     return PowerSeries(std::move(r));
   }
-  /// The integral of g da from the point of the series on; 0 if this, a, is a constant.
+  /// The integral of g da from the expansion point, where a is this series; 0 if a is a constant.
   [[nodiscard]] PowerSeries integral_of(const PowerSeries& g) const {
     if (constant_) return {};
     if (g.constant_) {
@@ -160,7 +159,7 @@ class PowerSeries {
       r.c_[k] = recurrence::slope_product(c_.data(), g.c_.data(), k) / static_cast<int>(k);
     return r;
   }
-  /// Two series that need each other: r_k = first(a, g, k), then g_k = second(a, r, k).
+  /// Two coupled series: r_k = first(a, g, k), then g_k = second(a, r, k).
   template <class First, class Second>
   [[nodiscard]] std::pair<PowerSeries, PowerSeries> by_recurrences(const First& first,
                                                                    const Second& second) const {
@@ -178,7 +177,7 @@ class PowerSeries {
   }
 
  private:
-  /// Takes the order of a sum with @p b: a constant is stretched, a longer series is cut.
+  /// Sets the order of a sum with @p b: a constant is extended, a longer series is truncated.
   void match(const PowerSeries& b) {
     if (b.constant_) {
       if (c_.empty() && !b.c_.empty()) c_.resize(1, T(0));
@@ -194,7 +193,7 @@ class PowerSeries {
   bool constant_ = true;
 };
 
-/// The number inside the coefficient c_0.
+/// The value of the coefficient c_0.
 template <class T>
 [[nodiscard]] auto value_of(const PowerSeries<T>& a) {
   return value_of(a[0]);
@@ -206,7 +205,7 @@ extern template class PowerSeries<long double>;
 }  // namespace nlmech
 
 /// @cond Doxygen cannot follow specialisations of another library's templates
-// What Eigen has to know about power series as entries of vectors and matrices.
+// Traits of power series as entries of Eigen vectors and matrices.
 template <class T>
 struct Eigen::NumTraits<nlmech::PowerSeries<T>>
     : nlmech::detail::NumberTraits<nlmech::PowerSeries<T>, 50, 50, 500> {};

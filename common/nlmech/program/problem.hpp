@@ -1,5 +1,5 @@
 /// @file
-/// Typed equations as a problem, so that every method runs on them.
+/// Typed equations as a problem for all methods.
 #pragma once
 
 #include <algorithm>
@@ -16,13 +16,13 @@
 
 namespace nlmech::program {
 
-/// The right-hand side of Equations for every type of number: what ivp::System and ivp::Direct take.
-/// Copies share the program.
+/// The right-hand side of Equations for every number type: a problem for ivp::System and ivp::Direct. Copies
+/// share the program.
 class Problem {
  public:
   static constexpr int dimension = Eigen::Dynamic;  ///< components of the state: size()
 
-  /// Of these equations.
+  /// Problem of @p equations.
   explicit Problem(const Equations& equations)
       : program_(std::make_shared<const Program>(equations.graph(), equations.slopes())),
         switches_(std::make_shared<const Switches>(equations.graph(), equations.slopes())),
@@ -34,7 +34,7 @@ class Problem {
         second_order_(equations.second_order()),
         smooth_(switches_->count() == 0) {}
 
-  /// The same with the derivatives @p slopes of the state, of @p graph.
+  /// The same problem with the derivatives @p slopes, nodes of @p graph.
   [[nodiscard]] Problem with_slopes(const Graph& graph, const std::vector<NodeId>& slopes) const {
     Problem other = *this;
     other.program_ = std::make_shared<const Program>(graph, slopes);
@@ -49,8 +49,8 @@ class Problem {
   /// Is every unknown of second order?
   [[nodiscard]] bool second_order() const { return second_order_; }
 
-  /// The known times between @p t0 and @p t1 at which the equations change, or must not be stepped over, in
-  /// the direction of travel.
+  /// The times between @p t0 and @p t1, in the direction of integration, at which the equations change or at
+  /// which a step must end (TimeFeatures).
   [[nodiscard]] std::vector<double> discontinuities(double t0, double t1) const {
     std::vector<double> between = features_->between(std::min(t0, t1), std::max(t0, t1));
     const std::vector<double> switches = switches_->times(std::min(t0, t1), std::max(t0, t1));
@@ -60,12 +60,12 @@ class Problem {
     if (t1 < t0) std::reverse(between.begin(), between.end());
     return between;
   }
-  /// May the times of discontinuities() differ by a rounding in other precisions?
+  /// Can the times of discontinuities() differ by rounding in other precisions?
   [[nodiscard]] bool has_rounded_times() const { return switches_->has_rounded_times(); }
-  /// How many other functions decide by their signs what the equations are; none within a mode.
+  /// Number of switching functions, whose signs select the equations; 0 within a mode.
   [[nodiscard]] int switches() const { return smooth_ ? 0 : switches_->count(); }
-  /// The smooth equations of a mode. What the text says of all solutions does not hold of theirs: steps of
-  /// them lead beyond the switch that ends them.
+  /// The smooth equations of a mode. They have no bounds and invariants: steps may continue beyond the
+  /// switch.
   [[nodiscard]] Problem in_mode(const Mode& mode) const {
     Problem smooth = *this;
     smooth.program_ = switches_->in_mode(mode);
@@ -73,8 +73,8 @@ class Problem {
     smooth.smooth_ = true;
     return smooth;
   }
-  /// Within a mode: the functions that decide, or the shares of the upper sides on their surfaces, and the
-  /// derivatives of the functions along a solution.
+  /// Within a mode: the switching functions, or on a surface the share of its upper side, and the derivatives
+  /// of the functions along a solution.
   void surfaces(double t, const Vector<double, Eigen::Dynamic>& x, std::span<double> values,
                 std::span<double> rates) const {
     const auto size = static_cast<std::size_t>(size_), count = values.size();
@@ -84,7 +84,7 @@ class Problem {
     });
   }
 
-  /// What stays constant along every solution, as the text says; empty where it says nothing.
+  /// The conserved quantities of the text; empty without any.
   template <class T>
   [[nodiscard]] Vector<T, Eigen::Dynamic> invariants(const T& t, const Vector<T, Eigen::Dynamic>& x) const {
     const std::size_t count = stated_->conserved.outputs();
@@ -92,8 +92,7 @@ class Problem {
     stated_->conserved.run(t, x, 0, count, [&](int i, const T& value) { values[i] = value; });
     return values;
   }
-  /// What no component leaves at later times, as the text says. False, and nothing is written, if it says
-  /// nothing.
+  /// The bounds of each component at later times. @return false, with nothing written, if the text gives none
   [[nodiscard]] bool bounds(Vector<double, Eigen::Dynamic>& lower,
                             Vector<double, Eigen::Dynamic>& upper) const {
     if (stated_->lower.empty()) return false;
@@ -102,7 +101,7 @@ class Problem {
     return true;
   }
 
-  /// What is linear with constant coefficients, and the harmonic loads.
+  /// The linear terms with constant coefficients, and the harmonic loads.
   [[nodiscard]] const LinearTerms& linear_terms() const { return *linear_; }
 
   /// dx/dt.
@@ -110,7 +109,7 @@ class Problem {
   void operator()(const T& t, const Vector<T, Eigen::Dynamic>& x, Vector<T, Eigen::Dynamic>& dxdt) const {
     program_->run(t, x, 0, static_cast<std::size_t>(size_), [&](int i, const T& value) { dxdt[i] = value; });
   }
-  /// Second-order equations: the accelerations at positions @p q and velocities @p v.
+  /// The accelerations of second-order equations at positions @p q and velocities @p v.
   template <class T, int m>
   void acceleration(const T& t, const Vector<T, m>& q, const Vector<T, m>& v, Vector<T, m>& a) const {
     const int half = size_ / 2;
@@ -120,14 +119,14 @@ class Problem {
   }
 
  private:
-  /// Positions and velocities side by side, read as one state.
+  /// Positions and velocities as one state.
   template <class Get>
   struct Halves {
     const Get& get;
     decltype(auto) operator[](int i) const { return get(i); }
   };
 
-  /// What the text says of all solutions.
+  /// Conserved quantities and bounds of the text.
   struct Stated {
     Stated() = default;
     explicit Stated(const Equations& equations)

@@ -4,7 +4,7 @@
 
 namespace nlmech::program {
 
-/// Chooses what has to be computed and where it is kept.
+/// Selects the instructions of a Program and the places of their results.
 class ProgramCompiler {
  public:
   ProgramCompiler(const Graph& graph, const std::vector<NodeId>& outputs, Program& made)
@@ -42,7 +42,7 @@ class ProgramCompiler {
     if (n.operation == Operation::choice) visit(n.decides);
   }
 
-  // Of which node each is last an operand; outputs are needed to the end.
+  // Finds the last node that uses each node; outputs are needed to the end.
   void find_uses() {
     std::vector<int> uses(last_use_.size());
     for (const NodeId id : outputs_) {
@@ -59,7 +59,7 @@ class ProgramCompiler {
     absorb(uses);
   }
 
-  // A multiple that is needed in one sum alone is part of that sum.
+  // Merges a multiple that is used in one sum only into that sum.
   void absorb(const std::vector<int>& uses) {
     absorbed_.assign(last_use_.size(), false);
     for (NodeId i = graph_.size() + 1; i < graph_.nodes(); ++i) {
@@ -100,7 +100,8 @@ class ProgramCompiler {
     made.b = place_of(part.a);
     made.c = n.operation == Operation::difference ? -part.c : part.c;
   }
-  // An operand that is a number has a place too, to which it is written once. (Place 0 is that of the time.)
+  // The place of an operand. A number as operand has a place, which is written once. (Place 0 is that of the
+  // time.)
   std::uint32_t place_of(NodeId i) {
     if (!graph_.is_number(i) || place_[index(i)] != 0) return place_[index(i)];
     const std::uint32_t place = new_place();
@@ -115,12 +116,12 @@ class ProgramCompiler {
     free_.pop_back();
     return place;
   }
-  // The places of operands that no later node needs. Those of the time and the state stay theirs.
+  // Releases the places of operands that no later node needs, except those of time and state.
   void release(NodeId i) {
     const auto free_place = [&](NodeId operand) {
       if (operand <= graph_.size() || last_use_[index(operand)] != i) return;
       free_.push_back(place_[index(operand)]);
-      last_use_[index(operand)] = never;  // it may be both operands
+      last_use_[index(operand)] = never;  // it may be both operands: release it once
     };
     for_operands(i, [&](NodeId operand) {
       if (absorbed_[index(operand)]) {

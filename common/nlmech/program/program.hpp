@@ -1,5 +1,5 @@
 /// @file
-/// Expressions compiled to a list of instructions, which any type of number can run through.
+/// Expressions compiled to a list of instructions for any number type.
 #pragma once
 
 #include <array>
@@ -16,8 +16,8 @@
 
 namespace nlmech::program {
 
-/// Values of several expressions at a time and a state. Each operation is done once, numbers are known
-/// beforehand, and results live in as few places as their order allows.
+/// Evaluates several expressions at a time and a state. Each operation is done once, operations on numbers in
+/// advance, and the memory of results is reused.
 class Program {
  public:
   /// Nothing to compute.
@@ -25,15 +25,15 @@ class Program {
   /// @param outputs expressions of @p graph
   Program(const Graph& graph, const std::vector<NodeId>& outputs);
 
-  /// How many instructions there are.
+  /// Number of instructions.
   [[nodiscard]] std::size_t instructions() const { return instructions_.size(); }
-  /// How many expressions.
+  /// Number of expressions.
   [[nodiscard]] std::size_t outputs() const { return outputs_.size(); }
 
   /// Computes outputs @p first to @p last - 1 (all instructions are run).
   /// @param t time
   /// @param x component i of the state is x[i]
-  /// @param out becomes out(i - first, value) for each output i
+  /// @param out called as out(i - first, value) for each output i
   template <class T, class State, class Out>
   void run(const T& t, const State& x, std::size_t first, std::size_t last, Out&& out) const {
     if constexpr (std::is_trivially_copyable_v<T>) {
@@ -47,7 +47,7 @@ class Program {
 
  private:
   friend class ProgramCompiler;
-  /// A node with places for operands; r of the result.
+  /// An operation with the places of its operands; r is that of the result.
   struct Instruction {
     Operation operation;
     Function function;
@@ -63,7 +63,7 @@ class Program {
 
   static constexpr std::size_t few = 32, many_bytes = 65'536;
 
-  // In places that are not set to anything before.
+  // Runs in uninitialised memory on the stack.
   template <std::size_t most, class T, class State, class Out>
   void run_on_stack(const T& t, const State& x, std::size_t first, std::size_t last, Out& out) const {
     alignas(T) std::array<std::byte, most * sizeof(T)> memory;
@@ -89,7 +89,7 @@ class Program {
     else
       return x[static_cast<int>(i)];
   }
-  // The common operations here; the others cost more than a call.
+  // The common operations are inlined; the others cost more than a call.
   template <class T>
   [[gnu::always_inline]] void carry_out(const Instruction& i, T* place) const {
     const T &a = place[i.a], &b = place[i.b];
@@ -132,7 +132,7 @@ class Program {
     }
   }
 
-  // What is not a number decides nothing.
+  // A switching function that is NaN gives NaN.
   template <class T>
   static T chosen(const T& decides, const T& a, const T& b) {
     if constexpr (std::is_same_v<T, Interval>) {
@@ -151,14 +151,14 @@ class Program {
       return table.at(a);
   }
 
-  // A number also of what has derivatives: it is the same up to the next jump.
+  // A plain number also for types with derivatives: it is constant up to the next jump.
   template <class T>
   static auto rounded_down(const T& a) {
     using std::floor;
     return floor(value_of(a));
   }
 
-  // Numbers have a power of their own; for all else it is exp(b log a), for a > 0.
+  // std::pow for numbers; otherwise exp(b log a), for a > 0.
   template <class T>
   static T any_power(const T& a, const T& b) {
     using std::exp;

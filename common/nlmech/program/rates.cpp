@@ -5,12 +5,12 @@
 namespace nlmech::program {
 namespace {
 
-/// Derivatives along a solution, each node's once.
+/// Time derivatives along a solution, one per node.
 class Rates {
  public:
   Rates(Graph& graph, const std::vector<NodeId>& slopes) : graph_(graph), slopes_(slopes) {}
 
-  // Operands have smaller numbers: one pass upwards over the nodes that are needed, without recursion.
+  // Operands have smaller numbers: one ascending pass over the needed nodes suffices, without recursion.
   std::vector<NodeId> of(const std::vector<NodeId>& ids) {
     const std::vector<bool> needed = parts_of(graph_, ids);
     known_.assign(needed.size(), 0);
@@ -66,7 +66,7 @@ class Rates {
   std::vector<NodeId> known_;
 };
 
-// sqrt(1 - a^2), with no digits lost near 1.
+// sqrt(1 - a^2) without cancellation near 1.
 NodeId cosine_of_arc(Graph& g, NodeId a) {
   const NodeId one = g.number(1);
   const NodeId square = g.product(g.difference(one, a), g.sum(one, a));

@@ -1,5 +1,5 @@
 /// @file
-/// A scalar that notes what is done with it: a right-hand side called once with it becomes a graph.
+/// A scalar that records operations: one call of a right-hand side with it gives a graph.
 #pragma once
 
 #include <concepts>
@@ -14,7 +14,7 @@
 
 namespace nlmech::program {
 
-/// The graph of a right-hand side that is being recorded, as it is at one time.
+/// Graph of a right-hand side during the recording at one time.
 class Recorder {
  public:
   /// @param size components of the state
@@ -22,10 +22,10 @@ class Recorder {
   /// @param announced may the right-hand side branch on the time?
   Recorder(int size, double t, bool announced) : graph_(size), t_(t), announced_(announced) {}
 
-  /// What was noted so far.
+  /// The graph recorded so far.
   [[nodiscard]] Graph& graph() { return graph_; }
-  /// The value of a node, for a branch. @throws std::invalid_argument unless it depends on the time alone and
-  /// the problem announces its discontinuities
+  /// The value of a node, for a branch. @throws std::invalid_argument unless it depends on time only and the
+  /// problem gives its discontinuities
   [[nodiscard]] double branch_value(NodeId node) const;
 
  private:
@@ -34,9 +34,8 @@ class Recorder {
   bool announced_;
 };
 
-/// A quantity that remembers how it was made, or a constant: the scalar with which a right-hand side is
-/// called once to be recorded. It has no order (<, >); value_of() of it, on which programs branch, is refused
-/// unless the branch is announced.
+/// A node of a recorder, or a constant: the scalar for recording a right-hand side. It has no order (<, >);
+/// value_of(), for branches, throws unless the problem gives its discontinuities.
 class Recorded {
  public:
   /// The constant 0.
@@ -45,10 +44,10 @@ class Recorded {
   template <class S>
   requires std::convertible_to<S, double> Recorded(const S& constant)
       : constant_(static_cast<double>(constant)) {}
-  /// A node of a recorder, which outlives the quantity.
+  /// A node of @p recorder, which outlives the quantity.
   Recorded(Recorder& recorder, NodeId node) : recorder_(&recorder), node_(node) {}
 
-  /// The node; that of the number if it is a constant.
+  /// The node; for a constant the node of the number.
   [[nodiscard]] NodeId node(Graph& graph) const {
     return recorder_ == nullptr ? graph.number(constant_) : node_;
   }
@@ -104,12 +103,12 @@ class Recorded {
   friend Recorded erf(const Recorded& a) { return call(Function::erf, a); }
   /// Angle of the point (x, y).
   friend Recorded atan2(const Recorded& y, const Recorded& x) { return call(Function::atan2, y, x); }
-  /// x^y: by products if y is a whole number of at most 1024, else for x > 0.
+  /// x^y: by products if y is an integer of at most 1024; otherwise x > 0.
   friend Recorded pow(const Recorded& x, const Recorded& y) { return made(&Graph::power, x, y); }
   /// Absolute value: a branch, see value_of().
   friend Recorded abs(const Recorded& a) { return value_of(a) < 0 ? -a : a; }
-  /// The number, for a branch. @throws std::invalid_argument unless it depends on the time alone and the
-  /// problem announces its discontinuities
+  /// The value, for a branch. @throws std::invalid_argument unless it depends on time only and the problem
+  /// gives its discontinuities
   friend double value_of(const Recorded& a) {
     return a.recorder_ == nullptr ? a.constant_ : a.recorder_->branch_value(a.node_);
   }
@@ -126,20 +125,19 @@ class Recorded {
   double constant_ = 0;
 };
 
-/// A right-hand side that was recorded.
+/// A recorded right-hand side.
 struct Recording {
-  Graph graph;                 ///< of all its operations
-  std::vector<NodeId> slopes;  ///< one a component of the state
+  Graph graph;                 ///< all its operations
+  std::vector<NodeId> slopes;  ///< one per component of the state
 
-  /// Its Taylor coefficients.
+  /// The tape of the right-hand side.
   [[nodiscard]] Tape tape() const { return {graph, slopes}; }
 };
 
-/// Records the right-hand side @p problem as it is at time @p t, for @p size components. It is called once.
-/// Without branches the graph holds at every time and state; with announced ones, up to the next
-/// discontinuity.
+/// Records the right-hand side @p problem for @p size components by one call at time @p t. Without branches
+/// the graph is valid at every time and state; with branches on the time, up to the next discontinuity.
 /// @param announced has the problem a member discontinuities(t0, t1), so that it may branch on the time?
-/// @throws std::invalid_argument if it branches on the state, or on the time without announcement
+/// @throws std::invalid_argument if it branches on the state, or on the time without @p announced
 template <class Problem, int n = Problem::dimension>
 [[nodiscard]] Recording record(const Problem& problem, double t, int size, bool announced) {
   Recorder recorder(size, t, announced);
@@ -154,7 +152,7 @@ template <class Problem, int n = Problem::dimension>
 }  // namespace nlmech::program
 
 /// @cond Doxygen cannot follow specialisations of another library's templates
-// What Eigen has to know about recorded quantities as entries of vectors.
+// Traits of recorded quantities as entries of Eigen vectors.
 template <>
 struct Eigen::NumTraits<nlmech::program::Recorded>
     : nlmech::detail::NumberTraits<nlmech::program::Recorded, 5, 10, 100> {};

@@ -1,7 +1,7 @@
 /// @file
-/// The next Taylor coefficient of a product, quotient or elementary function from those before it.
+/// The next Taylor coefficient of a product, quotient or elementary function from the previous ones.
 ///
-/// In all of them a, b are the coefficients of the arguments up to k, and r those of the result below k.
+/// In all functions a and b are the coefficients of the arguments up to k, r those of the result below k.
 #pragma once
 
 #include <cmath>
@@ -17,7 +17,7 @@ template <class T>
   return sum;
 }
 
-/// Coefficient k of a/b, for b_0 != 0, from a = r b; @p a_k is the numerator's coefficient k.
+/// Coefficient k of a/b, for b_0 != 0, from a = r b; @p a_k is coefficient k of the numerator.
 template <class T>
 [[nodiscard]] T quotient(T a_k, const T* b, const T* r, std::size_t k) {
   for (std::size_t i = 1; i <= k; ++i) a_k -= b[i] * r[k - i];
@@ -34,7 +34,7 @@ template <class T>
   return sum / (2 * r[0]);
 }
 
-/// Coefficient k - 1 of a' r, the sum of i a_i r_{k-i}: what functions with a differential equation need.
+/// Coefficient k - 1 of a' r, the sum of i a_i r_{k-i}, for functions with a differential equation.
 template <class T>
 [[nodiscard]] T slope_product(const T* a, const T* r, std::size_t k) {
   T sum = T(0);
@@ -76,7 +76,7 @@ template <class T>
   return sum / (static_cast<int>(k) * a[0]);
 }
 
-/// Coefficient k of a^p for a real exponent and a_0 > 0, from a r' = p a' r: O(k) operations, whatever p is.
+/// Coefficient k of a^p for a real exponent and a_0 > 0, from a r' = p a' r: O(k) operations for any p.
 template <class T, class P>
 [[nodiscard]] T power(const T* a, const P& p, const T* r, std::size_t k) {
   using std::pow;

@@ -10,7 +10,7 @@
 
 namespace nlmech {
 
-/// A series that is made of recurrences, at once (PowerSeries) or in passes (GrowingSeries). Functions of a
+/// A series with recurrences, evaluated at once (PowerSeries) or in passes (GrowingSeries). Functions of a
 /// constant are constants.
 template <class S>
 concept RecurrentSeries = requires(const S& a) {
@@ -36,7 +36,7 @@ template <RecurrentSeries S>
   return a.by_recurrence(recurrence::logarithm<typename S::Coefficient>);
 }
 
-/// Sine and cosine of one argument, which need each other.
+/// Sine and cosine of one argument, by coupled recurrences.
 template <RecurrentSeries S>
 [[nodiscard]] std::pair<S, S> sin_cos(const S& a) {
   using T = typename S::Coefficient;
@@ -55,7 +55,7 @@ template <RecurrentSeries S>
   return sin_cos(a).second;
 }
 
-/// Hyperbolic sine and cosine of one argument, which need each other.
+/// Hyperbolic sine and cosine of one argument, by coupled recurrences.
 template <RecurrentSeries S>
 [[nodiscard]] std::pair<S, S> sinh_cosh(const S& a) {
   using T = typename S::Coefficient;
@@ -96,7 +96,7 @@ template <RecurrentSeries S>
   return a.by_recurrences(recurrence::hyperbolic_tangent<T>, slope).first;
 }
 
-/// a^p for a real exponent, for c_0 > 0: the recurrence that costs the same for every exponent.
+/// a^p for a real exponent, for c_0 > 0, by a recurrence whose cost does not depend on p.
 template <RecurrentSeries S, class P>
 requires(!std::integral<P> && std::convertible_to<P, typename S::Coefficient>) [[nodiscard]] S
     pow(const S& a, const P& p) {
@@ -106,7 +106,7 @@ requires(!std::integral<P> && std::convertible_to<P, typename S::Coefficient>) [
       [&](const T* c, const T* r, std::size_t k) { return recurrence::power(c, exponent, r, k); });
 }
 
-/// Arc sine, for |c_0| < 1. As the other inverse functions by its slope.
+/// Arc sine, for |c_0| < 1; as for the other inverse functions, the integral of its slope.
 template <RecurrentSeries S>
 [[nodiscard]] S asin(const S& a) {
   using std::asin;
@@ -134,7 +134,7 @@ template <RecurrentSeries S>
   return S(asinh(a[0])) + a.integral_of(pow(1 + a * a, -0.5));
 }
 
-/// Angle of the point (x, y), which is not the origin.
+/// Angle of the point (x, y), except the origin.
 template <RecurrentSeries S>
 [[nodiscard]] S atan2(const S& y, const S& x) {
   using std::atan2;

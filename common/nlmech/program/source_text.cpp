@@ -9,7 +9,7 @@
 namespace nlmech::program {
 namespace {
 
-// Is it a byte within a character of UTF-8?
+// Is it a continuation byte of UTF-8?
 bool goes_on(char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U; }
 
 std::size_t characters(std::string_view text) {
@@ -36,7 +36,7 @@ InputError SourceText::mistake(const Place& place, std::string_view sentence) co
   const std::size_t first = before == std::string_view::npos ? 0 : before + 1;
   const std::size_t last = std::min(all.find('\n', at), all.size());
 
-  // A long line is shown from some way before the place to some way behind it.
+  // A long line is cut to 50 bytes before the place and 25 after it.
   constexpr std::size_t ahead = 50, behind = 25;
   std::size_t from = at - first > ahead ? at - ahead : first;
   std::size_t to = last - at > behind && last - from > ahead + behind ? at + behind : last;

@@ -1,5 +1,5 @@
 /// @file
-/// A text that a user typed, and how a mistake in it is pointed at.
+/// A text of a user, and error messages with positions in it.
 #pragma once
 
 #include <cstddef>
@@ -10,27 +10,27 @@
 
 namespace nlmech::program {
 
-/// Where something stands in a text: bytes from `begin` to below `end`.
+/// A range of bytes in a text: from `begin` to below `end`.
 struct Place {
   std::size_t begin = 0;  ///< first byte
   std::size_t end = 0;    ///< one past the last
 };
 
-/// A text with the name that messages give it: "--equation", "pendulum.ode". Lines may end as on Windows; a
-/// byte order mark is left out.
+/// A text with its name in messages: "--equation", "pendulum.ode". Line ends may be those of Windows; a byte
+/// order mark is removed.
 class SourceText {
  public:
   /// @param name of an option or a file
-  /// @param text what was typed, or what the file holds
+  /// @param text from the command line or the file
   SourceText(std::string name, std::string text);
 
-  /// All of it, a line end being one byte.
+  /// The whole text; a line end is one byte.
   [[nodiscard]] std::string_view text() const { return text_; }
-  /// What stands at a place.
+  /// The text at a place.
   [[nodiscard]] std::string_view at(const Place& place) const {
     return std::string_view(text_).substr(place.begin, place.end - place.begin);
   }
-  /// To throw: "name:line:column: sentence", and below it the line with a caret under the place. Columns are
+  /// The error "name:line:column: sentence", followed by the line and a caret under the place. Columns are
   /// counted in characters, from 1.
   [[nodiscard]] InputError mistake(const Place& place, std::string_view sentence) const;
 

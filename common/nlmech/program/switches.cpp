@@ -13,7 +13,7 @@
 namespace nlmech::program {
 namespace {
 
-/// Equations that stay on surfaces: which share of each jump keeps all functions zero.
+/// Sliding motion on surfaces: the shares of the jumps that keep all functions zero.
 class Sliding {
  public:
   /// @param slopes of the lower side of each surface @param deciding the functions
@@ -23,7 +23,7 @@ class Sliding {
         deciding_(std::move(deciding)),
         fall_(rates(graph_, deciding_, slopes_)) {}
 
-  /// One more surface, with the slopes of its upper side.
+  /// Adds a surface with the slopes of its upper side.
   void add(std::size_t surface, const std::vector<NodeId>& upper) {
     surfaces_.push_back(surface);
     rises_.push_back(rates(graph_, deciding_, upper));
@@ -64,7 +64,7 @@ class Sliding {
   std::vector<std::vector<NodeId>> rises_, jumps_;
 };
 
-/// The time at which t - c becomes zero, if that is what decides.
+/// The time c of a switching function t - c; none for other functions.
 std::optional<double> time_of(const Graph& graph, NodeId decides) {
   const Node& n = graph[decides];
   if (decides == Graph::time()) return 0;
@@ -72,8 +72,8 @@ std::optional<double> time_of(const Graph& graph, NodeId decides) {
   return {};
 }
 
-/// Which nodes change at choices alone, as sign(x): where one of them decides, the choices that it depends on
-/// are the switches.
+/// Marks nodes that change at choices only, as sign(x): if one of them is a switching function, the choices
+/// that it depends on are the switches.
 std::vector<bool> constant_between_choices(const Graph& graph) {
   std::vector<bool> constant(static_cast<std::size_t>(graph.nodes()));
   for (NodeId i = 0; i < graph.nodes(); ++i) {
@@ -116,7 +116,7 @@ Switches::Switches(const Graph& graph, const std::vector<NodeId>& slopes) : grap
   timed_values_ = Program(graph_, timed_);
 }
 
-// What is constant between two jumps: a whole number, or the sign of what decides.
+// A value that is constant between two jumps: the rounded value, or the sign of the switching function.
 double Switches::step_value(std::size_t k, double t) const {
   double value = 0;
   struct NoState {
@@ -131,7 +131,7 @@ std::vector<double> Switches::times(double from, double to) const {
   for (const double t : times_) {
     if (t > from && t < to) all.push_back(t);
   }
-  // A node is monotonic between the jumps of those that it is made of, which are before it.
+  // A node is monotonic between the jumps of its operands, which precede it.
   for (std::size_t k = 0; k < timed_.size(); ++k) {
     std::vector<double> jumps;
     double begin = from;
@@ -167,7 +167,8 @@ void Switches::add_jumps(std::size_t k, double begin, double last, std::vector<d
   }
 }
 
-// Is it the square root, or a power with a fraction, of what a switch of the state keeps from being negative?
+// Is it a square root, or a power with a fraction, of an expression that a switch of the state keeps
+// nonnegative?
 bool Switches::is_root_of_size(const Node& n) const {
   const bool is_root = (n.operation == Operation::function && n.function == Function::sqrt) ||
                        (n.operation == Operation::power && n.c != std::floor(n.c));
@@ -175,7 +176,7 @@ bool Switches::is_root_of_size(const Node& n) const {
          std::find(deciding_.begin(), deciding_.end(), graph_[n.a].decides) != deciding_.end();
 }
 
-// Slopes and then functions without choices, for a mode without zeros.
+// The slopes, then the functions, without choices, for a mode without zeros.
 std::vector<NodeId> Switches::resolved(const Mode& mode, Graph& graph) const {
   std::vector<NodeId> ids = slopes_;
   ids.insert(ids.end(), deciding_.begin(), deciding_.end());
@@ -197,8 +198,7 @@ std::vector<NodeId> Switches::resolved(const Mode& mode, Graph& graph) const {
       else
         made[index(i)] = graph.choice(made[index(n.decides)], made[index(n.a)], made[index(n.b)]);
     } else if (is_root_of_size(n)) {
-      // sqrt(abs(x)) is one of x or -x within a mode; trial steps lead beyond the surface, where that is
-      // none.
+      // Within a mode sqrt(abs(x)) is a root of x or -x, which is NaN for trial steps beyond the surface.
       const NodeId a = made[index(n.a)];
       const double half = n.operation == Operation::function ? 0.25 : n.c / 2;
       made[index(i)] = graph.power(graph.product(a, a), graph.number(half));

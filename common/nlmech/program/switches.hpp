@@ -1,5 +1,5 @@
 /// @file
-/// Equations with abs, sign, min and max: smooth on both sides of the surfaces on which these change.
+/// Equations with abs, sign, min and max, which are smooth on both sides of switching surfaces.
 #pragma once
 
 #include <cstdint>
@@ -13,37 +13,37 @@
 
 namespace nlmech::program {
 
-/// On which side of each surface: 1 where its function is positive, -1 where it is negative, 0 for a motion
-/// that stays on the surface because both sides lead back to it.
+/// Side of each switching surface: 1 where its function is positive, -1 where it is negative, 0 for a motion
+/// that stays on the surface because both sides lead to it.
 using Mode = std::vector<std::int8_t>;
 
-/// The functions whose signs decide, and the smooth equations for each choice of signs.
+/// The switching functions, and the smooth equations for each choice of their signs.
 ///
-/// A motion on a surface g = 0 follows Filippov: of all mixtures of the slopes of both sides that along which
-/// g stays zero (Filippov, Differential Equations with Discontinuous Righthand Sides, 1988, section 4). On
-/// several surfaces at once the slopes change by a share of each surface's own jump, such that all their
-/// functions stay zero (Utkin's equivalent control): what dry friction at several places asks for.
+/// A motion on a surface g = 0 is a sliding motion of Filippov: the convex combination of the slopes of both
+/// sides along which g stays zero (Filippov, Differential Equations with Discontinuous Righthand Sides, 1988,
+/// section 4). On several surfaces at once the slopes contain a share of the jump of each surface such that
+/// all functions stay zero (Utkin's equivalent control), as dry friction at several contacts requires.
 ///
-/// What decides by the time alone, as max(0, t - c) and floor(t), does so at known times: methods step onto
-/// these, and there is nothing to locate. The equations keep such choices in every mode. Nor does a function
-/// decide that changes at other choices alone, as sign(x) in max(sign(x), 0): it follows from these.
+/// Choices by time only, as in max(0, t - c) and floor(t), change at known times: steps end there, and there
+/// is nothing to locate. The equations contain such choices in every mode. A function that changes at other
+/// choices only, as sign(x) in max(sign(x), 0), is no switching function: it follows from these.
 class Switches {
  public:
-  /// What the slopes @p slopes of a state depend on by choices. @param graph is copied
+  /// Switches of the slopes @p slopes of a state. @param graph is copied
   Switches(const Graph& graph, const std::vector<NodeId>& slopes);
 
-  /// The times between @p from and @p to > from at which the equations change by the time alone, ascending:
-  /// the first doubles at which they are those of the later side.
+  /// The times between @p from and @p to > from at which the equations change by time only, ascending: the
+  /// first doubles on the later side.
   /// @throws std::invalid_argument if there are more than a million
   [[nodiscard]] std::vector<double> times(double from, double to) const;
-  /// Are there such times besides those of functions t - c, whose equations change at the same double in
-  /// every precision?
+  /// Are there such times of functions other than t - c? Those of t - c are the same double in every
+  /// precision.
   [[nodiscard]] bool has_rounded_times() const { return !timed_.empty(); }
-  /// How many other functions decide.
+  /// Number of switching functions.
   [[nodiscard]] int count() const { return static_cast<int>(deciding_.size()); }
-  /// The equations of a mode. Outputs: the slopes; for each function its value, or where the motion stays on
-  /// its surface the share of the upper side; then the derivatives of all functions along the slopes. Shares
-  /// that no slopes give are not numbers. May be called by several threads.
+  /// The equations of a mode. Outputs: the slopes; for each function its value, or the share of the upper
+  /// side if the motion stays on its surface; then the derivatives of all functions along the slopes.
+  /// Undetermined shares are NaN. Thread-safe.
   [[nodiscard]] std::shared_ptr<const Program> in_mode(const Mode& mode) const;
 
  private:
@@ -52,12 +52,11 @@ class Switches {
   [[nodiscard]] double step_value(std::size_t k, double t) const;
   void add_jumps(std::size_t k, double begin, double last, std::vector<double>& jumps) const;
 
-  static constexpr std::size_t most_known = 256;  // modes that are kept
+  static constexpr std::size_t most_known = 256;  // largest number of cached modes
   Graph graph_;
   std::vector<NodeId> slopes_, deciding_;
   std::vector<double> times_;  // c of functions t - c, rows of tables, ascending
-  std::vector<NodeId>
-      timed_;  // other nodes of the time alone that decide or are rounded, with what they need before them
+  std::vector<NodeId> timed_;  // other switching or rounded nodes of time only; operands come first
   Program timed_values_;
   mutable std::mutex mutex_;
   mutable std::map<Mode, std::shared_ptr<const Program>> known_;

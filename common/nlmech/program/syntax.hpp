@@ -1,5 +1,5 @@
 /// @file
-/// What an equation says, as a tree.
+/// Syntax tree of equations.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@
 
 namespace nlmech::program {
 
-/// What a node of the tree is.
+/// Kind of a node of the tree.
 enum class SyntaxKind {
   number,    ///< a number
   name,      ///< t, pi, a definition, an unknown or a derivative of one
@@ -21,75 +21,74 @@ enum class SyntaxKind {
   product,   ///< operands, each a factor or (`inverse`) a divisor
   power,     ///< two operands
   call,      ///< a function of its operands
-  // Conditions, the first operand of `if` alone:
-  comparison,  ///< of two operands, by `relation`
-  both,        ///< all operands hold
-  either,      ///< one of the operands holds
-  opposite     ///< the operand does not hold
+  // Conditions, only as the first operand of `if`:
+  comparison,  ///< two operands compared by `relation`
+  both,        ///< all operands are true
+  either,      ///< one of the operands is true
+  opposite     ///< the operand is false
 };
 
-/// A part of an expression. Sums and products hold all their operands, so that a tree is as deep as its
-/// brackets and no deeper.
+/// A node of an expression. Sums and products hold all their operands, so the depth of a tree is that of its
+/// brackets.
 struct Syntax {
-  /// An operand, by its place in the tree.
+  /// An operand, by its index in the tree.
   struct Operand {
     std::size_t node;      ///< index
     bool inverse = false;  ///< subtracted, or a divisor
   };
-  SyntaxKind kind;                     ///< what
-  Place place;                         ///< where
-  double number = 0;                   ///< of a number
-  std::string name = {};               ///< of a name; of a table, that of its file
-  int primes = 0;                      ///< of a name
-  Function function = {};              ///< of a call
-  TokenKind relation = {};             ///< of a comparison: at_least, at_most, above or below
-  std::vector<Operand> operands = {};  ///< of all else
+  SyntaxKind kind;                     ///< kind of the node
+  Place place;                         ///< place in the text
+  double number = 0;                   ///< value of a number
+  std::string name = {};               ///< a name; for a table the name of its file
+  int primes = 0;                      ///< number of primes of a name
+  Function function = {};              ///< function of a call
+  TokenKind relation = {};             ///< for a comparison: at_least, at_most, above or below
+  std::vector<Operand> operands = {};  ///< operands of all other kinds
 };
 
 /// `left = right`
 struct Statement {
   std::size_t left;   ///< root of an expression
   std::size_t right;  ///< root of an expression
-  Place place;        ///< of all of it
+  Place place;        ///< place of the whole statement
 };
 
-/// ``x'(0) = 1``: a value that a solution has where it begins.
+/// ``x'(0) = 1``: initial value of a solution.
 struct InitialValue {
-  std::string name;   ///< of the unknown
-  int primes;         ///< which derivative
-  Place place;        ///< of `x'(0)`
+  std::string name;   ///< name of the unknown
+  int primes;         ///< order of the derivative
+  Place place;        ///< place of `x'(0)`
   std::size_t time;   ///< root of the expression in the brackets
-  std::size_t value;  ///< root of the expression behind the sign
+  std::size_t value;  ///< root of the expression after the sign
 };
 
-/// `name <= expression`: the end of the time, a bound of a component, or for which values of a definition the
-/// equations have a meaning.
+/// `name <= expression`: the final time, a bound of a component, or the admissible values of a definition.
 struct Condition {
   std::size_t left;    ///< root of an expression
   TokenKind relation;  ///< at_least, at_most, above or below
   std::size_t right;   ///< root of an expression
-  Place place;         ///< of all of it
+  Place place;         ///< place of the whole statement
 };
 
-/// A whole text.
+/// Syntax tree of a whole text.
 struct SyntaxTree {
-  std::vector<Syntax> nodes;                 ///< operands before what they are operands of
+  std::vector<Syntax> nodes;                 ///< nodes; operands precede their operations
   std::vector<Statement> statements;         ///< equations and definitions
-  std::vector<InitialValue> initial_values;  ///< those that the text gives
-  std::vector<Condition> conditions;         ///< what holds of the time, the state and the definitions
+  std::vector<InitialValue> initial_values;  ///< initial values in the text
+  std::vector<Condition> conditions;         ///< conditions on time, state and definitions
   std::vector<std::size_t> conserved;        ///< `conserved expression`: roots of the expressions
 };
 
-/// How deep brackets, powers and signs may be nested.
+/// Largest depth of nested brackets, powers and signs.
 inline constexpr int most_nested = 200;
-/// How long a text may be, in bytes.
+/// Largest length of a text, in bytes.
 inline constexpr std::size_t most_bytes = 1'000'000;
 
-/// Reads equations and definitions, with separators or line ends between; some may be empty.
-/// @throws InputError that points at a mistake and says what was expected
+/// Reads equations and definitions, separated by @p separator or line ends; statements may be empty.
+/// @throws InputError with the position of the mistake and what is expected
 [[nodiscard]] SyntaxTree parse(const SourceText& source, Separator separator = Separator::semicolon);
 
-/// Reads the list of `name = expression` and names, each as a statement; both sides of a name are the name.
+/// Reads a list of `name = expression` and names, each as a statement; for a name both sides are the name.
 /// @throws InputError as parse()
 [[nodiscard]] SyntaxTree parse_columns(const SourceText& source);
 

@@ -24,7 +24,7 @@ bool is_linear(Step step) {
   return is_sum(step) || step == Step::scaled || step == Step::divided || step == Step::shifted;
 }
 
-/// Degree of what is no polynomial of the time.
+/// Degree of an expression that is not a polynomial of the time.
 constexpr int endless = 1 << 20;
 
 /// The degree of a result as a polynomial of the time.
@@ -41,7 +41,7 @@ int degree(Step step, int a, int b) {
   }
 }
 
-/// A function whose series is the integral of its derivative's times that of the argument.
+/// Is the series of the function the integral of its derivative times that of the argument?
 bool is_integral(const Node& n) {
   if (n.operation != Step::function) return false;
   return n.function == Function::asin || n.function == Function::acos || n.function == Function::atan ||
@@ -52,7 +52,7 @@ bool is_integral(const Node& n) {
 
 namespace detail {
 
-/// What outputs need of a graph, in operations that have a recurrence.
+/// The part of a graph that outputs need, in operations with a recurrence.
 struct Recurrences {
   Graph graph;
   std::vector<NodeId> outputs;
@@ -75,7 +75,7 @@ struct Recurrences {
       const NodeId exponent = graph.product(b, graph.call(Function::log, a, a));
       return graph.call(Function::exp, exponent, exponent);
     }
-    // Products are right also where the base vanishes or is negative.
+    // Products are valid also for a zero or negative base.
     if (n.operation == Step::power && n.c == std::floor(n.c) && std::abs(n.c) <= 1024)
       return graph.power_by_products(a, static_cast<int>(n.c));
     if (is_integral(n)) static_cast<void>(derivative(graph, n.function, a, a));  // before the function itself
@@ -120,7 +120,7 @@ class TapeCompiler {
 
   void find_slopes_and_degrees() {
     degree_[0] = 1;
-    // All of them are there already: nothing is added.
+    // All nodes exist already: nothing is added.
     for (NodeId i = graph_.size() + 1; i < static_cast<NodeId>(degree_.size()); ++i) {
       const Node n = node(i);
       degree_[index(i)] = degree(n.operation, degree_[index(n.a)], degree_[index(n.b)]);
@@ -136,7 +136,8 @@ class TapeCompiler {
     if (is_integral(node(i))) visit(slope_[index(i)]);
   }
 
-  // An output counts twice: its series must exist. A number that is an operand has a series of its own.
+  // Counts the uses of nodes. An output counts twice, so that its series exists. A number as operand has its
+  // own series.
   void count_uses() {
     for (const NodeId id : needed_.outputs) {
       if (!graph_.is_number(id)) uses_[index(id)] += 2;
@@ -146,8 +147,8 @@ class TapeCompiler {
     }
   }
 
-  // Which sums and multiples are parts of a greater linear combination and need no series of their own. The
-  // second operand of a sum stays whole if it is a sum itself: a - (b - c) is not a - b + c in rounding.
+  // Merges sums and multiples into larger linear combinations, without series of their own. The second
+  // operand of a sum is not merged if it is a sum: a - (b - c) and a - b + c differ in rounding.
   void absorb() {
     for (NodeId i = graph_.nodes() - 1; i > graph_.size(); --i) {
       const Step step = node(i).operation;
@@ -188,7 +189,7 @@ class TapeCompiler {
     return {operation, false, new_series(count), a, b, a, 0, 0, 1, 1, 0};
   }
 
-  // The series t a'(t) of the argument of a function, once for all functions of it.
+  // The series t a'(t) of the argument of a function, shared by all functions of the argument.
   int slope_of(NodeId i) {
     const int a = series_[index(i)];
     for (const Instruction& known : tape_.instructions_) {
@@ -208,7 +209,7 @@ class TapeCompiler {
     tape_.instructions_.push_back(made);
     series_[index(i)] = made.r;
     if (made.operation != Operation::circular && made.operation != Operation::hyperbolic) return;
-    // Sine and cosine of one argument are computed together; either may be met first.
+    // Sine and cosine of one argument are computed together; either may come first.
     const bool cosine = n.function == Function::cos || n.function == Function::cosh;
     series_[index(i)] = cosine ? made.r + 1 : made.r;
     for (NodeId j = i + 1; j < graph_.nodes(); ++j) {
@@ -225,7 +226,7 @@ class TapeCompiler {
     }
   }
 
-  // A series that stays: the number, and 0 times the time.
+  // A constant series: the number plus 0 times the time.
   Instruction number(double c) {
     const auto first = static_cast<int>(tape_.terms_.size());
     tape_.terms_.push_back({0, 0});
@@ -263,7 +264,7 @@ class TapeCompiler {
     return instruction(operation, series_[index(a)], series_[index(b)]);
   }
 
-  // A function made of its slope.
+  // A function as the integral of its slope.
   Instruction of_integral(NodeId i) {
     const Node& n = node(i);
     const int slope = n.operation == Step::atan2
@@ -273,7 +274,7 @@ class TapeCompiler {
     made.extra = slope;
     return made;
   }
-  // Of atan2(y, x): (x y' - y x')/(x^2 + y^2).
+  // Slope of atan2(y, x): (x y' - y x')/(x^2 + y^2).
   int slope_of_angle(const Node& n) {
     const int y = series_[index(n.a)], x = series_[index(n.b)];
     const int up = emitted(Operation::product, x, slope_of(n.a)),
@@ -333,10 +334,10 @@ class TapeCompiler {
   detail::Recurrences needed_;
   const Graph& graph_;
   Tape& tape_;
-  std::vector<NodeId> slope_;  // of each function that is an integral, its derivative
+  std::vector<NodeId> slope_;  // derivative of each function that is an integral
   std::vector<int> uses_, degree_;
   std::vector<bool> absorbed_;
-  std::vector<int> series_;  // of each node; -1: none yet
+  std::vector<int> series_;  // series of each node; -1: none yet
 };
 
 Tape::Tape(const Graph& graph, const std::vector<NodeId>& outputs) {
@@ -353,7 +354,7 @@ bool Tape::depends_on_time() const {
     const auto at = static_cast<std::size_t>(series);
     return series >= 0 && at < is_time.size() && is_time[at];
   };
-  // A linear combination has terms for operands.
+  // The operands of a linear combination are terms.
   return std::ranges::any_of(instructions_,
                              [&](const Instruction& i) {
                                return i.operation != Operation::linear && (timed(i.a) || timed(i.b));

@@ -1,5 +1,5 @@
 /// @file
-/// A right-hand side as a tape: the list of its operations, from which Taylor coefficients are computed.
+/// A right-hand side as a tape: the list of its operations for Taylor coefficients.
 #pragma once
 
 #include <vector>
@@ -9,28 +9,27 @@
 
 namespace nlmech {
 
-/// The operations of a graph as the kernels of Taylor coefficients know them; see TapeExpansion.
+/// The operations of a graph in the form of the kernels for Taylor coefficients; see TapeExpansion.
 class Tape {
  public:
   /// No equations.
   Tape() = default;
-  /// Operations that no output needs are left out; sums, differences and multiples are gathered in linear
-  /// combinations.
+  /// Omits operations that no output needs; merges sums, differences and multiples into linear combinations.
   /// @param outputs the slopes of the state of @p graph
   /// @throws std::invalid_argument if they depend on a choice
   Tape(const program::Graph& graph, const std::vector<program::NodeId>& outputs);
 
   /// Components of the state.
   [[nodiscard]] int size() const { return static_cast<int>(outputs_.size()); }
-  /// Series that a replay keeps: the time, the state and one or two for each instruction.
+  /// Number of series of a replay: the time, the state, and one or two per instruction.
   [[nodiscard]] int series() const { return series_; }
-  /// Operations in one pass.
+  /// Number of instructions in one pass.
   [[nodiscard]] int instructions() const { return static_cast<int>(instructions_.size()); }
-  /// Does a component depend on the time, or on one that moves at a constant rate and so stands for it?
+  /// Does a component depend on the time, or on a component of constant rate, which is equivalent to it?
   [[nodiscard]] bool depends_on_time() const;
-  /// Does an output from number @p output on depend on a component from number @p component on?
+  /// Does any output with an index >= @p output depend on a component with an index >= @p component?
   [[nodiscard]] bool depends(int output, int component) const;
-  /// The tape as the kernels read it; valid as long as the tape lives and stays where it is.
+  /// The tape as data for the kernels; valid as long as this object exists and is not moved.
   [[nodiscard]] tape::Program program() const;
 
  private:

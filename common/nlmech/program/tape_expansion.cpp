@@ -30,7 +30,7 @@ TapeExpansion::TapeExpansion(InstructionSet set) : replay_(kernel(set)) {}
 void TapeExpansion::load(Tape tape, int order) {
   tape_ = std::move(tape);
   order_ = order;
-  // Whole lines of memory, an odd number of them.
+  // An odd number of whole cache lines.
   stride_ = std::ptrdiff_t{8} * ((order + 8) / 8);
   if (stride_ % 16 == 0) stride_ += 8;
   memory_.assign(static_cast<std::size_t>(tape_.series() * stride_), 0.0);

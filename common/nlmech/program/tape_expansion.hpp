@@ -1,5 +1,5 @@
 /// @file
-/// Taylor coefficients of a solution from a tape, in vectors that the processor has.
+/// Taylor coefficients of a solution from a tape, with vector instructions.
 #pragma once
 
 #include <cstddef>
@@ -10,29 +10,29 @@
 
 namespace nlmech {
 
-/// The set with which tapes are replayed: AVX2 where there is it, also beside AVX-512. Sums of at most a
-/// hundred terms are too short for eight lanes, and a wide load waits for the many coefficients that were
+/// The instruction set for the replay of tapes: AVX2 if available, also on processors with AVX-512. Sums of
+/// at most a hundred terms are too short for eight lanes, and a wide load stalls on coefficients that were
 /// just stored.
 [[nodiscard]] InstructionSet replay_instruction_set();
 
-/// The coefficients of the solution through a point. With a tape of m Cauchy products order p costs
-/// m p^2/2 multiplications and as many additions, squares half of that.
+/// Taylor coefficients of the solution through a point. For a tape of m Cauchy products order p costs m p^2/2
+/// multiplications and as many additions; squares cost half of that.
 ///
 /// Time is counted in units of a scale T, the paper's tau = t/T (Filipich and Rosales, Eq. 40): coefficient k
-/// is T^k times the Taylor coefficient. With a power of two for T all roundings are those of T = 1, and
-/// nothing overflows as long as T is not far from the radius of convergence.
+/// is T^k times the Taylor coefficient. For a power of two T all roundings are those of T = 1, and nothing
+/// overflows if T is near the radius of convergence.
 class TapeExpansion {
  public:
-  /// @param set which kernels to use: with more than the baseline those of AVX2. The two sum in other orders,
-  /// so their last digits differ.
-  /// @throws std::invalid_argument if this processor does not have it
+  /// @param set baseline kernels, or for any other set those of AVX2. Both sum in different orders, so the
+  /// last digits differ.
+  /// @throws std::invalid_argument if the processor does not have @p set
   explicit TapeExpansion(InstructionSet set = replay_instruction_set());
 
-  /// Takes a tape for series of order @p order >= 1. Allocates if it needs more memory than before.
+  /// Loads a tape for series of order @p order >= 1. Allocates if more memory is needed than before.
   void load(Tape tape, int order);
 
-  /// Computes the coefficients of the solution through @p x (as many components as the tape has) at time
-  /// @p t. Never throws; what is not finite stays so in the coefficients.
+  /// Computes the coefficients of the solution through @p x (with the size of the tape) at time @p t. Never
+  /// throws; values that are not finite propagate to the coefficients.
   void expand(double t, const double* x, double scale = 1);
 
   /// Coefficients 0 to order() of component @p i.

@@ -21,7 +21,7 @@ const tape::LaneKernel& lane_kernel(InstructionSet set) {
   return tape::baseline_lanes;
 }
 
-// A divisor of 1 is left out.
+// Do both have the same operation and series? A divisor of 1 is omitted, so both or none must have it.
 bool alike(const Instruction& a, const Instruction& b) {
   return a.operation == b.operation && a.line == b.line && a.r == b.r && a.a == b.a && a.b == b.b &&
          a.extra == b.extra && a.first == b.first && a.count == b.count &&

@@ -1,5 +1,5 @@
 /// @file
-/// Taylor coefficients of several solutions side by side, one a lane of the processor's vectors.
+/// Taylor coefficients of several solutions in parallel, one per lane of the vector registers.
 #pragma once
 
 #include <cstddef>
@@ -12,41 +12,41 @@
 
 namespace nlmech {
 
-/// As TapeExpansion, for as many solutions at once as there are lanes: of one right-hand side, or of several
-/// that differ in their constants alone. Every lane has the bits of a TapeExpansion with
-/// replay_instruction_set() (in baseline lanes: with InstructionSet::baseline), whatever the others hold;
-/// tests hold all operations to that.
+/// TapeExpansion for as many solutions in parallel as there are lanes: of one right-hand side, or of several
+/// that differ in constants only. Every lane has the bits of a TapeExpansion with replay_instruction_set()
+/// (baseline lanes: with InstructionSet::baseline), independent of the other lanes; tests assert this for all
+/// operations.
 class TapeLanes {
  public:
-  static constexpr int most_lanes = 16;  ///< of any processor
+  static constexpr int most_lanes = 16;  ///< largest number of lanes
 
-  /// @throws std::invalid_argument if this processor does not have @p set
+  /// @throws std::invalid_argument if the processor does not have @p set
   explicit TapeLanes(InstructionSet set = best_instruction_set());
 
-  /// Takes the operations of a tape for series of order @p order >= 2, with its constants in all lanes.
+  /// Loads the operations of a tape for series of order @p order >= 2, with its constants in all lanes.
   void load(Tape tape, int order);
-  /// Has @p tape the operations of the loaded one on the same operands, so that it can be put into a lane?
+  /// Does @p tape have the operations and operands of the loaded tape, so that a lane can hold it?
   [[nodiscard]] bool fits(const Tape& tape) const;
-  /// Puts the constants of a tape that fits into a lane.
+  /// Loads the constants of a tape that fits() into a lane.
   void put(int lane, const Tape& tape);
 
-  /// How many solutions at once.
+  /// Number of solutions in parallel.
   [[nodiscard]] int lanes() const { return static_cast<int>(lanes_); }
   /// Components of the state.
   [[nodiscard]] int size() const { return tape_.size(); }
   /// Order of the series.
   [[nodiscard]] int order() const { return order_; }
-  /// Where and with which unit of time a lane is to be expanded, see TapeExpansion::expand().
+  /// Sets time, state and unit of time for the expansion of a lane; see TapeExpansion::expand().
   void set(int lane, double t, const double* x, double scale);
   /// Expands all lanes.
   void expand();
   /// Coefficient @p k of component @p i in lane 0; those of the other lanes follow.
   [[nodiscard]] const double* coefficients(int i, int k) const { return at(i + 1, k); }
 
-  /// The sums of c_k s^k for k = 1, ..., order() of component @p i in lane 0, by the latest add_up(); those
+  /// The sum of c_k s^k for k = 1, ..., order() of component @p i in lane 0, from the latest add_up(); those
   /// of the other lanes follow.
   [[nodiscard]] const double* increments(int i) const { return sums_.get() + i * lanes_; }
-  /// Where the series of a lane is to be summed.
+  /// Sets the argument s for the sum of the series of a lane.
   void set_argument(int lane, double s) { arguments_.get()[lane] = s; }
   /// Sums the series of all lanes.
   void add_up();
@@ -55,7 +55,7 @@ class TapeLanes {
   struct Release {
     void operator()(double* p) const { ::operator delete[](p, std::align_val_t{64}); }
   };
-  /// Begins with a line of memory, as the widest registers want it.
+  /// Memory aligned to a cache line, for the widest registers.
   using Numbers = std::unique_ptr<double[], Release>;
   static Numbers zeros(std::ptrdiff_t count);
 
@@ -67,7 +67,7 @@ class TapeLanes {
   void first_linear(const tape::Program& program, int j);
 
   const tape::LaneKernel* kernel_;
-  std::ptrdiff_t lanes_;  // what pointers are moved by
+  std::ptrdiff_t lanes_;  // number of lanes, signed for pointer arithmetic
   int order_ = 0;
   Tape tape_;
   Numbers memory_, constants_, scales_, arguments_, sums_;

@@ -1,16 +1,17 @@
 /// @file
-/// A tape as the kernels read it: plain numbers in arrays.
+/// Data of a tape for the kernels: plain numbers in arrays.
 #pragma once
 
 #include <cstdint>
 
 namespace nlmech::tape {
 
-/// What an instruction computes, coefficient by coefficient; r is its own series, a and b are its arguments.
+/// Operation of an instruction on coefficients; r is the series of the result, a and b are those of the
+/// operands.
 enum class Operation : std::uint8_t {
   linear,              ///< factor (shift + sum of terms) / divisor
   product,             ///< a b
-  product_by_line,     ///< a b, where a has two coefficients
+  product_by_line,     ///< a b, where a is linear
   square,              ///< a a
   quotient,            ///< a / b
   reciprocal,          ///< factor / b
@@ -31,16 +32,16 @@ enum class Operation : std::uint8_t {
   power                ///< a^factor, and its slope in r + 1; extra: slope of a
 };
 
-/// One operation.
+/// An operation with its series and numbers.
 struct Instruction {
-  Operation operation;  ///< what
-  bool line;            ///< is `extra` the slope of a series of two coefficients?
+  Operation operation;  ///< the operation
+  bool line;            ///< is `extra` the slope of a linear series?
   int r;                ///< series of the result
   int a;                ///< series of the first operand
   int b;                ///< series of the second operand
   int extra;            ///< a further series, see Operation
   int first;            ///< first term of a linear combination
-  int count;            ///< how many terms it has
+  int count;            ///< number of terms
   double factor;        ///< a number, see Operation
   double divisor;       ///< a number, see Operation
   double shift;         ///< a number, see Operation
@@ -49,27 +50,27 @@ struct Instruction {
 /// A term of a linear combination.
 struct Term {
   double factor;  ///< number
-  int series;     ///< times this series
+  int series;     ///< series that it multiplies
 };
 
 /// A component of the right-hand side.
 struct Output {
-  int series;       ///< -1: a constant
-  double constant;  ///< its value
+  int series;       ///< series of the component; -1: a constant
+  double constant;  ///< value of the constant
 };
 
-/// A tape. Series 0 is the time, 1 to size the state, then the results of the instructions.
+/// A tape. Series 0 is the time, 1 to size are the state, then follow the results of the instructions.
 struct Program {
   const Instruction* instructions;  ///< in the order of evaluation
-  int instruction_count;            ///< how many
-  const Term* terms;                ///< of all linear combinations
-  int term_count;                   ///< how many
-  const Output* outputs;            ///< one a component of the state
+  int instruction_count;            ///< number of instructions
+  const Term* terms;                ///< terms of all linear combinations
+  int term_count;                   ///< number of terms
+  const Output* outputs;            ///< one per component of the state
   int size;                         ///< components of the state
 };
 
-/// Where the constants of a lane stand, if solutions side by side have their own: of each instruction three,
-/// then those of the terms, then those of the outputs.
+/// Indices of the constants of a lane if solutions have their own: three per instruction, then those of the
+/// terms, then those of the outputs.
 /// @{
 [[nodiscard, gnu::always_inline]] constexpr int factor_of(int instruction) { return 3 * instruction; }
 [[nodiscard, gnu::always_inline]] constexpr int divisor_of(int instruction) { return 3 * instruction + 1; }
@@ -82,24 +83,24 @@ struct Program {
 }
 /// @}
 
-/// Coefficients k = 1, ..., order - 1 of all series, and 2, ..., order of the state. @p memory: series i
-/// begins at memory + i stride. Coefficient k + 1 of the state is that of the right-hand side times *@p scale
-/// over k + 1: divided for k < first_reciprocal, else multiplied by the product of the scale and
-/// @p reciprocals[k]. For lanes every coefficient, constant and scale is one a lane.
+/// Computes coefficients k = 1, ..., order - 1 of all series, and 2, ..., order of the state. Series i starts
+/// at @p memory + i stride. Coefficient k + 1 of the state is that of the right-hand side times *@p scale /
+/// (k + 1): by division for k < first_reciprocal, otherwise by the product of the scale and @p
+/// reciprocals[k]. For lanes there is one coefficient, constant and scale per lane.
 using Replay = void (*)(const Program& program, const double* constants, double* memory, std::int64_t stride,
                         int order, const double* scale, const double* reciprocals);
 
-/// From this coefficient on the state is multiplied by a rounded reciprocal. Below, where terms are large, it
-/// is divided.
+/// First k with a rounded reciprocal in place of a division; terms below it are large.
 inline constexpr int first_reciprocal = 8;
 
 extern const Replay baseline_replay;  ///< compiled for every machine
-extern const Replay avx2_replay;      ///< the same text compiled for AVX2
+extern const Replay avx2_replay;      ///< compiled for AVX2
 
-/// Several solutions at once, one a lane.
+/// Kernel for several solutions in parallel, one per lane.
 struct LaneKernel {
-  int lanes;      ///< how many
-  Replay replay;  ///< for all lanes, with the bits of baseline_replay (in baseline_lanes) or avx2_replay
+  int lanes;  ///< number of lanes
+  Replay
+      replay;  ///< replay for all lanes, with the bits of baseline_replay (in baseline_lanes) or avx2_replay
   /// The sums of c_k s^k for k = 1, ..., order >= 2, of the components of the state: @p sums[i lanes + lane].
   void (*increments)(const double* memory, std::int64_t stride, int size, int order, const double* s,
                      double* sums);

@@ -1,5 +1,5 @@
 /// @file
-/// What the first pass over a tape computes, and numbers that all passes take. Internal to the component.
+/// Coefficients of the first pass over a tape, and constants of all passes. Internal to the component.
 #pragma once
 
 #include <utility>
@@ -9,13 +9,13 @@
 
 namespace nlmech::tape {
 
-/// Coefficient 0 of an instruction that is not linear; @p x is that of its argument, @p other of the second
-/// one. The result and that of its companion.
-/// @param factor its own, or that of a lane
+/// Coefficient 0 of a nonlinear instruction; @p x is that of its operand, @p other that of the second one.
+/// @return coefficient 0 of the result and of its companion series
+/// @param factor of the instruction, or of a lane
 [[nodiscard]] std::pair<double, double> first_coefficient(const Instruction& i, double factor, double x,
                                                           double other);
 
-/// Has the instruction a second series, whose coefficient 0 is not made by the passes?
+/// Does the instruction have a second series, whose coefficient 0 the passes do not compute?
 [[nodiscard]] bool has_companion(Operation operation);
 
 /// 1/(k + 1) for k = 0, ..., @p order.

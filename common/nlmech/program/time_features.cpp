@@ -13,7 +13,7 @@ struct Bounds {
   Interval value, rate;
 };
 
-/// States that a function of time alone does not depend on.
+/// Placeholder state for functions of time only.
 struct AnyState {
   Interval operator[](int) const { return {}; }
 };
@@ -24,12 +24,12 @@ Bounds bounds_of(const Program& function, const Interval& t) {
   return b;
 }
 
-/// The least and the greatest value of a function, to a quarter of their distance: best-first search. The
-/// whole line if it is not bounded, or they are not found.
+/// The range of a function to a quarter of its width, by best-first search; the whole line if it is not
+/// bounded or not found.
 Interval range_of(const Program& function, double t0, double t1) {
   struct Part {
     Interval t, value;
-    double open;  // by how much it may exceed what was found when it was made
+    double open;  // excess over the known range when it was added
     bool operator<(const Part& other) const { return open < other.open; }
   };
   double least = std::numeric_limits<double>::infinity(), greatest = -least;
@@ -50,7 +50,7 @@ Interval range_of(const Program& function, double t0, double t1) {
     const Part part = parts.top();
     parts.pop();
     if (open(part.value) <= (greatest - least) / 4) {
-      if (open(part.value) < part.open) continue;  // others may be more open by now
+      if (open(part.value) < part.open) continue;  // others may have a larger excess now
       return {least, greatest};
     }
     const double middle = part.t.low + part.t.width() / 2;
@@ -74,7 +74,7 @@ class Cells {
     if (variation_ > 0 && std::isfinite(variation_)) divide(t0, t1);
     if (left_ < 0) cells_.clear();
   }
-  /// In the order of time.
+  /// The cells in the order of time.
   [[nodiscard]] const std::vector<Cell>& all() const { return cells_; }
 
  private:
@@ -99,7 +99,7 @@ class Cells {
   void add(const Cell& cell) {
     cells_.push_back(cell);
     without_rest_ = cell.rests ? 0 : without_rest_ + 1;
-    constexpr int most_without_rest = 4000;  // a wave
+    constexpr int most_without_rest = 4000;  // limit of cells: then the function is a wave
     if (without_rest_ > most_without_rest) left_ = -1;
   }
 
@@ -109,11 +109,11 @@ class Cells {
   std::vector<Cell> cells_;
 };
 
-/// Adds the places of one function.
+/// Adds the times of one function.
 void add_places(const Program& function, double t0, double t1, std::vector<double>& places) {
   constexpr int first_cells = 12;
   const Cells cells(function, t0, t1);
-  int active = first_cells;  // cells since the last rest; as if many where it does not start with one
+  int active = first_cells;  // cells since the last rest; many if the function does not start with a rest
   for (const Cells::Cell& cell : cells.all()) {
     active = cell.rests ? 0 : active + 1;
     if (active == 1 && cell.t0 > t0) places.push_back(cell.t0);
@@ -121,7 +121,7 @@ void add_places(const Program& function, double t0, double t1, std::vector<doubl
   }
 }
 
-/// Adds the activities of one function that are no longer than @p longest.
+/// Adds the activities of one function of a duration up to @p longest.
 void add_activities(const Program& function, double t0, double t1, double longest,
                     std::vector<TimeFeatures::Activity>& all) {
   const Cells cells(function, t0, t1);
@@ -135,7 +135,8 @@ void add_activities(const Program& function, double t0, double t1, double longes
   }
 }
 
-/// Can it rest and then change fast? Sums and products of what cannot cannot either, nor can waves.
+/// Can the function rest and then change fast? Sums and products of functions that cannot do so cannot
+/// either, nor can sine and cosine of a constant frequency.
 bool may_rest(Graph& graph, const Node& node) {
   switch (node.operation) {
     case Operation::quotient:
@@ -213,7 +214,7 @@ std::vector<TimeFeatures::Activity> TimeFeatures::short_activities(double t0, do
   if (!(t0 < t1) || !std::isfinite(t1 - t0)) return all;
   for (const Program& function : functions_) add_activities(function, t0, t1, longest, all);
   std::ranges::sort(all, {}, &Activity::t0);
-  // Parts of one pulse: each function that is made of it has its own.
+  // Merges the parts of one pulse: each function that contains it has its own.
   std::vector<Activity> once;
   for (const Activity& a : all) {
     if (!once.empty() && a.t0 <= once.back().t1)

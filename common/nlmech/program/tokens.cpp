@@ -18,7 +18,7 @@ namespace {
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 
-/// Signs as they are printed, with what is typed for them.
+/// Printed signs, with messages that give the typed ones.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 19> printed = {{
     {"\u2264", "this is typed <="},
     {"\u2265", "this is typed >="},
@@ -41,7 +41,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 19> printed 
     {"\u2009", "this is no common blank"},
 }};
 
-/// Reads a text from its start to its end.
+/// Splits a text into tokens.
 class Reader {
  public:
   Reader(const SourceText& source, Separator separator)
@@ -157,7 +157,7 @@ class Reader {
   void read_name(bool blank) {
     std::size_t letters = 0;
     while (is_letter(peek(letters)) || is_digit(peek(letters))) ++letters;
-    if (letters > longest_name)  // messages repeat names as they are
+    if (letters > longest_name)  // messages contain names unabridged
       throw source_.mistake({at_, at_ + letters},
                             fmt::format("a name has at most {} characters", longest_name));
     std::size_t primes = 0;

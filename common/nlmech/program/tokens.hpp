@@ -1,5 +1,5 @@
 /// @file
-/// The words and signs of an equation.
+/// Tokens of equations.
 #pragma once
 
 #include <vector>
@@ -8,10 +8,10 @@
 
 namespace nlmech::program {
 
-/// What stands between statements beside the ends of lines.
+/// Separator of statements, in addition to line ends.
 enum class Separator : char { semicolon = ';', comma = ',' };
 
-/// What a token is. Signs are their own kind.
+/// Kind of a token. Each sign is a kind.
 enum class TokenKind {
   number,
   name,
@@ -28,24 +28,25 @@ enum class TokenKind {
   at_most,           ///< <=
   above,             ///< >
   below,             ///< <
-  text,              ///< "..." behind `table(`
+  text,              ///< "..." after `table(`
   end_of_statement,  ///< a semicolon, or the end of a line after which the statement is complete
   end_of_text
 };
 
-/// A word or sign.
+/// A token: a number, name or sign.
 struct Token {
   TokenKind kind;     ///< what
-  Place place;        ///< where, primes included
-  double number = 0;  ///< of a number
-  int primes = 0;     ///< behind a name
-  Place name;         ///< of a name, without its primes
-  bool after_blank;   ///< does a blank or the start of the text stand before it?
+  Place place;        ///< place in the text, including primes
+  double number = 0;  ///< value of a number
+  int primes = 0;     ///< number of primes of a name
+  Place name;         ///< place of a name without its primes
+  bool after_blank;   ///< is it preceded by a blank or the start of the text?
 };
 
-/// All tokens of a text; the last is end_of_text. `#` begins a comment, to the end of its line. The end of a
-/// line ends a statement unless a bracket is open or a sign waits for its second operand.
-/// @throws InputError that points at what can be no part of an equation, and for a number that is not finite
+/// All tokens of a text; the last is end_of_text. `#` starts a comment, to the end of its line. The end of a
+/// line ends a statement unless a bracket is open or a sign lacks its second operand.
+/// @throws InputError with the position of text that cannot be part of an equation, and for a number that is
+/// not finite
 [[nodiscard]] std::vector<Token> tokens_of(const SourceText& source, Separator separator);
 
 }  // namespace nlmech::program

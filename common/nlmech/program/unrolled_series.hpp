@@ -1,12 +1,11 @@
 /// @file
-/// Power series of which every pass is a function of its own: the number of the coefficient is known to the
-/// compiler, so that all sums are unrolled and all places in memory are constants.
+/// Power series with one function per pass: the index of the coefficient is a compile-time constant, so all
+/// sums are unrolled and all memory offsets are constants.
 ///
 /// An expression is evaluated once for every order, as with GrowingSeries, but each time with another type:
-/// UnrolledSeries<k> computes coefficient k of each of its operations from those below. Sums run in four
-/// partial sums, squares in half of the products, and the two products with the newest coefficients come
-/// last, so that everything else is done before they are known. Strict IEEE arithmetic: nothing is left for
-/// the compiler to reorder.
+/// UnrolledSeries<k> computes coefficient k of each operation from those below. Sums have four partial sums,
+/// squares half of the products. The two products with the newest coefficients come last, so the other terms
+/// do not wait for them. Arithmetic is strict IEEE: the compiler reorders nothing.
 #pragma once
 
 #include <algorithm>
@@ -24,17 +23,16 @@ namespace nlmech {
 
 namespace unrolled {
 
-/// Highest order of a solution: the highest that any tolerance asks for. Instrumented code is many times
-/// larger and takes minutes to compile: with a sanitizer fewer orders are unrolled, and more left to the
-/// tape.
+/// Highest unrolled order of a solution; the tape computes higher ones. Instrumented code is many times
+/// larger and takes minutes to compile: with a sanitizer fewer orders are unrolled.
 #if defined(__SANITIZE_ADDRESS__)
 inline constexpr int most_order = 10;
 #else
 inline constexpr int most_order = 33;
 #endif
 inline constexpr std::ptrdiff_t stride =
-    std::ptrdiff_t{most_order + 8} / 8 * 8;  ///< from one series to the next in memory
-inline constexpr int endless = 1 << 20;      ///< degree of what is no polynomial in the time
+    std::ptrdiff_t{most_order + 8} / 8 * 8;  ///< distance between series in memory
+inline constexpr int endless = 1 << 20;      ///< degree of an expression that is not a polynomial in time
 
 /// The sum of a[i] b[-i] for i = 0, ..., n - 1, in four partial sums.
 template <int n>
@@ -78,16 +76,16 @@ template <int n>
 
 }  // namespace unrolled
 
-/// One pass over the operations of an expression: hands out places in memory, in the order of the operations.
+/// One pass over the operations of an expression: assigns memory in the order of the operations.
 template <int k>
 struct UnrolledPass {
-  double* memory;  ///< series number i begins at memory + i stride; null: operations are only counted
-  int used;        ///< series that have a place
-  bool announced;  ///< has the problem announced where it branches in time?
+  double* memory;  ///< series i starts at memory + i stride; null: operations are only counted
+  int used;        ///< number of series with memory
+  bool announced;  ///< does the problem give its discontinuities?
 };
 
-/// A power series in the pass for coefficient k, or a constant. See the head of this file. It has the
-/// operations of arithmetic, roots, exponentials, sines and cosines; equations with others take the tape.
+/// A power series in the pass for coefficient k, or a constant; see the head of this file. It has arithmetic,
+/// roots, exponentials, sines and cosines; equations with other functions use the tape.
 template <int k>
 class UnrolledSeries {
  public:
@@ -140,7 +138,7 @@ class UnrolledSeries {
                                                                                : unrolled::endless;
     return r.keep(product(a, b));
   }
-  /// Quotient. A divisor that begins with 0 gives infinities and NaN, as numbers do.
+  /// Quotient. A divisor with c_0 = 0 gives infinities and NaN, as for numbers.
   [[gnu::always_inline]] friend UnrolledSeries operator/(const UnrolledSeries& a, const UnrolledSeries& b) {
     if (a.is_constant() && b.is_constant()) return a.value_ / b.value_;
     if (b.is_constant()) return linear(a, b, a.coefficient() / b.value_);
@@ -176,7 +174,7 @@ class UnrolledSeries {
     if constexpr (k <= 0) return r.keep(std::exp(a.value_));
     return r.keep(slope.times_rest(r, a.degree_) / k);
   }
-  /// Sine and cosine of one argument, which need each other.
+  /// Sine and cosine of one argument, by coupled recurrences.
   [[gnu::always_inline]] friend std::pair<UnrolledSeries, UnrolledSeries> sin_cos(const UnrolledSeries& a) {
     if (a.is_constant()) return {std::sin(a.value_), std::cos(a.value_)};
     const UnrolledSeries d = a.slope();
@@ -206,8 +204,8 @@ class UnrolledSeries {
       if (rest == 1) return p < 0 ? 1 / r : r;
     }
   }
-  /// The number inside c_0, for a branch. @throws std::invalid_argument if it depends on the state, or the
-  /// problem has not announced its branches
+  /// The value of c_0, for a branch. @throws std::invalid_argument if it depends on the state, or if the
+  /// problem does not give its discontinuities
   [[gnu::always_inline]] friend double value_of(const UnrolledSeries& a) {
     if (a.is_constant()) return a.value_;
     if (!a.timed_ || !a.pass_->announced) throw_unannounced_branch(a.timed_);
@@ -222,7 +220,7 @@ class UnrolledSeries {
     return pass_->memory + series_ * unrolled::stride;
   }
 
-  /// A place for the next operation, on @p a and @p b.
+  /// The series of the next operation, on @p a and @p b.
   [[gnu::always_inline]] static UnrolledSeries result(const UnrolledSeries& a, const UnrolledSeries& b) {
     UnrolledSeries r;
     r.pass_ = a.is_constant() ? b.pass_ : a.pass_;
@@ -256,7 +254,7 @@ class UnrolledSeries {
       return old + (a.data()[0] * b.value_ + a.value_ * b.data()[0]);
     }
   }
-  /// The series s a'(s), of which functions with a differential equation are made.
+  /// The series s a'(s), for functions with a differential equation.
   [[nodiscard, gnu::always_inline]] UnrolledSeries slope() const {
     UnrolledSeries r = result(*this, *this);
     r.degree_ = degree_;
@@ -281,7 +279,7 @@ class UnrolledSeries {
 }  // namespace nlmech
 
 /// @cond Doxygen cannot follow specialisations of another library's templates
-// What Eigen has to know about these series as entries of vectors.
+// Traits of these series as entries of Eigen vectors.
 template <int k>
 struct Eigen::NumTraits<nlmech::UnrolledSeries<k>>
     : nlmech::detail::NumberTraits<nlmech::UnrolledSeries<k>, 5, 10, 100> {};

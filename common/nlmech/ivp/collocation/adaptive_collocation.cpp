@@ -29,25 +29,25 @@ void check_options(const AdaptiveCollocation& method) {
 namespace adaptive {
 namespace {
 
-/// Control of the order: one engine in several orders, with the engine's own interface. After each step the
-/// engine says whether a neighbour would do better, and the neighbour goes on from its trial function.
-/// @tparam Engine by rising order; all for the same system
+/// Order control: one engine in several orders, with the interface of the engine. After each step the engine
+/// decides whether a neighbouring order is cheaper, which then continues from its trial function.
+/// @tparam Engine engines of increasing order for the same system
 template <class... Engine>
 class Orders {
  public:
-  static constexpr int count = sizeof...(Engine);  ///< of orders
+  static constexpr int count = sizeof...(Engine);  ///< number of orders
 
-  /// @param order which one begins, from 0
-  /// @param is_fixed does it stay there?
+  /// @param order first order, from 0
+  /// @param is_fixed is the order constant?
   Orders(const Setup& setup, int order, bool is_fixed)
       : engines_(for_each_of<Engine>(setup)...), order_(order), is_fixed_(is_fixed) {}
 
-  /// Calls @p work with the engine that is at work, and answers what it does.
+  /// Calls @p work with the current engine and returns its result.
   template <class Work>
   decltype(auto) current(Work&& work) {
     return at<0>(*this, order_, work);
   }
-  /// The same, for looking.
+  /// The same for a constant engine.
   template <class Work>
   decltype(auto) current(Work&& work) const {
     return at<0>(*this, order_, work);
@@ -62,11 +62,11 @@ class Orders {
   Trial attempt(double t, double t1, Statistics& statistics) {
     return current([&](auto& e) { return e.attempt(t, t1, statistics); });
   }
-  /// Power of the step with which the estimate grows.
+  /// Power of the step size in the error estimate.
   [[nodiscard]] int error_order() const {
     return current([](const auto& e) { return e.error_order(); });
   }
-  /// Takes the trial for the start of the next, with another order if that will do better.
+  /// Accepts the trial and changes the order if another one is cheaper.
   void accept(Statistics& statistics) {
     const int better = current([&](auto& e) {
       const int change = e.better_order();
@@ -107,17 +107,16 @@ class Orders {
   int steps_ = 0;
 };
 
-// Which order an integration begins with: that of the nodes asked for, else what suits the tolerance.
+// First order of an integration: by the option `nodes`, or by the tolerance.
 int first_order(const AdaptiveCollocation& method) {
   if (method.nodes > 0) return (method.nodes - 9) / 4;
-  // Where 13 and 17 nodes begin to be cheaper, on problems of a few components.
+  // Tolerances below which 13 and 17 nodes are cheaper, for problems of a few components.
   if (method.relative_tolerance > 3e-6) return 0;
   return method.relative_tolerance > 3e-11 ? 1 : 2;
 }
 
-/// One integration from begin to end. It begins with sweeps, goes over to Newton's iteration where their
-/// contraction bounds the steps more than the error does, and comes back where the steps have become short
-/// against the time constants.
+/// One integration. It starts with sweeps, changes to Newton's iteration when their contraction limits the
+/// step size more than the error does, and changes back when the steps are short against the time constants.
 template <class Sweeps, class Newton>
 class Run : public AdaptiveStepLoop<System, Run<Sweeps, Newton>> {
  public:
@@ -142,21 +141,21 @@ class Run : public AdaptiveStepLoop<System, Run<Sweeps, Newton>> {
   using Base::now_;
 
   static constexpr std::string_view name = AdaptiveCollocation::name;
-  // Of the tolerance in a step of sweeps: errors of an oscillation add up over its steps, and in time.
+  // Fraction of the tolerance for a step of sweeps: errors of an oscillation accumulate.
   static constexpr double caution = 0.1;
-  static constexpr double safety = 0.85;            // of sweeps
-  static constexpr double safety_newton = 0.93;     // their estimate is mostly too large
-  static constexpr double rest = 1.2;               // a longer step has to be longer by this
-  static constexpr int many_sweeps = 8;             // more than that are dearer than shorter steps
-  static constexpr double most_growth = 2;          // of a step
-  static constexpr double first_growth = 8;         // of the first ones, whose length was a guess
-  static constexpr double telling = 1e-8;           // error of a step after which the length is no guess
-  static constexpr double least_remembered = 0.01;  // of errors, which pass through zero
-  static constexpr int max_slow_trials = 4;         // half as many slow trials, before Newton's iteration
-  static constexpr double much = 1.5;  // longer that the error would allow a step that sweeps bound
-  static constexpr int calm = 20;      // steps short against the time constants, before sweeps
-  static constexpr double gentle = 1;  // h |J| of such steps
-  // Both engines have the same interface; each works in the order that it has come to.
+  static constexpr double safety = 0.85;         // safety factor of sweeps
+  static constexpr double safety_newton = 0.93;  // of Newton's iteration, whose estimate is mostly too large
+  static constexpr double rest = 1.2;            // smallest factor by which a step size is increased
+  static constexpr int many_sweeps = 8;          // more sweeps cost more than shorter steps
+  static constexpr double most_growth = 2;       // largest factor on the step size
+  static constexpr double first_growth = 8;      // the same for the first steps, whose size is a guess
+  static constexpr double telling = 1e-8;        // error above which the step size is no guess
+  static constexpr double least_remembered = 0.01;  // smallest error to remember: errors pass through zero
+  static constexpr int max_slow_trials = 4;  // twice the number of slow trials before Newton's iteration
+  static constexpr double much = 1.5;        // factor that the error allows on a step size limited by sweeps
+  static constexpr int calm = 20;            // number of steps short against the time constants before sweeps
+  static constexpr double gentle = 1;        // largest h |J| of such steps
+  // Calls @p work with the current engine; both have the same interface.
   template <class Work>
   decltype(auto) engine(Work work) {
     return is_stiff_ ? newton_.current(work) : sweeps_.current(work);
@@ -205,15 +204,15 @@ class Run : public AdaptiveStepLoop<System, Run<Sweeps, Newton>> {
     return status;
   }
 
-  // What the next step may be times as long: by the error, and by the iterations.
+  // Factor on the step size for the next step, by the error and by the iterations.
   [[nodiscard]] double growth(double error) {
     double change = control_.change(safe(), root(error), root(std::max(error, least_remembered)));
     is_guess_ = is_guess_ && error < telling;
     if (is_stiff_) {
       calm_ = newton_.current([](const auto& e) { return e.stiffness(); }) < gentle ? calm_ + 1 : 0;
     } else {
-      // In a problem that has become stiff every second trial takes many sweeps, or does not converge. Two
-      // such trials are enough: with more, sweeps take much of the work on a problem such as HIRES.
+      // In a problem that becomes stiff every second trial takes many sweeps or does not converge. Two such
+      // trials suffice: with more, sweeps dominate the cost of a problem such as HIRES.
       const bool is_slow = trial_.iterations > many_sweeps;
       slow_ = is_slow && change > much ? slow_ + 2 : std::max(0, slow_ - 1);
       if (is_slow)
@@ -232,10 +231,10 @@ class Run : public AdaptiveStepLoop<System, Run<Sweeps, Newton>> {
   Newton newton_;
 };
 
-/// Sweeps of the three orders that the control chooses from.
+/// Sweeps of the three orders.
 template <bool second>
 using AllSweeps = Orders<Sweeper<8, second>, Sweeper<12, second>, Sweeper<16, second>>;
-/// Newton's steps of the three orders that the control chooses from.
+/// Newton's iteration of the three orders.
 using AllNewtonSteps = Orders<NewtonSteps<3>, NewtonSteps<5>, NewtonSteps<7>>;
 
 }  // namespace

@@ -1,5 +1,5 @@
 /// @file
-/// The project's own integrator: collocation at Radau nodes with control of step and error.
+/// adaptive-collocation: collocation at Radau nodes with control of step size and error.
 #pragma once
 
 #include <string_view>
@@ -8,28 +8,27 @@
 
 namespace nlmech::ivp {
 
-/// Collocation with polynomials at the left end and Radau nodes, the method Radau IIA of high order, step by
-/// step under an error estimate; in the form for accelerations where the problem has them.
+/// Collocation with polynomials at the left end and Radau nodes (Radau IIA of high order) with an error
+/// estimate in each step; in second-order form if the problem gives accelerations.
 ///
-/// Controlled is the error of a step, |e_i| <= atol + rtol |x_i|. What steps add up to is the problem's: the
-/// end of a stable stiff problem is right to a few tolerances, that of an oscillation off by about as many as
-/// there are periods.
+/// The error of a step is controlled: |e_i| <= atol + rtol |x_i|. The accumulated error depends on the
+/// problem: a few tolerances for a stable stiff problem, about one tolerance per period for an oscillation.
 ///
-/// Dense output of sweeps solves the equations of the step anew up to the asked time: as accurate as the
-/// steps are. What it costs is not in the statistics.
+/// Dense output of sweeps solves the equations of the step again up to the requested time and is as accurate
+/// as the steps. The statistics do not include its cost.
 ///
-/// Tests hold sweeps to the tolerance in every step at the orders that the method chooses, Newton's steps
-/// through transients and the jumps of van der Pol's oscillator to 3 tolerances, ends of stiff problems to 30
-/// (HIRES, Robertson, van der Pol to mu = 1e4, linear systems with known solutions), and polynomials of
-/// degree 2 s - 2 in time to 16 eps.
+/// Tests assert an error of one tolerance in every step of sweeps at the orders that the method chooses, of 3
+/// tolerances in Newton's steps through transients and the jumps of van der Pol's oscillator, of 30
+/// tolerances at the end of stiff problems (HIRES, Robertson, van der Pol to mu = 1e4, linear systems with
+/// known solutions), and of 16 eps for polynomials of degree 2 s - 2 in time.
 struct AdaptiveCollocation {
   static constexpr std::string_view name = "adaptive-collocation";  ///< on command lines and in tables
   double relative_tolerance = 1e-9;                                 ///< rtol, from 0 to 0.1
   double absolute_tolerance = 1e-9;                                 ///< atol, positive
-  int nodes = 0;            ///< N of sweeps, the left end among them: 9, 13 or 17; 0: as is best
+  int nodes = 0;            ///< N of sweeps including the left end: 9, 13 or 17; 0: adaptive
   double largest_step = 0;  ///< 0: the interval
-  double shape = 0;  ///< c of Gaussians at the nodes, 1/time; 0: polynomials. For comparison: each length of
-                     ///< a step has its own tables, and the estimate cannot count on superconvergence
+  double shape = 0;  ///< c of Gaussians at the nodes, 1/time; 0: polynomials. For comparison only: each step
+                     ///< size needs its own tables, and the estimate cannot use superconvergence
 };
 
 /// @throws std::invalid_argument naming an option out of range and its value

@@ -35,7 +35,7 @@ class CollocationStepper : public Stepper {
   /// @param system outlives the stepper
   /// @param basis on the unit interval, the first node at its start
   /// @param newton the iteration for a step's equations
-  /// @param name the method's, for messages
+  /// @param name of the method, for messages
   CollocationStepper(const System& system, collocation::Basis basis, const algebraic::Newton& newton,
                      std::string_view name)
       : Stepper(system.size()),
@@ -55,13 +55,13 @@ class CollocationStepper : public Stepper {
     this->states_.resize(system.size(), inner_);
   }
 
-  /// The method's.
+  /// Name of the method.
   [[nodiscard]] std::string_view name() const { return name_; }
 
   /// The next step starts a segment on which f is smooth.
   void begin_segment(double begin, double end) { segment_ = SmoothSegment(begin, end); }
 
-  /// From t to t + h.
+  /// Integrates from t to t + h.
   Status step(double t, double h, const State& x0, State& x1, Statistics& statistics) {
     t0_ = t;
     h_ = h;
@@ -83,7 +83,7 @@ class CollocationStepper : public Stepper {
     return step_not_solved(name_, outcome, t, h, static_cast<int>(statistics.newton_iterations - before));
   }
 
-  /// The trial function itself.
+  /// Dense output: the trial function.
   void at(double t, State& x) const override {
     const Eigen::VectorXd row = basis_.row((t - t0_) / h_);
     x = row[0] * x0_;
@@ -132,7 +132,7 @@ class CollocationStepper : public Stepper {
   std::string_view name_;
   Eigen::Index inner_;
   SmoothSegment segment_;
-  std::vector<double> asked_;  // times at which f is asked for
+  std::vector<double> asked_;  // times at which f is evaluated
   Eigen::VectorXd unknowns_;
   algebraic::Workspace<Eigen::VectorXd> work_;
   Nodes derivatives_;

@@ -1,6 +1,6 @@
 /// @file
-/// Products of the small matrices of collocation as plain loops: as fast as Eigen's and compiled in a tenth
-/// of the time, which counts in code that is instantiated for every order and every size of state.
+/// Products of the small matrices of collocation as plain loops: as fast as Eigen and compiled in a tenth of
+/// the time, which matters in code that is instantiated for every order.
 #pragma once
 
 #include <Eigen/Core>
@@ -66,7 +66,7 @@ template <int s>
   return sum == 0;
 }
 
-/// Factors of the recurrence (j + 1) P_{j+1} = (2j + 1) x P_j - j P_{j-1}, divided beforehand.
+/// Factors of the recurrence (j + 1) P_{j+1} = (2j + 1) x P_j - j P_{j-1}, as quotients.
 struct LegendreRecurrence {
   std::array<double, 16> up{};    ///< (2j + 1)/(j + 1)
   std::array<double, 16> down{};  ///< (j + 1)/(j + 2)

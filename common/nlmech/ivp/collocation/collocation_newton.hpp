@@ -21,24 +21,24 @@
 
 namespace nlmech::ivp::adaptive {
 
-/// Steps of s nodes, s odd, by simplified Newton iterations on the increments z_i = x_i - x_0, with one
-/// Jacobian for all nodes and, where it changes little, for many steps. In the coordinates of RadauTransform
-/// an iteration solves one real and (s - 1)/2 complex systems of the size of the state (E. Hairer and G.
-/// Wanner, Stiff differential equations solved by Radau methods, J. Comput. Appl. Math. 111 (1999) 93-111).
+/// Steps with s nodes, s odd, by simplified Newton iterations on the increments z_i = x_i - x_0, with one
+/// Jacobian for all nodes and, if it changes little, for many steps. In the coordinates of RadauTransform an
+/// iteration solves one real and (s - 1)/2 complex systems of the size of the state (E. Hairer and G. Wanner,
+/// Stiff differential equations solved by Radau methods, J. Comput. Appl. Math. 111 (1999) 93-111).
 ///
-/// Error at the end of the step, e_i <= absolute + relative |x_i| at the start. The trial function fails the
-/// equation by the defect r, which is 0 at the nodes. Two samples of it, at the start and at an inner time,
-/// are carried to the end by the equation's linear part (collocation::RadauDefect): exact, but for a factor
-/// of a few, for linear equations with any spectrum, through transients that the step does not resolve, and
-/// where stiffness reduces the order; it vanishes like h^(2s) where superconvergence holds. What it does not
-/// see is how far nodes miss in the integral of a solution that bends on its own: of coefficients that decay
-/// geometrically, a share r_0/f of r_0, of which a tenth is added (in tests the whole is 10 to 100 times too
-/// much). Errors of steps of which a tenth of the tolerance can be checked are at most 1.4 times the estimate
-/// in HIRES and through the jumps of van der Pol's oscillator, on average a quarter of it.
+/// Error at the end of the step, e_i <= absolute + relative |x_i| at the start. The trial function has the
+/// defect r, which is 0 at the nodes. The linear part of the equation propagates two samples of r, at the
+/// start and at an inner time, to the end (collocation::RadauDefect). This estimate is exact up to a small
+/// factor for linear equations with any spectrum, through transients that the step does not resolve, and
+/// under order reduction by stiffness; it decreases like h^(2s) with superconvergence. It does not include
+/// the quadrature error for a nonlinear solution: for coefficients that decay geometrically, the fraction
+/// r_0/f of r_0. A tenth of that is added (in tests all of it is 10 to 100 times too large). In HIRES and
+/// through the jumps of van der Pol's oscillator the errors of steps, where a tenth of the tolerance can be
+/// verified, are at most 1.4 times the estimate, on average a quarter of it.
 template <int s>
 class NewtonSteps : public DenseOutput {
  public:
-  /// @param setup the equation and what is asked
+  /// @param setup system, tolerance and basis
   explicit NewtonSteps(const Setup& setup)
       : system_(setup.system),
         tolerance_(setup.tolerance),
@@ -81,14 +81,14 @@ class NewtonSteps : public DenseOutput {
   [[nodiscard]] const State& begin_state() const { return x0_; }
   /// State at the end of the trial.
   [[nodiscard]] const State& end_state() const { return x1_; }
-  /// h |J|, the greatest row sum, in the latest trial: how stiff the problem is for its step.
+  /// h |J| (largest row sum) in the latest trial: stiffness of the problem for its step size.
   [[nodiscard]] double stiffness() const {
     return std::abs(h_) * jacobian_.cwiseAbs().rowwise().sum().maxCoeff();
   }
 
-  /// Power of the step with which the estimate grows; less where the problem is stiff.
+  /// Power of the step size in the error estimate; less where the problem is stiff.
   [[nodiscard]] int error_order() const { return 2 * s; }
-  /// Goes from the start, t, to t1.
+  /// Trial step from the start, t, to t1.
   Trial attempt(double t, double t1, Statistics& statistics) {
     t0_ = t;
     t1_ = t1;
@@ -114,22 +114,22 @@ class NewtonSteps : public DenseOutput {
     trial.converged = all_finite(x1_.data(), x1_.size()) && std::isfinite(trial.error);
     return trial;
   }
-  /// Takes the trial for the start of the next.
+  /// Accepts the trial; its end becomes the start of the next step.
   void accept(Statistics& statistics) {
     std::swap(x0_, x1_);
     carry_ = change_;
     last_ = z_;
     last_length_ = h_;
     left_before_ = left_;
-    // Not that of the trial function there, (A^-1 z)_s/h: so the next estimate sees what Newton's iteration
-    // has left.
+    // Evaluated, not taken from the trial function as (A^-1 z)_s/h, so that the next error estimate includes
+    // the residual of Newton's iteration.
     system_.rhs(segment_(t1_), x0_, f0_);
     ++statistics.right_hand_sides;
     if (contraction_ > keep_jacobian) has_jacobian_ = false;
     is_fresh_ = false;
   }
 
-  /// Goes on where another order has come to, from its trial function.
+  /// Continues from the state and trial function of another order.
   template <int other>
   [[gnu::noinline]] void continue_from(const NewtonSteps<other>& from) {
     segment_ = from.segment_;
@@ -150,14 +150,14 @@ class NewtonSteps : public DenseOutput {
       for (Eigen::Index d = 0; d < x0_.size(); ++d) last_(i, d) = dot<other>(row, from.nodes(from.last_, d));
     }
   }
-  /// After a trial: 1 where Newton's iteration converges at once and more nodes would let the steps become
-  /// longer; -1 where it hardly converges, which longer steps make worse (Hairer and Wanner).
+  /// Change of order after a trial: 1 if Newton's iteration converges fast, so that more nodes allow larger
+  /// steps; -1 if it converges slowly, which larger steps make worse (Hairer and Wanner); otherwise 0.
   [[nodiscard]] int better_order() const {
     if (contraction_ > 0.8) return -1;
     return contraction_ < 0.002 && iterations_ > 1 ? 1 : 0;
   }
 
-  /// The trial function itself, of order s + 1.
+  /// Dense output: the trial function, of order s + 1.
   void at(double t, State& x) const override {
     if (t == t0_ || t == t1_) {
       x = t == t0_ ? x0_ : x1_;
@@ -172,17 +172,17 @@ class NewtonSteps : public DenseOutput {
  private:
   template <int>
   friend class NewtonSteps;
-  using Increments = Eigen::Matrix<double, s, Eigen::Dynamic>;  // at all nodes, a component a column
+  using Increments = Eigen::Matrix<double, s, Eigen::Dynamic>;  // at all nodes, one component per column
   using Row = Column<s>;                                        // a number for each node
   using ComplexFactors = algebraic::DenseLu<std::complex<double>>;
-  static constexpr std::size_t pairs = (s - 1) / 2;  // of complex eigenvalues
+  static constexpr std::size_t pairs = (s - 1) / 2;  // pairs of complex eigenvalues
   static constexpr int most_iterations = 7 + (s - 3) * 5 / 2;
-  static constexpr double keep_jacobian = 1e-3;  // contraction
-  static constexpr double share = 0.05;          // of the tolerance that the iteration may leave
-  static constexpr double enlarged = 2;          // by which that rest enters the estimate, at most
-  static constexpr double visible = 0.1;         // of an estimate that may be all rest: steps grow by little
-  static constexpr double seen_in_tests = 0.1;   // of what nodes may miss: see the class
-  static constexpr double least_trusted = 1e-3;  // contraction, before a step has shown its own
+  static constexpr double keep_jacobian = 1e-3;  // largest contraction that keeps the Jacobian
+  static constexpr double share = 0.05;          // residual of the iteration, in tolerances
+  static constexpr double enlarged = 2;         // factor of the residual that is subtracted from the estimate
+  static constexpr double visible = 0.1;        // smallest part of the estimate after the subtraction
+  static constexpr double seen_in_tests = 0.1;  // factor of the quadrature error: see the class
+  static constexpr double least_trusted = 1e-3;  // smallest contraction assumed at the start of an iteration
 
   template <std::size_t... p>
   [[nodiscard]] std::array<ComplexFactors, pairs> of_each_pair(std::index_sequence<p...> /*pairs*/) const {
@@ -206,7 +206,7 @@ class NewtonSteps : public DenseOutput {
       row[j] = value;
     }
   }
-  // What l_j is to be multiplied by, once and for all.
+  // Constant factors of the l_j.
   [[nodiscard]] static Row lagrange_scale(const Row& at) {
     Row scale;
     for (int j = 0; j < s; ++j) {
@@ -242,7 +242,7 @@ class NewtonSteps : public DenseOutput {
 
   [[gnu::noinline]] Trial iterate(Statistics& statistics) {
     const double enough = std::max(share, 20 * std::numeric_limits<double>::epsilon() / least_relative());
-    // What the step before says of the contraction is forgotten little by little.
+    // The contraction of the last step is forgotten gradually.
     double eta = std::pow(std::max(eta_, least_trusted), 0.8);
     double before = HUGE_VAL, contraction_before = 0;
     contraction_ = 0;
@@ -282,7 +282,7 @@ class NewtonSteps : public DenseOutput {
     for (Eigen::Index i = 0; i < x0_.size(); ++i) largest = std::max(largest, std::abs(x0_[i]) / weight_[i]);
     return 1 / largest;
   }
-  // One iteration: (Lambda/h - J) dw = T^-1 f - Lambda w/h. The size of dz in units of the tolerance.
+  // One iteration: (Lambda/h - J) dw = T^-1 f - Lambda w/h. @return the size of dz in tolerances
   [[gnu::noinline]] double solve(Statistics& statistics) {
     ++statistics.newton_iterations;
     const Eigen::Index size = x0_.size();
@@ -351,8 +351,8 @@ class NewtonSteps : public DenseOutput {
     }
     return most;
   }
-  // Of component d: the defect carried to the end, less what may be due to the iteration's rest, and what
-  // the nodes miss.
+  // Error estimate of component d: the propagated defect less the possible residual of the iteration, plus
+  // the quadrature error.
   [[nodiscard]] double error_of(Eigen::Index d) const {
     const double change = largest<s>(nodes(z_, d));
     const double bend = std::abs(transform_.real * filtered_[d]);

@@ -21,26 +21,26 @@
 
 namespace nlmech::ivp::adaptive {
 
-/// Steps of s nodes. The unknowns are the slopes at the nodes: accelerations of a second-order problem, else
-/// all of dx/dt; states follow from them by quadrature. A sweep goes through the nodes from left to right,
-/// asks the equation for the slope at the state there, and corrects all states at once (Gauss-Seidel, where
-/// modified Chebyshev-Picard iteration waits until the end of the sweep, which takes twice as many). The
-/// first sweep starts from the polynomial of the step before.
+/// Steps with s nodes. The unknowns are the slopes at the nodes: accelerations of a second-order problem,
+/// otherwise all of dx/dt; states follow from them by quadrature. A sweep evaluates the slope at each node
+/// from left to right and corrects all states immediately (Gauss-Seidel; modified Chebyshev-Picard iteration
+/// corrects at the end of a sweep and needs twice as many). The first sweep starts from the extrapolated
+/// polynomial of the last step.
 ///
-/// Error at the end of the step. The trial function p fails the equation by r(t) = f(t, p) - p', which is 0
-/// at the nodes and so, to leading order, r_0 times the Radau polynomial; f at the start is known, and r_0
-/// with it. The polynomial is orthogonal to all of degree < s - 1: r acts on the end only through what the
-/// solution's slope has beyond that degree, a share r_0/max|f| of it if both decay alike. So the estimate is
-/// h r_0^2/max|f|, with the last Legendre coefficients of the slope in place of r_0 where they are larger.
+/// Error at the end of the step. The trial function p has the defect r(t) = f(t, p) - p', which is 0 at the
+/// nodes and so, to leading order, r_0 times the Radau polynomial; r_0 follows from f at the start. That
+/// polynomial is orthogonal to all polynomials of degree < s - 1, so r affects the end only through the part
+/// of the slope of higher degree, a fraction r_0/max|f| if both decay alike. So the estimate is h
+/// r_0^2/max|f|, with the last Legendre coefficients of the slope in place of r_0 where they are larger.
 /// @tparam second are the unknowns accelerations?
 template <int s, bool second>
 class Sweeper : public DenseOutput {
  public:
-  using Slope = State;                                              ///< what is unknown at a node
-  using Slopes = Eigen::Matrix<double, s, Eigen::Dynamic>;          ///< at all nodes, a component a column
-  static constexpr std::string_view name = "adaptive-collocation";  ///< in sentences
+  using Slope = State;                                      ///< unknowns at a node
+  using Slopes = Eigen::Matrix<double, s, Eigen::Dynamic>;  ///< at all nodes, one component per column
+  static constexpr std::string_view name = "adaptive-collocation";  ///< for messages
 
-  /// @param setup the equation and what is asked
+  /// @param setup system, tolerance and basis
   explicit Sweeper(const Setup& setup)
       : system_(setup.system),
         tolerance_(setup.tolerance),
@@ -73,8 +73,8 @@ class Sweeper : public DenseOutput {
   [[nodiscard]] const State& begin_state() const { return x0_; }
   /// State at the end of the trial.
   [[nodiscard]] const State& end_state() const { return x1_; }
-  /// A time in which the state, @p x0 with the slope at the start, changes by a tenth of its size, or by a
-  /// tolerance where it has none.
+  /// First step size: the time in which the state @p x0, by the slope at the start, changes by a tenth of its
+  /// size or by one tolerance if it is zero; at most @p interval.
   [[nodiscard]] double first_length(const State& x0, double interval) const {
     const Eigen::Index m = f_.cols();
     double size = 0, rate = 0;
@@ -88,9 +88,9 @@ class Sweeper : public DenseOutput {
     return rate * interval > change ? change / rate : interval;
   }
 
-  /// Power of the step with which the estimate grows.
+  /// Power of the step size in the error estimate.
   [[nodiscard]] int error_order() const { return shape_ > 0 ? s + 1 : 2 * s; }
-  /// Goes from the start, t, to t1.
+  /// Trial step from the start, t, to t1.
   Trial attempt(double t, double t1, Statistics& statistics) {
     t0_ = t;
     h_ = t1 - t;
@@ -99,7 +99,7 @@ class Sweeper : public DenseOutput {
     predict();
     return sweep(statistics, true);
   }
-  /// Takes the trial for the start of the next.
+  /// Accepts the trial; its end becomes the start of the next step.
   void accept(Statistics& /*statistics*/) {
     std::swap(x0_, x1_);
     carry_ = change_;
@@ -107,7 +107,7 @@ class Sweeper : public DenseOutput {
     std::swap(f_, last_);
     last_length_ = h_;
   }
-  /// Goes on where another order has come to, from its trial function.
+  /// Continues from the state and trial function of another order.
   template <int other>
   [[gnu::noinline]] void continue_from(const Sweeper<other, second>& from) {
     segment_ = from.segment_;
@@ -121,12 +121,12 @@ class Sweeper : public DenseOutput {
       legendre_sums<s>(c, other - 1, positions_after(-1, 2), last_.data() + d * s);
     }
   }
-  /// After a trial: 1 or -1 if s + 4 or s - 4 nodes would be cheaper.
+  /// Change of order after a trial: 1 or -1 if s + 4 or s - 4 nodes are cheaper, otherwise 0.
   ///
-  /// For a solution with singularities at a distance R the last coefficient of the slope goes like F (h/R)^s:
-  /// the step that an estimate E (h/R)^{2s} = 1 allows, E = h F/tolerance, is R E^{-1/(2s)}, and what it
-  /// costs s evaluations a sweep and what two more would take (measured). So a step twice as long pays for
-  /// more nodes where E is large, that is where the step moves the state by many tolerances.
+  /// For a solution with singularities at a distance R the last coefficient of the slope is about F (h/R)^s.
+  /// The estimate E (h/R)^{2s} = 1 with E = h F/tolerance allows the step size R E^{-1/(2s)}. A sweep costs s
+  /// evaluations, and an overhead of two more (measured). So more nodes are cheaper for large E, that is if
+  /// the state changes by many tolerances in a step.
   [[nodiscard]] int better_order() const {
     if (shape_ > 0) return 0;
     const auto cost = [&](int nodes) { return (nodes + 2) * std::pow(scale_, 0.5 / nodes); };
@@ -134,7 +134,7 @@ class Sweeper : public DenseOutput {
     return better_than_here * cost(s - 4) < cost(s) ? -1 : 0;
   }
 
-  /// The same equations on the part of the latest trial up to @p t: as accurate as its end.
+  /// Dense output: solves the equations of the latest trial up to @p t; as accurate as its end.
   void at(double t, State& x) const override {
     if (t == t0_ || t == t1_) {
       x = t == t0_ ? x0_ : x1_;
@@ -154,15 +154,15 @@ class Sweeper : public DenseOutput {
  private:
   template <int, bool>
   friend class Sweeper;
-  static constexpr double better_than_here = 1.03;  ///< gain for which it is worth to change the order
-  static constexpr double first_share = 0.1;        ///< of a state's size, in the first step
+  static constexpr double better_than_here = 1.03;  ///< smallest gain for a change of order
+  static constexpr double first_share = 0.1;        ///< relative change of the state in the first step
   static constexpr int most_sweeps = 40;
-  static constexpr double most_foreseen = 16;  ///< sweeps at this contraction; more are dearer than two steps
-  static constexpr double slowest = 0.9;  ///< contraction of a sweep with which there is no point in going on
+  static constexpr double most_foreseen = 16;  ///< limit of predicted sweeps; more cost more than two steps
+  static constexpr double slowest = 0.9;       ///< contraction of a sweep above which the trial ends
   static constexpr double hopeless = 100;  ///< estimate over tolerance that ends a trial before it converges
-  static constexpr double share = 0.05;    ///< of the tolerance that the iteration may leave
+  static constexpr double share = 0.05;    ///< residual of the iteration, in tolerances
   static constexpr double outside = 10;
-  static constexpr int most_extrapolated = 9;  ///< degree that is trusted outside the interval
+  static constexpr int most_extrapolated = 9;  ///< largest degree used for extrapolation
 
   void slope(double t, const State& x, Slope& f) {
     if constexpr (second) {
@@ -188,7 +188,8 @@ class Sweeper : public DenseOutput {
     }
   }
 
-  // The Gaussians of this step. Narrower ones than there are tables for ask for a shorter step.
+  // Makes the tables of the Gaussians of this step. @return false if they are too narrow: the step must be
+  // reduced
   [[nodiscard]] bool make_table() {
     const double narrow = shape_ * std::abs(h_);
     if (!(narrow <= collocation::StableGaussian::largest_shape)) return false;
@@ -198,7 +199,7 @@ class Sweeper : public DenseOutput {
     table_ = own_.get();
     return collocation::gaussian_radau<s>(narrow, *own_);
   }
-  // The slope of the step before, continued; its high coefficients say nothing outside.
+  // Extrapolates the slope of the last step, without the high coefficients, which are inaccurate outside it.
   [[gnu::noinline]] void predict() {
     const double ratio = last_length_ != 0 ? h_ / last_length_ : HUGE_VAL;
     const bool is_continued = ratio > 0 && ratio < 3;
@@ -214,7 +215,7 @@ class Sweeper : public DenseOutput {
     }
     form_states();
   }
-  // The slope of the latest trial at the nodes of its first part.
+  // The slope of the latest trial at the nodes of its first @p part.
   void interpolate(double part, Slopes& to) const {
     for (Eigen::Index d = 0; d < f_.cols(); ++d) {
       double c[s];
@@ -222,7 +223,8 @@ class Sweeper : public DenseOutput {
       legendre_sums<s>(c, s - 1, positions_after(-1, 2 * part), to.data() + d * s);
     }
   }
-  // The nodes in the coordinate of P_k, -1 to 1 over a step, for a step from `begin` of this length.
+  // The nodes of a step from @p begin of size @p length, in the coordinate of P_k (-1 to 1 over the last
+  // step).
   [[nodiscard]] Column<s> positions_after(double begin, double length) const {
     Column<s> x;
     for (int i = 0; i < s; ++i) x[i] = begin + length * table_->nodes[i];
@@ -233,7 +235,7 @@ class Sweeper : public DenseOutput {
   [[nodiscard]] const double* slopes(Eigen::Index d) const { return f_.data() + d * s; }
   [[nodiscard]] double* states(Eigen::Index i) { return x_.data() + i * s; }
 
-  // States at the nodes from slopes, and the tolerances that belong to their size.
+  // Computes the states at the nodes from the slopes, and the tolerances from the states.
   [[gnu::noinline]] void form_states() {
     const Eigen::Index m = f_.cols();
     for (Eigen::Index d = 0; d < m; ++d) {
@@ -260,7 +262,7 @@ class Sweeper : public DenseOutput {
     }
   }
 
-  // What a slope of this size in component d does to the state over the step, in units of the tolerance.
+  // Change of the state over the step by a slope of this size in component d, in tolerances.
   [[nodiscard]] double measure(Eigen::Index d, double size) const {
     const double change = std::abs(h_) * size;
     if constexpr (second) {
@@ -276,19 +278,21 @@ class Sweeper : public DenseOutput {
       double update = 0;
       for (int i = 0; i < s; ++i) update = std::max(update, correct(i));
       statistics.right_hand_sides += s;
-      // The polynomial of the step before, continued, may be of any size: nothing is held to a share of it.
+      // The extrapolated states may be of any size, so the tolerances are computed again after the first
+      // sweep.
       if (count == 1) form_tolerances();
-      // Sweeps that part leave the range of double within a few; nothing may be concluded from infinities.
+      // Divergent sweeps overflow within a few; infinities must not count as convergence.
       const double rounding = noise();
       if (!std::isfinite(update) || !std::isfinite(rounding)) return {false, 0, count, 0.5};
       const double contraction = update / before;
-      // A correction of nothing but rounding cannot become smaller.
+      // A correction at the level of rounding cannot decrease.
       const bool done =
           (contraction < 1 && update * contraction / (1 - contraction) < share) || update <= rounding;
       if (done && (count > 1 || update == 0)) {
         finish();
         form_tolerances();
-        // What the iteration has left is not the solution's: the polynomial enlarges it outside the nodes.
+        // The residual of the iteration is subtracted from the estimate; the polynomial amplifies it outside
+        // the nodes.
         return {all_finite(x1_.data(), x1_.size()), error(outside * update * std::min(contraction, 1.)),
                 count, 0};
       }
@@ -302,7 +306,7 @@ class Sweeper : public DenseOutput {
       before = update;
     }
   }
-  // Puts the equation's slope at node i; how much that changes the state.
+  // Updates the slope at node i and all states. @return the change of the state in tolerances
   double correct(int i) {
     slope_at_node(i);
     double update = 0;
@@ -332,8 +336,7 @@ class Sweeper : public DenseOutput {
     return std::max(std::abs(x0_[i]), std::abs(x_(s - 1, i)));
   }
 
-  // The state at the end anew from the slopes, so that corrections leave no rounding, with what the sum
-  // before has cut off.
+  // Computes the end state from the slopes, without the rounding of the corrections, as a compensated sum.
   void finish() {
     const Eigen::Index m = f_.cols();
     for (Eigen::Index d = 0; d < m; ++d) {
@@ -365,19 +368,19 @@ class Sweeper : public DenseOutput {
     }
     scale_ = std::max(size, 1.);
     residual -= left;
-    if (shape_ > 0) return std::max(residual, 0.);  // no orthogonality to lean on
+    if (shape_ > 0) return std::max(residual, 0.);  // Gaussians are not orthogonal
     return residual > 0 ? residual * (residual / std::max(size, residual)) : 0;
   }
 
   const System& system_;
   Tolerance tolerance_;
   double shape_;
-  // Of the polynomials; of Gaussians, which change with the step, in own_.
+  // Tables of the polynomials; those of Gaussians change with the step and are in own_.
   const collocation::Radau<s>* table_ = &collocation::radau<s>();
   std::shared_ptr<collocation::Radau<s>> own_;
   SmoothSegment segment_;
-  Eigen::Matrix<double, s, Eigen::Dynamic> x_;  // states at the nodes, a component a column
-  Slopes f_, last_;                             // slopes there, now and in the step before
+  Eigen::Matrix<double, s, Eigen::Dynamic> x_;  // states at the nodes, one component per column
+  Slopes f_, last_;                             // slopes at the nodes in this and the last step
   State x0_, x1_, carry_, change_, per_tolerance_;
   Slope f0_, new_, q_, v_;
   double t0_ = 0, t1_ = 0, h_ = 1, last_length_ = 0, scale_ = 1, narrow_ = 0;

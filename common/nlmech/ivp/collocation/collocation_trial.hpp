@@ -1,30 +1,31 @@
 /// @file
-/// What both engines of adaptive-collocation are told and answer.
+/// Input and result of one trial step; shared by the sweeps and Newton's iteration.
 #pragma once
 
 #include "nlmech/ivp/system.hpp"
 
 namespace nlmech::ivp::adaptive {
 
-/// How accurate a step is to be: |e_i| against absolute + relative |x_i|.
+/// Error bound of a step: |e_i| <= absolute + relative |x_i|.
 struct Tolerance {
   double absolute;  ///< positive
   double relative;  ///< 0 or more
 };
 
-/// What an engine is made from.
+/// Arguments of the constructor of an engine.
 struct Setup {
   const System& system;  ///< outlives the engine
-  Tolerance tolerance;   ///< of its steps
+  Tolerance tolerance;   ///< of each step
   double shape = 0;      ///< c of Gaussians, 1/time; 0: polynomials
 };
 
-/// What came of a trial step.
+/// Result of a trial step.
 struct Trial {
   bool converged;  ///< are the collocation equations solved?
-  double error;    ///< estimate over tolerance; of the unfinished trial, if it was given up for it, else 0
-  int iterations;  ///< how many it took
-  double shorter;  ///< part of the step that should converge, after a trial that did not; 0: unknown
+  double
+      error;  ///< error estimate over tolerance; without convergence the estimate that ended the trial, or 0
+  int iterations;  ///< number of iterations
+  double shorter;  ///< without convergence: fraction of the step that should converge; 0: unknown
 };
 
 }  // namespace nlmech::ivp::adaptive

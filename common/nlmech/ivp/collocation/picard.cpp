@@ -63,13 +63,13 @@ class PicardStepper : public Stepper {
     this->states_.resize(system.size(), tables_.nodes.size() - 1);
   }
 
-  /// The method's.
+  /// Name of the method.
   [[nodiscard]] static std::string_view name() { return Mcpi::name; }
 
   /// The next step starts a segment on which f is smooth.
   void begin_segment(double begin, double end) { segment_ = SmoothSegment(begin, end); }
 
-  /// From t to t + h, from the constant state.
+  /// Integrates from t to t + h, starting the iteration from the constant state.
   Status step(double t, double h, const State& x0, State& x1, Statistics& statistics) {
     t0_ = t;
     h_ = h;
@@ -79,14 +79,14 @@ class PicardStepper : public Stepper {
       times_of_nodes_[static_cast<std::size_t>(k)] = t + h * tables_.nodes[k];
     times_of_nodes_.back() = t + h;
     std::copy(times_of_nodes_.begin() + 1, times_of_nodes_.end(), this->times_.begin());
-    for (double& time : times_of_nodes_) time = segment_(time);  // from here on: where f is asked for
+    for (double& time : times_of_nodes_) time = segment_(time);  // now the times at which f is evaluated
     this->states_.colwise() = x0;
     const Outcome outcome = iterate(statistics);
     x1 = this->states_.col(count - 2);
     return outcome == Outcome::success ? Status{} : picard_failure(outcome, t, h, method_.sweeps);
   }
 
-  /// The interpolating polynomial through the nodes.
+  /// Dense output: the polynomial through the nodes.
   void at(double t, State& x) const override {
     Eigen::RowVectorXd row;
     collocation::polynomial_row(tables_.nodes, tables_.weights, (t - t0_) / h_, row);
@@ -95,7 +95,7 @@ class PicardStepper : public Stepper {
   }
 
  private:
-  // Sweeps until the states stand still, or shrink no more at the level of rounding.
+  // Sweeps until the states converge, or until the updates stagnate at the level of rounding.
   Outcome iterate(Statistics& statistics) {
     constexpr double noise = 1e-11;
     double before = HUGE_VAL;
@@ -111,7 +111,7 @@ class PicardStepper : public Stepper {
                              (1 + this->states_.array().abs()))
                                 .maxCoeff();
       if (change <= method_.tolerance) return Outcome::success;
-      if (change <= noise && change >= before) {  // contraction may be slow: only a standstill is noise
+      if (change <= noise && change >= before) {  // contraction may be slow: only stagnation is rounding
         ++statistics.fallbacks;
         return Outcome::success;
       }

@@ -14,23 +14,23 @@
 namespace nlmech::ivp {
 namespace {
 
-// Series for several trajectories side by side, one a lane of the processor's vectors. Each has the bits of
-// integrate(), whatever the others do: the same sums (TapeLanes) and the same formulas for its steps (Rule).
+// Series for several trajectories in parallel, one per lane of the vector registers. Each has the bits of
+// integrate(), independent of the others: the same sums (TapeLanes) and the same step-size control (Rule).
 
-/// One thread's lanes.
+/// The lanes of one thread.
 class SeriesLanes {
  public:
   /// @param rule of all trajectories
-  /// @param set which registers; with InstructionSet::baseline, the bits are those of a processor that has no
-  /// other
+  /// @param set instruction set; with InstructionSet::baseline the bits are those of a processor with no
+  /// other set
   SeriesLanes(const taylor_series::Rule& rule, InstructionSet set)
       : rule_(rule),
         log2_safety_(rule.log2_safety()),
         tapes_(set),
         lanes_(static_cast<std::size_t>(tapes_.lanes())) {}
 
-  /// May it stand in a lane? Smooth equations without a jump on the way, whose solutions are not held to
-  /// bounds or invariants that are looked at step by step.
+  /// Can the trajectory run in a lane? It needs smooth equations without discontinuities, bounds and
+  /// invariants.
   [[nodiscard]] static bool suits(const Start& start) {
     const System& system = *start.system;
     const State& x0 = start.x0;
@@ -41,11 +41,11 @@ class SeriesLanes {
            !system.invariants(start.t0, x0, constant);
   }
 
-  /// Lanes without a trajectory.
+  /// Number of lanes without a trajectory.
   [[nodiscard]] int free() const { return tapes_.lanes() - busy_; }
-  /// Lanes with one.
+  /// Number of lanes with a trajectory.
   [[nodiscard]] int busy() const { return busy_; }
-  /// Takes in a trajectory that suits, if there is a lane for its kind of equations. @param start outlives it
+  /// Adds a trajectory that suits() if there is a free lane for its equations. @param start outlives the lane
   [[nodiscard]] bool take_in(std::size_t number, const Start& start, std::vector<Solution>& solutions) {
     const std::size_t at = static_cast<std::size_t>(
         std::find_if(lanes_.begin(), lanes_.end(), [](const Lane& l) { return l.start == nullptr; }) -
@@ -74,7 +74,7 @@ class SeriesLanes {
     begin(lane, solutions);
     return true;
   }
-  /// One step of each trajectory, if it is not rejected. Puts what has ended into @p solutions.
+  /// One trial step of each trajectory. Writes finished trajectories to @p solutions.
   void run(std::vector<Solution>& solutions) {
     tapes_.expand();
     const Tails tails = measure();
@@ -89,8 +89,8 @@ class SeriesLanes {
 
  private:
   struct Lane {
-    const System* equations = nullptr;  // whose constants stand in the lane
-    double recorded = 0;                // their time, on which announced branches depend
+    const System* equations = nullptr;  // system whose constants are in the lane
+    double recorded = 0;                // time of the recording, for branches on the time
     const Start* start = nullptr;       // none: the lane is free
     Limits limits;
     std::size_t number = 0;
@@ -157,7 +157,7 @@ class SeriesLanes {
     lane.before = 0;
     prepare(lane, solutions);
   }
-  // A new step.
+  // Starts a new step.
   void prepare(Lane& lane, std::vector<Solution>& solutions) {
     if (Status status = limits(lane); !status.ok()) return finish(lane, std::move(status), solutions);
     lane.attempts = 0;
@@ -166,14 +166,14 @@ class SeriesLanes {
   void set(const Lane& lane) {
     tapes_.set(index(lane), lane.segment(lane.now.t), lane.now.x.data(), lane.scale);
   }
-  // A clock that is read at every step would cost as much as the step.
+  // Reading the clock at every step would cost as much as the step.
   [[nodiscard]] Status limits(const Lane& lane) const {
     Limits limits = lane.limits;
     if (lane.now.statistics.steps % 64 != 0) limits.seconds = std::numeric_limits<double>::infinity();
     return check_limits(Series::name, lane.now.t, lane.now.statistics, limits, lane.watch);
   }
 
-  // The coefficients say how long the step is.
+  // Plans the step size from the coefficients.
   void plan(Lane& lane, const taylor_series::Tail& tail, std::vector<Solution>& solutions) {
     Solution& now = lane.now;
     lane.planned = false;
@@ -191,7 +191,7 @@ class SeriesLanes {
     lane.planned = true;
     tapes_.set_argument(index(lane), (lane.t1 - now.t) / lane.scale);
   }
-  // Where the next trial ends. @return false if there is none
+  // Sets the end of the next trial. @return false if there is none
   bool aim(Lane& lane, std::vector<Solution>& solutions) {
     lane.t1 = lane.control.plan(lane.now.t, lane.start->t1);
     if (lane.t1 != lane.now.t) return true;
@@ -263,17 +263,16 @@ class SeriesLanes {
   std::vector<Lane> lanes_;
 };
 
-/// One thread's lanes, which take the next trajectory when they are free. Those whose equations are of
-/// another kind wait until all of the present kind have ended; if there are more kinds than that pays for,
-/// lanes end what they have for each.
+/// The lanes of one thread; a free lane takes the next trajectory. Trajectories of other equations wait until
+/// all of the current equations have ended; with too many kinds of equations the lanes are emptied for each.
 class LaneWork {
  public:
-  /// All outlive it.
+  /// The arguments outlive this object.
   LaneWork(std::span<const Start> starts, const Series& method, InstructionSet set,
            std::vector<Solution>& solutions)
       : starts_(starts), method_(method), solutions_(solutions), lanes_(rule_of(method), set) {}
 
-  /// Runs what @p next hands out to all threads.
+  /// Integrates the trajectories whose numbers @p next distributes to all threads.
   void run(std::atomic<std::size_t>& next) {
     run_all([&] { return next.fetch_add(1); }, starts_.size());
     while (!waiting_.empty()) {
@@ -287,7 +286,7 @@ class LaneWork {
  private:
   static constexpr int most_kinds = 8;
 
-  /// @param next a number of a trajectory, or @p end or more after the last
+  /// @param next returns the number of the next trajectory; @p end or more after the last
   template <class Next>
   void run_all(const Next& next, std::size_t end) {
     for (bool more = true; more || lanes_.busy() > 0;) {
@@ -307,7 +306,7 @@ class LaneWork {
     } else if (!lanes_.take_in(i, start, solutions_)) {
       if (kinds_ < most_kinds) return waiting_.push_back(i);
       while (lanes_.busy() > 0) lanes_.run(solutions_);
-      static_cast<void>(lanes_.take_in(i, start, solutions_));  // empty lanes take anything
+      static_cast<void>(lanes_.take_in(i, start, solutions_));  // empty lanes accept any equations
     }
   }
 

@@ -1,5 +1,5 @@
 /// @file
-/// Many initial states at once: on all processors, and by series several in a register.
+/// Integration of many initial states in parallel: on all processors, and for `series` in vector registers.
 #pragma once
 
 #include <algorithm>
@@ -15,18 +15,18 @@
 
 namespace nlmech::ivp {
 
-/// What integrate() takes for one trajectory.
+/// Arguments of integrate() for one trajectory.
 struct Start {
   const System* system;  ///< outlives the integration; may be the same for many
   State x0;              ///< initial state
-  double t0;             ///< begin
+  double t0;             ///< start
   double t1;             ///< end
-  Observer observer;     ///< may be empty; called by the thread that has the trajectory
-  Limits limits;         ///< bounds on its work, from its start
-  /// When all trajectories are to be over: one that begins late has less time, or none.
+  Observer observer;     ///< may be empty; called by the thread of the trajectory
+  Limits limits;         ///< limits of the trajectory, from its start
+  /// Deadline of all trajectories: one that starts late has less time, or none.
   std::chrono::steady_clock::time_point deadline = std::chrono::steady_clock::time_point::max();
 
-  /// The bounds on it if it begins now.
+  /// The limits if the trajectory starts now.
   [[nodiscard]] Limits limits_from_now() const {
     using std::chrono::steady_clock;
     Limits now = limits;
@@ -39,7 +39,7 @@ struct Start {
 };
 
 namespace detail {
-/// One trajectory by itself.
+/// Integrates one trajectory.
 template <class Method>
 [[nodiscard]] Solution alone(const Start& start, const Method& method) {
   Solution solution =
@@ -49,10 +49,11 @@ template <class Method>
 }
 }  // namespace detail
 
-/// Every trajectory by integrate(), each by itself: failures of one leave the others alone, and a trajectory
-/// has the same bits in any company, order, and number of threads. Statistics::seconds is 0.
-/// @param threads how many; 0: one a processor
-/// @return a solution for each start, in their order
+/// Integrates every trajectory by integrate(), independently: a failure does not affect the others, and the
+/// result has the same bits for any other trajectories, order and number of threads. Statistics::seconds is
+/// 0.
+/// @param threads number of threads; 0: one per processor
+/// @return a solution for each start, in the same order
 /// @throws std::invalid_argument as integrate() does
 template <class Method>
 [[nodiscard]] std::vector<Solution> integrate_all(std::span<const Start> starts, const Method& method,
@@ -64,18 +65,18 @@ template <class Method>
   return solutions;
 }
 
-/// Series with chosen steps moves as many trajectories in a register as the processor allows, each with its
-/// own steps and end; those of one kind of equations, which may differ in their constants, before those of
-/// another. A trajectory that is done makes room for the next. Alone go those that switch, meet a
-/// discontinuity, or name bounds or invariants.
-/// @param set which registers; InstructionSet::baseline rounds products by themselves, so that its bits are
-/// those of a processor that has no other
-/// @throws std::invalid_argument also if this processor does not have @p set
+/// Series with adaptive steps integrates as many trajectories in vector registers as the processor allows,
+/// each with its own steps and end. Equations that differ in constants only are grouped. A finished
+/// trajectory is replaced by the next. Trajectories that switch, meet a discontinuity, or have bounds or
+/// invariants are integrated one by one.
+/// @param set instruction set; InstructionSet::baseline rounds products separately, so its bits are those of
+/// a processor with no other set
+/// @throws std::invalid_argument also if the processor does not have @p set
 [[nodiscard]] std::vector<Solution> integrate_all(std::span<const Start> starts, const Series& method,
                                                   int threads = 0,
                                                   InstructionSet set = best_instruction_set());
 
-/// The same of one system from t0 to t1.
+/// The same for one system from t0 to t1.
 template <class Method>
 [[nodiscard]] std::vector<Solution> integrate_all(const System& system, std::span<const State> states,
                                                   double t0, double t1, const Method& method, int threads = 0,

@@ -51,7 +51,7 @@ Status errors_add_up(std::string_view method, double t, std::int64_t steps, doub
           method, steps, t, sum));
 }
 
-/// Steps of fixed length.
+/// Stepper of fixed step size.
 class HermitianSteps : public Stepper {
  public:
   /// @param problem outlives the stepper
@@ -60,7 +60,7 @@ class HermitianSteps : public Stepper {
         method_(method),
         trial_(problem.system, method.operators, method.newton) {}
 
-  /// Of the operators.
+  /// Name of the operators.
   [[nodiscard]] std::string_view name() const { return method_.operators.name; }
   /// See Stepper.
   void begin_segment(double begin, double end) {
@@ -68,7 +68,7 @@ class HermitianSteps : public Stepper {
     end_ = end;
     is_new_ = true;
   }
-  /// From t to t + h.
+  /// Integrates from t to t + h.
   Status step(double t, double h, const State& x0, State& x1, Statistics& statistics) {
     if (std::exchange(is_new_, false)) {
       if (!trial_.begin_segment(begin_, end_, x0, statistics)) return non_finite_rhs(name(), t);
@@ -85,7 +85,7 @@ class HermitianSteps : public Stepper {
     x1 = trial_.end_state();
     return {};
   }
-  /// Within the latest step.
+  /// Dense output of the latest step.
   void at(double t, State& x) const override { trial_.at(t, x); }
 
  private:
@@ -95,7 +95,7 @@ class HermitianSteps : public Stepper {
   bool is_new_ = true;
 };
 
-/// Steps of chosen length: one integration from begin to end.
+/// One integration with adaptive steps.
 class HermitianRun : public AdaptiveStepLoop<System, HermitianRun> {
  public:
   /// @param problem outlives the run
@@ -113,7 +113,7 @@ class HermitianRun : public AdaptiveStepLoop<System, HermitianRun> {
 
   [[nodiscard]] std::string_view name() const { return method_.operators.name; }
 
-  // Errors of the steps that leave nothing of the tolerance: of the state, and in tolerances.
+  // Limits on the sum of the error estimates: relative to the state, and in tolerances.
   static constexpr double most_share = 0.01, most_tolerances = 1e4;
 
   Status begin(double end) {
@@ -123,7 +123,7 @@ class HermitianRun : public AdaptiveStepLoop<System, HermitianRun> {
     return {};
   }
 
-  // The time in which the state would change by a tenth of its size, shortened with the tolerance.
+  // First step size: the time in which the state changes by a tenth of its size, reduced with the tolerance.
   [[nodiscard]] double first_length(double interval) const {
     const State& f = trial_.begin_derivative();
     double rate = 0;
@@ -140,13 +140,13 @@ class HermitianRun : public AdaptiveStepLoop<System, HermitianRun> {
     const double atol = method_.absolute_tolerance, rtol = method_.relative_tolerance;
     const double error = trial_.error_of(atol, rtol);
     if (!(error <= 1)) return error;
-    const bool is_new = control_.taken() > 2 * before_;  // of a length that has not been tried
-    // A tenth: what a stiff motion rings with, tolerances of it, neither grows nor decays.
+    const bool is_new = control_.taken() > 2 * before_;  // a step size that has not been tried
+    // A tenth: unresolved stiff oscillations of some tolerances neither grow nor decay.
     const double unresolved = trial_.unresolved(atol, rtol, is_new, now_.statistics) / 10;
     return unresolved <= error ? error : unresolved;  // keeps a NaN
   }
 
-  // An error of zero allows any step; the next but five times as long.
+  // Factor on the step size, from 0.2 to 5; 5 for an error of zero.
   [[nodiscard]] double change(double error) const {
     return std::clamp(0.9 * std::pow(error, exponent_), 0.2, 5.0);
   }

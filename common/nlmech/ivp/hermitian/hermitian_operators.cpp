@@ -10,14 +10,14 @@
 namespace nlmech::ivp {
 namespace {
 
-/// k (k - 1) ... of `factors` factors: the value at 1 of that derivative of t^k.
+/// k (k - 1) ... with @p factors factors: the derivative of t^k of that order at t = 1.
 double falling(int k, int factors) {
   double product = 1;
   for (int i = 0; i < factors; ++i) product *= k - i;
   return product;
 }
 
-/// The same at 0.
+/// The derivative of t^k of order @p factors at t = 0.
 double falling_at_zero(int k, int factors) { return k == factors ? falling(k, factors) : 0; }
 
 }  // namespace
@@ -74,7 +74,7 @@ HermitianStep solved_for_end(const HermitianPair& pair) {
 int order_of(const HermitianStep& s) {
   const HermitianOperator q = {1, -1, 1, 0, s.qa0, s.qa1, s.qj0, s.qj1};
   const HermitianOperator v = {0, 0, 1, -1, s.va0, s.va1, s.vj0, s.vj1};
-  // v of degree k is q of degree k + 1.
+  // A velocity of degree k is a position of degree k + 1.
   int order = 0;
   while (order < 5 && std::abs(residual_on_power(q, order + 1)) < 1e-12 &&
          std::abs(residual_on_power(v, order + 2)) < 1e-12)

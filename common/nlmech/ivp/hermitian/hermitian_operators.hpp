@@ -1,6 +1,6 @@
 /// @file
-/// Hermitian difference operators of a single step with accelerations and jerks: Laier's Table 1, corrected,
-/// and what a pair of them does to a linear oscillator.
+/// Hermitian one-step difference operators with accelerations and jerks: Laier's Table 1, corrected, and the
+/// stability function of a pair.
 #pragma once
 
 #include <array>
@@ -8,24 +8,24 @@
 
 namespace nlmech::ivp {
 
-/// A linear relation between the two ends of a step of length h,
+/// A linear relation between the two ends of a step of size h,
 ///
 ///     A q0 + B q1 + h (C v0 + D v1) + h^2 (E a0 + F a1) + h^3 (G j0 + H j1) = 0,
 ///
 /// with positions q, velocities v, accelerations a and their derivatives, the jerks j (J. E. Laier,
 /// High-order algorithm for non-linear dynamics, Eq. 1 with all signs positive, as its Eq. 6 uses it).
 struct HermitianOperator {
-  double A;  ///< of q0
-  double B;  ///< of q1
-  double C;  ///< of h v0
-  double D;  ///< of h v1
-  double E;  ///< of h^2 a0
-  double F;  ///< of h^2 a1
-  double G;  ///< of h^3 j0
-  double H;  ///< of h^3 j1
+  double A;  ///< coefficient of q0
+  double B;  ///< coefficient of q1
+  double C;  ///< coefficient of h v0
+  double D;  ///< coefficient of h v1
+  double E;  ///< coefficient of h^2 a0
+  double F;  ///< coefficient of h^2 a1
+  double G;  ///< coefficient of h^3 j0
+  double H;  ///< coefficient of h^3 j1
 };
 
-/// Two of them: as many as a step has unknowns.
+/// Two operators, for the two unknowns of a step.
 struct HermitianPair {
   std::string_view name;     ///< on command lines and in tables
   HermitianOperator first;   ///< coefficients A to H
@@ -38,24 +38,24 @@ inline constexpr HermitianPair laier = {"laier", {12, -12, 6, 6, 1, -1, 0, 0}, {
 /// Newmark's method with constant average acceleration: order 2. A1 and B1 are printed with the wrong sign.
 inline constexpr HermitianPair newmark_pair = {
     "newmark", {0, 0, -1, 1, -1. / 2, -1. / 2, 0, 0}, {-1, 1, -1, 0, -1. / 4, -1. / 4, 0, 0}};
-/// Hoff and Pahl's without dissipation: the same method. F is printed with the wrong sign.
+/// Hoff and Pahl's method without dissipation: the same as Newmark's. F is printed with the wrong sign.
 inline constexpr HermitianPair hoff = {
     "hoff", {0, 0, 1, -1, 1. / 2, 1. / 2, 0, 0}, {1, -1, 1, 0, 1. / 4, 1. / 4, 0, 0}};
-/// Bazzi and Anderheggen's without dissipation: the same method.
+/// Bazzi and Anderheggen's method without dissipation: the same as Newmark's.
 inline constexpr HermitianPair bazzi = {"bazzi", {-2, 2, -1, -1, 0, 0, 0, 0}, {-4, 4, -4, 0, -1, -1, 0, 0}};
-/// Argyris and Mlejnek's cubic one: order 4, stable in part: see amplification().
+/// Argyris and Mlejnek's cubic method: order 4, conditionally stable: see amplification().
 inline constexpr HermitianPair argyris = {"argyris",
                                           {1, -1, 1, 0, 21. / 60, 9. / 60, 3. / 60, -2. / 60},
                                           {0, 0, 1, -1, 6. / 12, 6. / 12, 1. / 12, -1. / 12}};
 
-/// Laier's Table 1, its misprints corrected, in the order of its rows.
+/// Laier's Table 1 with corrected misprints, in the order of its rows.
 inline constexpr std::array hermitian_table = {laier, newmark_pair, hoff, bazzi, argyris};
 
-/// The row of that name. @throws std::invalid_argument listing the names
+/// The row with the name @p name. @throws std::invalid_argument with the known names
 [[nodiscard]] const HermitianPair& hermitian_pair(std::string_view name);
 
-/// What is left of an operator on the motion q = t^k over the step from 0 to 1, k from 0 to 20. Zero for all
-/// k up to the operator's degree.
+/// Residual of an operator for the motion q = t^k over the step from 0 to 1, k from 0 to 20. Zero for all k
+/// up to the degree of the operator.
 [[nodiscard]] double residual_on_power(const HermitianOperator& op, int k);
 
 /// A pair solved for the end of the step:
@@ -74,27 +74,27 @@ struct HermitianStep {
 };
 
 /// The pair solved for q1 and v1. @throws std::invalid_argument naming the pair, if its operators are not
-/// independent, or do not carry uniform motion q = q0 + v0 t exactly (the printed rows of Newmark and Hoff)
+/// independent or not exact for uniform motion q = q0 + v0 t (the printed rows of Newmark and Hoff)
 [[nodiscard]] HermitianStep solved_for_end(const HermitianPair& pair);
 
-/// The order of convergence, from 0 to 5: an error of a step is of one order more in q and in v.
+/// The order of convergence, from 0 to 5; the error of a step is one order higher in q and in v.
 [[nodiscard]] int order_of(const HermitianStep& step);
 
-/// What a step does to the linear oscillator q'' + 2 xi omega q' + omega^2 q = 0.
+/// Amplification matrix of a step of the linear oscillator q'' + 2 xi omega q' + omega^2 q = 0.
 struct Amplification {
-  double determinant;      ///< of the matrix that takes (q0, h v0) to (q1, h v1)
-  double half_trace;       ///< of that matrix
-  double spectral_radius;  ///< greatest modulus of its eigenvalues; above 1 the step is unstable
-  double phase;            ///< angle of its eigenvalues, rad, 0 to pi; exact would be z sqrt(1 - xi^2)
+  double determinant;      ///< of the matrix from (q0, h v0) to (q1, h v1)
+  double half_trace;       ///< half of its trace
+  double spectral_radius;  ///< largest modulus of its eigenvalues; above 1 the step is unstable
+  double phase;            ///< argument of its eigenvalues, rad, 0 to pi; exact: z sqrt(1 - xi^2)
 };
 
 /// The stability function. For xi = 0 the determinant of every row is 1. Laier's half trace is (z^4 - 60 z^2
-/// + 144) / (z^4 + 12 z^2 + 144), within [-1, 1] for every z; Newmark's (4 - z^2)/(4 + z^2); that of Argyris
-/// (3 z^4 - 104 z^2 + 240) / (z^4 + 16 z^2 + 240) leaves it for sqrt(10) < z < sqrt(12) and z > sqrt(60).
-/// Computed with the digits of long double; eigenvalues that are one within 2^-58 count as double.
+/// + 144) / (z^4 + 12 z^2 + 144), within [-1, 1] for every z; Newmark's (4 - z^2)/(4 + z^2); that of Argyris,
+/// (3 z^4 - 104 z^2 + 240) / (z^4 + 16 z^2 + 240), exceeds [-1, 1] for sqrt(10) < z < sqrt(12) and z >
+/// sqrt(60). Computed in long double; eigenvalues that agree within 2^-58 count as a double eigenvalue.
 /// @param step a pair solved for the end
 /// @param z h omega, not negative
-/// @param xi share of the critical damping, from 0 to below 1
+/// @param xi damping ratio (fraction of critical damping), 0 <= xi < 1
 /// @throws std::invalid_argument for z or xi out of range
 [[nodiscard]] Amplification amplification(const HermitianStep& step, double z, double xi = 0);
 

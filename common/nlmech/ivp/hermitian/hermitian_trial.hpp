@@ -1,6 +1,5 @@
 /// @file
-/// One trial step by Hermitian operators: Newton's iteration for its end, an estimate of its error, its dense
-/// output.
+/// One trial step by Hermitian operators: Newton's iteration, error estimates, dense output.
 #pragma once
 
 #include <algorithm>
@@ -18,8 +17,8 @@
 
 namespace nlmech::ivp {
 
-/// Goes from (t0, x0) to (t1, x1). f = (v, a) and g = (a, j) are the first two derivatives of the state,
-/// which the system gives by dual numbers; nothing is derived by hand.
+/// A trial step from (t0, x0) to (t1, x1). f = (v, a) and g = (a, j) are the first two derivatives of the
+/// state, by dual numbers.
 class HermitianTrial : public DenseOutput {
  public:
   /// @param system outlives the trial
@@ -46,8 +45,9 @@ class HermitianTrial : public DenseOutput {
         gx_(system.size(), system.size()),
         workspace_(system.size()) {}
 
-  /// Starts a segment on which f is smooth at (t, x). False if the right-hand side is not finite there.
-  /// @throws std::invalid_argument for a problem that is written for double alone
+  /// Starts a segment on which f is smooth at (t, x). @return false if the right-hand side is not finite
+  /// there
+  /// @throws std::invalid_argument for a problem in double only
   [[nodiscard]] bool begin_segment(double t, double end, const State& x, Statistics& statistics) {
     segment_ = SmoothSegment(t, end);
     x0_ = x;
@@ -78,7 +78,7 @@ class HermitianTrial : public DenseOutput {
     // [hermitian residual]
     const auto derivative = [&](const State& /*x*/, Jacobian& matrix) { assemble(matrix); };
     algebraic::Newton newton = newton_;
-    // Rounding of f and g reaches velocities as eps |x| / h, however stiff f is, times at most some tens.
+    // Rounding of f and g changes velocities by eps |x| / h times at most some tens, for any stiffness of f.
     newton.noise =
         std::max(newton.noise, 1024 * epsilon * greatest(x0_, 0, x0_.size()) * (1 + 1 / std::abs(h_)));
     const Outcome outcome = algebraic::solve(newton, residual, derivative, x1_, workspace_, statistics);
@@ -90,7 +90,7 @@ class HermitianTrial : public DenseOutput {
     return error_.allFinite() ? Outcome::success : Outcome::non_finite;
   }
 
-  /// Takes the end for the start of the next trial.
+  /// Accepts the trial; its end becomes the start of the next one.
   void accept() {
     std::swap(x0_, x1_);
     std::swap(f0_, f1_);
@@ -108,14 +108,13 @@ class HermitianTrial : public DenseOutput {
   [[nodiscard]] double error_of(double atol, double rtol) const {
     return worst_share(error_, x0_, x1_, atol, rtol);
   }
-  /// A second estimate in the same measure, for steps that do not resolve the stiffness of the problem: the
-  /// first one holds for short steps, and for long ones there are lengths at which it vanishes on an
-  /// oscillation, which a choice of steps would find. The dense output is put into the equation at four
-  /// places without symmetry; what is missing there, h^2 (q'' - a) through (1 - h^2 a_q/12 - h a_v/2)^-1,
-  /// cannot vanish at all of them: on the linear oscillator it is 2e-3 of the amplitude for h omega = 1 and
-  /// grows with it, for every phase and Laier's and Newmark's operators (Argyris': from 5e-5). 0 where h^2
-  /// |a_q| <= 2, unless it is wanted @p always: of a first step, which may meet a load at one phase wherever
-  /// else it looks.
+  /// A second estimate in the same norm, for steps that do not resolve the stiffness of the problem. The
+  /// first estimate is valid for short steps; for an oscillation it vanishes at some large step sizes, which
+  /// step-size control would find. The residual of the dense output at four points without symmetry, h^2 (q''
+  /// - a) times (1 - h^2 a_q/12 - h a_v/2)^-1, cannot vanish at all of them: for the linear oscillator it is
+  /// 2e-3 of the amplitude at h omega = 1 and grows with h omega, for every phase and the operators of Laier
+  /// and Newmark (Argyris: from 5e-5). It is 0 for h^2 |a_q| <= 2 unless @p always is set, as for a first
+  /// step, all of whose evaluations may meet a periodic load at the same phase.
   [[nodiscard]] double unresolved(double atol, double rtol, bool always, Statistics& statistics) {
     const Eigen::Index m = system_.size() / 2;
     const auto stiffness = fx_.bottomLeftCorner(m, m), damping = fx_.bottomRightCorner(m, m);
@@ -140,13 +139,14 @@ class HermitianTrial : public DenseOutput {
     }
     return worst;
   }
-  /// The estimate as a displacement, max(|e_q|, h |e_v|), over the greatest of |q0|, |q1|, |h v0| and |h v1|.
+  /// The estimate as a displacement, max(|e_q|, h |e_v|), relative to the largest of |q0|, |q1|, |h v0| and
+  /// |h v1|.
   [[nodiscard]] double relative_displacement() const {
     const double size = std::max(displacement(x0_), displacement(x1_));
     return size > 0 ? displacement(error_) / size : 0;
   }
-  /// By how much stiffness h^2 a_q and damping h a_v change from begin to end of the trial: 0 for a linear
-  /// problem of constant coefficients, whose steps have one solution only.
+  /// Change of the stiffness h^2 a_q and the damping h a_v from start to end of the trial: 0 for a linear
+  /// problem with constant coefficients, whose steps have one solution only.
   [[nodiscard]] double nonlinearity(Statistics& statistics) {
     system_.jacobian(segment_(t0_), x0_, fx_);
     system_.jacobian(segment_(t0_ + h_), x1_, gx_);
@@ -157,8 +157,8 @@ class HermitianTrial : public DenseOutput {
                     std::abs(h_) * gx_.bottomRightCorner(m, m).cwiseAbs().maxCoeff());
   }
 
-  /// Quintic Hermite: positions by those, velocities and accelerations of both ends, and its derivative.
-  /// Within a step its error is O(h^6) in positions and O(h^5) in velocities.
+  /// Dense output: quintic Hermite interpolation of positions, velocities and accelerations of both ends, and
+  /// its derivative. Its error within a step is O(h^6) in positions and O(h^5) in velocities.
   void at(double t, State& x) const override {
     x.resize(system_.size());
     interpolate((t - t0_) / h_, x);
@@ -167,7 +167,7 @@ class HermitianTrial : public DenseOutput {
  private:
   static constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-  // Taylor's polynomial, unless its last terms are the greatest: then the start.
+  // Predicts the end by the Taylor polynomial; by the start if the last term exceeds the displacements.
   void predict() {
     const Eigen::Index n = x0_.size(), m = n / 2;
     for (Eigen::Index i = 0; i < n; ++i) x1_[i] = x0_[i] + h_ * f0_[i] + (h_ * h_ / 2) * g0_[i];
@@ -176,7 +176,7 @@ class HermitianTrial : public DenseOutput {
     if (!(last <= size) || !x1_.allFinite()) x1_ = x0_;
   }
 
-  // What the equations know before the iteration.
+  // Computes the terms of the equations that do not depend on the end.
   void prepare() {
     const Eigen::Index m = x0_.size() / 2;
     for (Eigen::Index i = 0; i < m; ++i) {
@@ -198,9 +198,9 @@ class HermitianTrial : public DenseOutput {
     }
   }
 
-  // Two operators of higher order than any of the table are left with the error of the step: that of both
-  // ends with their jerks, exact for q of degree 6, and one with the acceleration in the middle of the dense
-  // output, exact for v of degree 6. The latter asks the problem where the step has not looked.
+  // Error estimate: the residuals of two operators of higher order than those of the table. One has both ends
+  // with their jerks and is exact for q of degree 6; the other has the acceleration in the middle of the
+  // dense output, a new evaluation, and is exact for v of degree 6.
   void estimate(Statistics& statistics) {
     measure_rise();
     interpolate(0.5, middle_);
@@ -217,8 +217,8 @@ class HermitianTrial : public DenseOutput {
     }
   }
 
-  // (q1 - q0)/h, by whichever has less rounding: the difference has eps |q|/h; the equation of the step that
-  // of its terms, the jerk's being that of the acceleration times the damping.
+  // (q1 - q0)/h by the formula with less rounding: the difference has eps |q|/h, the equation of the step has
+  // that of its terms (for the jerk: that of the acceleration times the damping).
   void measure_rise() {
     const Eigen::Index m = rise_.size(), n = 2 * m;
     const double h = std::abs(h_), q = std::max(greatest(x0_, 0, m), greatest(x1_, 0, m)),
@@ -233,7 +233,7 @@ class HermitianTrial : public DenseOutput {
     }
   }
 
-  // The greatest sum of |da_i/dx_k| over half of the components: from 0, positions, or m, velocities.
+  // Largest row sum of |da_i/dx_k| over positions (@p begin = 0) or velocities (@p begin = m).
   [[nodiscard]] double greatest_row_sum(Eigen::Index begin) const {
     const Eigen::Index m = rise_.size();
     double most = 0;
@@ -270,7 +270,7 @@ class HermitianTrial : public DenseOutput {
         (r * r * (1 - 5 * s) - r * s * (2 - 5 * s)) * a0 + (s * s * (1 - 5 * r) - s * r * (2 - 5 * r)) * a1;
   }
 
-  // max_i |e_i| / (atol + rtol max(|a_i|, |b_i|)); NaN if one is.
+  // max_i |e_i| / (atol + rtol max(|a_i|, |b_i|)); NaN if a term is NaN.
   template <class E, class A>
   [[nodiscard]] static double worst_share(const E& e, const A& a, const A& b, double atol, double rtol) {
     double worst = 0;

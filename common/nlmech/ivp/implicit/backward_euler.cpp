@@ -13,7 +13,7 @@ namespace nlmech::ivp {
 
 namespace {
 
-/// One step of the backward Euler method.
+/// Stepper of the backward Euler method.
 class BackwardEulerStepper : public Stepper {
  public:
   /// @param system outlives the stepper
@@ -25,13 +25,13 @@ class BackwardEulerStepper : public Stepper {
         x1_(system.size()),
         f_(system.size()),
         workspace_(system.size()) {}
-  /// The method's.
+  /// Name of the method.
   [[nodiscard]] static std::string_view name() { return BackwardEuler::name; }
 
   /// The next step starts a segment on which f is smooth.
   void begin_segment(double begin, double end) { segment_ = SmoothSegment(begin, end); }
 
-  /// From t to t + h.
+  /// Integrates from t to t + h.
   Status step(double t, double h, const State& x0, State& x1, Statistics& statistics) {
     const double t1 = segment_(t + h);
     const auto residual = [&](const State& x, State& r) {
@@ -46,8 +46,8 @@ class BackwardEulerStepper : public Stepper {
     };
     x1_ = x0;
     algebraic::Newton newton = newton_;
-    // Rounding of a component by eps |x| reaches others of the kind of its rate, however stiff f is, as
-    // eps |x|/h: more would be no smooth motion at this step.
+    // Rounding of a component by eps |x| changes components of the dimension of its rate by eps |x|/h, for
+    // any stiffness of f of a motion that is smooth at this step size.
     const double noise = 16 * std::numeric_limits<double>::epsilon() * x0.cwiseAbs().maxCoeff();
     newton.noise = std::max(newton.noise, noise * (1 + 1 / std::abs(h)));
     const std::int64_t before = statistics.newton_iterations;

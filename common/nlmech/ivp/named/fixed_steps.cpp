@@ -5,7 +5,7 @@
 namespace nlmech::ivp {
 
 StepGrid make_step_grid(double begin, double end, double length) {
-  constexpr double most = 4611686018427387904.0;  // 2^62: walks are stopped by their limits long before
+  constexpr double most = 4611686018427387904.0;  // 2^62: far above any limit of steps
   const double ratio = std::abs(end - begin) / length;
   const double whole = std::round(ratio);
   const double rounding = 4 * std::numeric_limits<double>::epsilon() * ratio;
@@ -16,7 +16,7 @@ StepGrid make_step_grid(double begin, double end, double length) {
   }
   const double full = std::min(std::floor(ratio), most);
   const double step = std::copysign(length, end - begin);
-  // Not end - (begin + full step): that sum is rounded as times are.
+  // Not end - (begin + full step): that sum is rounded to the spacing of times.
   return {begin, end, step, end - begin - full * step, static_cast<std::int64_t>(full) + 1};
 }
 

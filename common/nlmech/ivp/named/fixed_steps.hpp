@@ -1,6 +1,5 @@
 /// @file
-/// The walk of a fixed-step method from begin to end: steps that land on discontinuities, statuses,
-/// observers.
+/// Loop of a fixed-step method: steps that end on discontinuities, statuses, observers.
 #pragma once
 
 #include <algorithm>
@@ -17,56 +16,56 @@
 
 namespace nlmech::ivp {
 
-/// Steps of equal length over one smooth segment. If the asked length does not divide the segment (to 1e-9 of
-/// a step), the last step is shorter; the end is met exactly.
+/// Grid of equal steps over one smooth segment. If the step size does not divide the segment (to 1e-9 of a
+/// step), the last step is shorter. The last step ends exactly at the end.
 struct StepGrid {
-  double begin;        ///< begin of the segment
-  double end;          ///< its end
-  double step;         ///< signed length of all steps but perhaps the last
-  double last;         ///< signed length of the last step
+  double begin;        ///< start of the segment
+  double end;          ///< end of the segment
+  double step;         ///< signed step size of all steps but possibly the last
+  double last;         ///< signed size of the last step
   std::int64_t count;  ///< number of steps; at most 2^62
 
   /// Time after k steps.
   [[nodiscard]] double time(std::int64_t k) const {
     return k == count ? end : begin + static_cast<double>(k) * step;
   }
-  /// Length of step k (from 0): the same double for every full step, so that steppers may keep what depends
-  /// on it.
+  /// Size of step k (from 0): the same double for every full step, so that steppers may reuse what depends on
+  /// it.
   [[nodiscard]] double length(std::int64_t k) const { return k + 1 == count ? last : step; }
 };
 
-/// @param length positive length asked for
+/// @param length step size, positive
 [[nodiscard]] StepGrid make_step_grid(double begin, double end, double length);
 
-/// The shortest step from @p t0 to @p t1: 512 spacings of doubles at the later time. A rounded time is off by
-/// up to half a spacing, and so are the times at which forces are evaluated and rows are read; this is less
-/// than a thousandth of a longer step, so that three digits of what a step changes are right. Steps from 0
-/// that are shorter would be 1e13 or more.
+/// The smallest fixed step from @p t0 to @p t1: 512 spacings of doubles at the later time. The rounding error
+/// of a time at which forces are evaluated is up to half a spacing, less than a thousandth of such a step, so
+/// the change over a step has three correct digits. An integration from 0 with smaller steps would need 1e13
+/// of them or more.
 [[nodiscard]] inline double shortest_fixed_step(double t0, double t1) {
   return 512 * spacing(std::max(std::abs(t0), std::abs(t1)));
 }
 
 /// Base of fixed-step steppers. A stepper has `std::string_view name() const`, a member
-/// `Status step(double t, double h, const State& x0, State& x1, Statistics&)` that goes from t to t +
-/// h, and dense output over that step. One with values at inner nodes says so by has_nodes, and fills times_
-/// and states_ in step(). One that carries derivatives from step to step, or looks at the end of a step, has
-/// `void begin_segment(double begin, double end)`, called before the first step of each stretch between
-/// discontinuities.
+/// `Status step(double t, double h, const State& x0, State& x1, Statistics&)` that integrates from t to t +
+/// h, and dense output over that step. A stepper with values at inner nodes sets has_nodes and fills times_
+/// and states_ in step(). A stepper that passes derivatives from step to step, or evaluates f at the end of a
+/// step, has `void begin_segment(double begin, double end)`, called before the first step of each interval
+/// between discontinuities.
 template <SystemLike S>
 class StepperOf : public DenseOutputOf<S> {
  public:
   /// For states of @p size components.
   explicit StepperOf(int size) : times_(1), states_(size, 1) {}
-  /// Times with values of the method's own within the latest step, its end last. By default the end alone.
+  /// Times of the output points of the latest step, its end last. Default: the end only.
   [[nodiscard]] std::span<const double> times() const { return times_; }
-  /// States at times(), one a column.
+  /// States at times(), one per column.
   [[nodiscard]] const typename S::Nodes& states() const { return states_; }
-  /// Called by the walk after a step without inner nodes: the end of the step is the only value.
+  /// Sets the end of the step as the only output point; called after a step without inner nodes.
   void set_end(double t, const typename S::State& x) {
     times_[0] = t;
     states_.col(0) = x;
   }
-  /// Does step() fill times and states itself?
+  /// Does step() fill times_ and states_?
   static constexpr bool has_nodes = false;
 
  protected:
@@ -74,10 +73,10 @@ class StepperOf : public DenseOutputOf<S> {
   typename S::Nodes states_;   ///< filled by steppers with has_nodes
 };
 
-/// For every System.
+/// Base of fixed-step steppers for System.
 using Stepper = StepperOf<System>;
 
-/// Integrates from problem.t0 to problem.t1 with steps of the length @p h > 0.
+/// Integrates from problem.t0 to problem.t1 with steps of size @p h > 0.
 template <SystemLike S, class MethodStepper>
 [[nodiscard]] SolutionOf<S> integrate_fixed_steps(const InitialValueProblemOf<S>& problem, double h,
                                                   MethodStepper& stepper) {

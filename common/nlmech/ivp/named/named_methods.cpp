@@ -36,16 +36,16 @@ constexpr MethodInfo for_accelerations(MethodInfo method) {
   return method;
 }
 
-/// A method that has a step, and no other setting.
+/// Makes a method with a step size and no other setting.
 template <class Method>
 constexpr auto with_step =
     [](const Settings& settings) { return with_options(Method{.step = *settings.step}); };
 
-/// A method that has tolerances, and no other setting.
+/// Makes a method with tolerances and no other setting.
 template <class Method>
 constexpr auto with_tolerances = [](const Settings& settings) { return by_tolerance<Method>(settings); };
 
-/// Hermitian operators, which have an estimate of their error: with a tolerance they choose their steps.
+/// Makes a method of Hermitian operators: fixed steps with a step size, adaptive steps with a tolerance.
 template <const HermitianPair& pair>
 constexpr auto with_operators = [](const Settings& settings) {
   if (!settings.step) return by_tolerance(settings, Hermitian{.operators = pair});
@@ -149,8 +149,8 @@ void check_positive(std::string_view name, std::string_view what, const std::opt
     throw invalid_argument("{}: the {} must be positive and finite, not {}", name, what, *value);
 }
 
-/// @throws std::invalid_argument for settings that the method does not have, or that are out of range, naming
-/// them
+/// @throws std::invalid_argument for settings that the method does not have or that are out of range, with
+/// their names
 void check_settings(const MethodInfo& method, const Settings& settings) {
   const auto refuse = [&](std::string_view why) { throw invalid_argument("{}: {}", method.name, why); };
   check_positive(method.name, "step", settings.step);

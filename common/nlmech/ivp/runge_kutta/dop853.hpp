@@ -18,54 +18,54 @@ struct Pair;
 /// Order 8 in 12 stages, with estimates of orders 5 and 3 (J. R. Dormand, P. J. Prince; E. Hairer, S. P.
 /// Norsett, G. Wanner, Solving Ordinary Differential Equations I, 2nd edition, 1993, sections II.5 and II.10;
 /// their code is DOP853).
-///  - e5 and e3, the differences of the new state from the formulas of orders 5 and 3, have the norms E =
-///    max_i |e_i|/(atol + rtol max(|x0_i|, |x1_i|)); a step is accepted if err = E5 E5/sqrt(E5^2 + E3^2/100)
-///    <= 1. It goes with h^8. Largest components, where Hairer's code has means of squares, so that a
-///    tolerance means each component, as in the other methods here, however many others are at rest;
-///  - the next one is 0.8 err^(-1/8) times as long, or less if the error of the step before says that it
-///    grows (StepControl::change()), at least a fifth and at most ten times: over thirteen smooth problems
-///    and tolerances from 1e-3 to 1e-13 these take 4 % fewer evaluations than the usual 0.9 and 6, and half
-///    as many rejections;
-///  - the first one would change the state by (atol + rtol)^(1/8) of its size, and is at most a tenth of the
-///    way.
-/// A trial is 11 evaluations, an accepted one another, of f at its end, which is the first of the next step.
-/// A trial whose values are not finite is rejected. At each discontinuity the method starts anew.
+///  - e5 and e3, the differences of the new state from the formulas of orders 5 and 3, have the norms
+///    E = max_i |e_i|/(atol + rtol max(|x0_i|, |x1_i|)); a step is accepted if
+///    err = E5 E5/sqrt(E5^2 + E3^2/100) <= 1. err is proportional to h^8. Hairer's code has root mean squares
+///    in place of the maximum; with the maximum the tolerance applies to each component, as in the other
+///    methods of nlmech, also if many others are at rest;
+///  - the factor to the next step size is 0.8 err^(-1/8), or less if errors grow (StepControl::change()),
+///    from 1/5 to 10: over thirteen smooth problems and tolerances from 1e-3 to 1e-13 these constants need 4
+///    % fewer evaluations than the usual 0.9 and 6, and half as many rejections;
+///  - the first step changes the state by (atol + rtol)^(1/8) of its size and is at most a tenth of the
+///    segment.
+/// A trial takes 11 evaluations, an accepted one another, of f at its end, which is the first of the next
+/// step. A trial whose values are not finite is rejected. The method restarts at each discontinuity.
 ///
 /// Dense output: the polynomial of degree 7 (section II.6), of order 7, continuously differentiable. It takes
-/// three more evaluations, made when the solution within a step is first asked for, and not otherwise.
+/// three more evaluations, at the first request within a step only.
 ///
-/// Tests hold the 26 to 30 digits of the coefficients to all 200 order conditions of the formula, to those of
-/// both estimates and of the dense output, the error of one step to h^9 at its end and h^8 inside (exponents
-/// within 0.3), and errors at tolerances from 1e-6 to 1e-13 to ten tolerances for an oscillator.
+/// Tests assert all 200 order conditions of the formula and those of both estimates and the dense output for
+/// the 26 to 30 digits of the coefficients, an error of one step of h^9 at its end and h^8 inside (exponents
+/// within 0.3), and an error of ten tolerances for an oscillator at tolerances from 1e-6 to 1e-13.
 struct Dop853 {
   static constexpr std::string_view name = "dop853";  ///< on command lines and in tables
   using Pair = dop853::Pair;                          ///< coefficients, error and step control
   double relative_tolerance = 1e-9;                   ///< rtol, from 0 to 0.1
   double absolute_tolerance = 1e-9;                   ///< atol, positive
-  double initial_step = 0;                            ///< of each segment; 0: chosen from f(t0, x0)
-  double largest_step = 0;                            ///< 0: the interval
+  double initial_step = 0;  ///< first step of each segment; 0: chosen from f(t0, x0)
+  double largest_step = 0;  ///< 0: the interval
 };
 
 namespace dop853 {
 
-/// Rows of the dense output, each an object of its own as weighted() wants it.
+/// Rows of the dense output, each as an object for weighted().
 template <std::size_t i>
 inline constexpr auto dense_row = dense[i];
 
-/// Coefficients, and in what the method differs from other pairs.
+/// Coefficients and step-size control of the method.
 struct Pair : EmbeddedPair<Pair> {
   static constexpr const auto& c = dop853::c;          ///< abscissae
   static constexpr const auto& a = dop853::a;          ///< rows
-  static constexpr const auto& error_weights = fifth;  ///< of the first estimate
-  static constexpr int order = 8;                      ///< of both estimates as one
-  static constexpr std::size_t dense_stages = 3;       ///< for dense output
-  static constexpr std::size_t coefficients = 7;       ///< of the polynomial
+  static constexpr const auto& error_weights = fifth;  ///< weights of the first estimate
+  static constexpr int order = 8;                      ///< of the combined estimate
+  static constexpr std::size_t dense_stages = 3;       ///< evaluations for dense output
+  static constexpr std::size_t coefficients = 7;       ///< vectors of the polynomial
   static constexpr double safety = 0.8;                ///< instead of the usual 0.9
   static constexpr double most_growth = 10;            ///< instead of the usual 6
 
   /// error^(1/8).
   [[nodiscard]] static double root(double error) { return std::sqrt(std::sqrt(std::sqrt(error))); }
-  /// Writes the state at the end. @return E5 E5/sqrt(E5^2 + E3^2/100); NaN if a component is
+  /// Writes the state at the end. @return E5 E5/sqrt(E5^2 + E3^2/100); NaN if a component is NaN
   template <class S>
   [[nodiscard]] static double finish(TrialStep<S, Pair>& step, const Dop853& method) {
     auto &slopes = step.r[0], &fifths = step.r[1], &thirds = step.r[2];
@@ -85,7 +85,7 @@ struct Pair : EmbeddedPair<Pair> {
     if (!std::isfinite(square)) return square;
     return square > 0 ? std::abs(h) * (fifth_norm * fifth_norm) / std::sqrt(square) : 0;
   }
-  /// Coefficients of the dense output.
+  /// Computes the coefficients of the dense output.
   template <class S>
   static void expand(TrialStep<S, Pair>& step) {
     const double h = step.h;
@@ -116,7 +116,7 @@ struct Pair : EmbeddedPair<Pair> {
 
 }  // namespace dop853
 
-/// The library's, for every System.
+/// Overload for System, compiled in the library.
 [[nodiscard]] Solution run(const InitialValueProblem& problem, const Dop853& method);
 
 }  // namespace nlmech::ivp

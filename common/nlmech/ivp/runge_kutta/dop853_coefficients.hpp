@@ -7,13 +7,13 @@
 
 /// The method of J. R. Dormand and P. J. Prince with the estimates and the dense output of E. Hairer and G.
 /// Wanner: E. Hairer, S. P. Norsett, G. Wanner, Solving Ordinary Differential Equations I, 2nd edition
-/// (1993), sections II.5, II.6 and II.10. The digits of tables/reference/dop853.csv, from which this file was
-/// written; a test compares the two and holds the digits to the order conditions.
+/// (1993), sections II.5, II.6 and II.10. This file is generated from tables/reference/dop853.csv; a test
+/// compares both and asserts the order conditions.
 namespace nlmech::ivp::dop853 {
 
-inline constexpr std::size_t stages = 12;      ///< of a trial
-inline constexpr std::size_t all_stages = 16;  ///< with f at the end, and three for dense output
-/// One number a stage.
+inline constexpr std::size_t stages = 12;      ///< stages of a trial
+inline constexpr std::size_t all_stages = 16;  ///< also f at the end, and three for dense output
+/// One number per stage.
 template <std::size_t count>
 using Row = std::array<double, count>;
 
@@ -86,7 +86,7 @@ inline constexpr Row<stages> third = {
     2.44094488188976377952755905512e-1, 0, 0, 0, 0, 0, 0, 0, 7.33846688281611857341361741547e-1, 0, 0,
     2.20588235294117647058823529412e-2};
 
-/// Weights of order 8 less those of order 5.
+/// Weights of order 8 minus those of order 5.
 inline constexpr Row<stages> fifth = {1.312004499419488073250102996e-2,
                                       0,
                                       0,

@@ -1,5 +1,5 @@
 /// @file
-/// The Runge-Kutta pair of Dormand and Prince under the step control of MATLAB's ode45.
+/// The Runge-Kutta pair of Dormand and Prince with the step-size control of MATLAB's ode45.
 #pragma once
 
 #include <algorithm>
@@ -17,31 +17,31 @@ struct Pair;
 }
 
 /// Orders 5 and 4 in 7 stages, the last of which is the first of the next step (J. R. Dormand, P. J. Prince,
-/// A family of embedded Runge-Kutta formulae, J. Comput. Appl. Math. 6 (1980) 19-26), goes on with the
-/// fifth-order value; steps are chosen as by MATLAB's ode45 (L. F. Shampine, M. W. Reichelt, The MATLAB ODE
-/// suite, SIAM J. Sci. Comput. 18 (1997) 1-22):
+/// A family of embedded Runge-Kutta formulae, J. Comput. Appl. Math. 6 (1980) 19-26), continued with the
+/// fifth-order value (local extrapolation). Step-size control is that of MATLAB's ode45 (L. F. Shampine, M.
+/// W. Reichelt, The MATLAB ODE suite, SIAM J. Sci. Comput. 18 (1997) 1-22):
 ///  - a step is accepted if max_i |e_i| / max(|x0_i|, |x1_i|, atol/rtol) <= rtol, e the difference of both
 ///    orders;
-///  - after a rejection the step shrinks by max(0.1, 0.8 (rtol/err)^(1/5)), after further ones it halves; if
-///    accepted at once, the next step is shorter or longer by (rtol/err)^(1/5)/1.25, at most 5 times;
-///  - the last step is stretched by up to 10 %; none is shorter than 16 spacings of doubles at t.
-/// A trial whose values are not finite is rejected. At each discontinuity the method starts anew.
+///  - after a rejection the step size is multiplied by max(0.1, 0.8 (rtol/err)^(1/5)), after further ones
+///    it is halved; after a step that is accepted at once the factor is (rtol/err)^(1/5)/1.25, at most 5;
+///  - the last step is stretched by up to 10 %; no step is below 16 spacings of doubles at t.
+/// A trial whose values are not finite is rejected. The method restarts at each discontinuity.
 ///
 /// Dense output: the quartic of order 4 (Dormand, Prince, Runge-Kutta triples, Comput. Math. Appl. 12 A
-/// (1986) 1007-1017), continuously differentiable. Each step gives `refine` equally spaced values of it to
-/// observers.
+/// (1986) 1007-1017), continuously differentiable. Observers receive `refine` equally spaced values of it per
+/// step.
 ///
-/// Tests hold the coefficients to the order conditions of the pair and its dense output (some ten eps), the
-/// error of one step to h^6 at its end and h^5 inside (exponents within 0.3), and the errors of Table 4.2 to
-/// 1.175e-4 and 1.142e-6.
+/// Tests assert the order conditions of the pair and its dense output (about ten eps), an error of one step
+/// of h^6 at its end and h^5 inside (exponents within 0.3), and the errors 1.175e-4 and 1.142e-6 of Table
+/// 4.2.
 struct Ode45 {
   static constexpr std::string_view name = "ode45";  ///< on command lines and in tables
   using Pair = dormand_prince::Pair;                 ///< coefficients and step control
   double relative_tolerance = 1e-9;                  ///< rtol, from 100 eps = 2.22e-14 to 0.1
   double absolute_tolerance = 1e-9;                  ///< atol, positive
-  double initial_step = 0;                           ///< of each segment; 0: chosen from f(t0, x0)
+  double initial_step = 0;                           ///< first step of each segment; 0: chosen from f(t0, x0)
   double largest_step = 0;                           ///< 0: a tenth of the interval
-  int refine = 4;                                    ///< values a step for observers, from 1 to 1000
+  int refine = 4;                                    ///< output points per step for observers, from 1 to 1000
 };
 
 namespace dormand_prince {
@@ -51,7 +51,7 @@ inline constexpr int stages = 7;  ///< the last is the first of the next step
 /// Abscissae.
 inline constexpr std::array<double, stages> c = {0, 1. / 5, 3. / 10, 4. / 5, 8. / 9, 1, 1};
 
-/// Row i: weights of the stages before i. The last row is the fifth-order formula itself.
+/// Row i: weights of the stages before i. The last row is the fifth-order formula.
 inline constexpr std::array<std::array<double, stages - 1>, stages> a = {
     {{},
      {1. / 5},
@@ -75,20 +75,20 @@ inline constexpr std::array<std::array<double, 4>, stages> dense = {
      {0, -11. / 7, 11. / 3, -55. / 28},
      {0, 3. / 2, -4, 5. / 2}}};
 
-/// Coefficients, and the step control of MATLAB.
+/// Coefficients, and the step-size control of MATLAB.
 struct Pair : EmbeddedPair<Pair> {
   static constexpr const auto& c = dormand_prince::c;       ///< abscissae
   static constexpr const auto& a = dormand_prince::a;       ///< rows
-  static constexpr const auto& error_weights = difference;  ///< of the fourth-order formula
+  static constexpr const auto& error_weights = difference;  ///< against the fourth-order formula
   static constexpr int order = 5;                           ///< of the estimate
-  static constexpr bool step_times_weights = true;          ///< as MATLAB
-  /// MATLAB's.
+  static constexpr bool step_times_weights = true;          ///< as in MATLAB
+  /// As in MATLAB.
   static constexpr double least_relative_tolerance = 100 * std::numeric_limits<double>::epsilon();
 
-  /// Steps of at most a tenth of the interval, the last one stretched; halved after further rejections.
+  /// Step sizes of at most a tenth of the interval, stretched at the end, halved after repeated rejections.
   [[nodiscard]] static StepRule step_rule(const Ode45& method, double t0, double t1) {
     const double interval = std::abs(t1 - t0);
-    // A tenth of a very short interval may be less than the shortest step.
+    // A tenth of a very short interval may be below the smallest step size.
     const double largest = method.largest_step > 0
                                ? std::min(interval, method.largest_step)
                                : std::max(interval / 10, 16 * spacing(std::max(std::abs(t0), std::abs(t1))));
@@ -99,15 +99,15 @@ struct Pair : EmbeddedPair<Pair> {
     return {method.absolute_tolerance / method.relative_tolerance,
             0.8 * std::pow(method.relative_tolerance, 0.2)};
   }
-  /// At most five times as long.
+  /// Step size after an accepted step, at most five times as large.
   [[nodiscard]] static double next_length(const StepControl& control, double error) {
     return control.taken() / std::max(0.2, 1.25 * std::pow(error, 0.2));
   }
-  /// After the first rejection; a tenth for an error that is NaN.
+  /// Step size after the first rejection; a tenth for an error that is NaN.
   [[nodiscard]] static double shorter_length(double taken, double error) {
     return taken * std::max(0.1, 0.8 * std::pow(error, -0.2));
   }
-  /// max_i |e_i| / max(|x0_i|, |x1_i|, atol/rtol) / rtol; NaN if a component is.
+  /// max_i |e_i| / max(|x0_i|, |x1_i|, atol/rtol) / rtol; NaN if a component is NaN.
   template <class S>
   [[nodiscard]] static double finish(const TrialStep<S, Pair>& step, const Ode45& method) {
     const double threshold = method.absolute_tolerance / method.relative_tolerance;
@@ -133,7 +133,7 @@ struct Pair : EmbeddedPair<Pair> {
 
 }  // namespace dormand_prince
 
-/// The library's, for every System.
+/// Overload for System, compiled in the library.
 [[nodiscard]] Solution run(const InitialValueProblem& problem, const Ode45& method);
 
 }  // namespace nlmech::ivp

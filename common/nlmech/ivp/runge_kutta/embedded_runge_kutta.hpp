@@ -1,6 +1,5 @@
 /// @file
-/// Explicit Runge-Kutta methods with an error estimate: one integration for all of them; a method is a
-/// tableau.
+/// Embedded explicit Runge-Kutta methods: one integrator for all; a method is a tableau.
 #pragma once
 
 #include <algorithm>
@@ -22,8 +21,8 @@
 
 namespace nlmech::ivp {
 
-/// Rule for the first step of a smooth segment: no component may change by more than `change` times its size,
-/// and the step is at most 1/`parts` of the segment.
+/// Rule for the first step of a smooth segment: no component changes by more than `change` times its size,
+/// and the step size is at most 1/`parts` of the segment.
 struct FirstStep {
   double floor = 0;   ///< smallest size of a component
   double change = 0;  ///< relative change
@@ -35,27 +34,28 @@ template <class S, class P>
 struct TrialStep {
   using State = typename S::State;                                           ///< all components
   using Slope = std::conditional_t<P::is_nystrom, typename S::Half, State>;  ///< f, or the acceleration
-  static constexpr std::size_t end = P::a.size() - 1 - P::dense_stages;      ///< the stage at the end
+  static constexpr std::size_t end = P::a.size() - 1 - P::dense_stages;  ///< index of the stage at the end
 
   /// For states of @p size components.
   explicit TrialStep(int size) : x0(State::Zero(size)), x1(x0) {
     for (Slope& each : k) each.resize(P::is_nystrom ? size / 2 : size);
     for (State& each : r) each.resize(size);
   }
-  State x0;                              ///< state at the start
-  State x1;                              ///< state at the end
-  std::array<Slope, P::a.size()> k;      ///< at the stages
-  std::array<State, P::coefficients> r;  ///< what expand() makes for at(); before that, room for finish()
-  double t0 = 0;                         ///< time of the start
-  double h = 1;                          ///< length, signed
+  State x0;                          ///< state at the start
+  State x1;                          ///< state at the end
+  std::array<Slope, P::a.size()> k;  ///< slopes at the stages
+  std::array<State, P::coefficients>
+      r;          ///< coefficients of expand() for at(); before that, workspace of finish()
+  double t0 = 0;  ///< time of the start
+  double h = 1;   ///< step size, signed
 };
 
-/// The larger of @p largest and @p value; NaN if one is.
+/// Sets @p largest to the larger of both; NaN if one is NaN.
 [[gnu::always_inline]] inline void enlarge(double& largest, double value) {
   if (value > largest || std::isnan(value)) largest = value;
 }
 
-/// Row @p i of the tableau of the pair @p P, an object of its own as weighted() wants it.
+/// Row @p i of the tableau of the pair @p P, as an object for weighted().
 template <class P, std::size_t i>
 inline constexpr auto stage_weights = P::a[i];
 
@@ -64,58 +64,58 @@ inline constexpr auto stage_weights = P::a[i];
 ///  - `c`: the abscissae of the stages; the last stage is at the end of the step, 1;
 ///  - `a`: row i has the weights of the stages before stage i; the last row is the first formula;
 ///  - `error_weights`: weights of the first formula minus those of the second; without that of the last stage
-///    if it is 0, and then f at the end of the step is evaluated for accepted steps only;
-///  - `order`: the estimate for a step of length h goes with h^order.
+///    if it is 0: f at the end is then evaluated for accepted steps only;
+///  - `order`: the error estimate is proportional to h^order.
 ///
-/// All else has the defaults below; a pair replaces them by members of the same name.
+/// A pair may replace the defaults below by members of the same name.
 ///
-/// Tests of two pairs that are nothing but tableaus, of orders 3 and 2: errors of one step and of its dense
-/// output go with h^4 (exponents within 0.3), those of a run with h^3 (within 0.1); at tolerances from 1e-4
-/// to 1e-8 an oscillator's error after 10 units of time is below the tolerance times the number of steps.
+/// Tests with two pairs without other members, of orders 3 and 2, assert errors of one step and of its dense
+/// output of h^4 (exponents within 0.3) and of a run of h^3 (within 0.1), and for an oscillator after 10
+/// units of time, at tolerances from 1e-4 to 1e-8, an error below the tolerance times the number of steps.
 template <class P>
 struct EmbeddedPair {
-  /// What a step needs.
+  /// The trial step.
   template <class S>
   using Trial = TrialStep<S, P>;
-  static constexpr bool is_nystrom = false;  ///< for accelerations: NystromPair
-  /// Argument of a stage: x + (h a0) k0 + (h a1) k1 + ... if true, else x + h (a0 k0 + a1 k1 + ...). The two
-  /// differ by rounding.
+  static constexpr bool is_nystrom = false;  ///< true for NystromPair
+  /// Argument of a stage: x + (h a0) k0 + (h a1) k1 + ... if true, otherwise x + h (a0 k0 + a1 k1 + ...).
+  /// Both differ by rounding.
   static constexpr bool step_times_weights = false;
-  static constexpr std::size_t dense_stages = 0;  ///< last rows of a and c, evaluated for dense output only
-  static constexpr std::size_t coefficients = 0;  ///< vectors from which dense output is made
-  static constexpr double least_relative_tolerance = 0;  ///< smallest that is accepted
-  static constexpr double safety = 0.9;                  ///< of the step that would just meet the tolerance
-  static constexpr double most_growth = 5;               ///< of lengths from a step to the next
+  static constexpr std::size_t dense_stages = 0;  ///< number of last rows of a and c for dense output only
+  static constexpr std::size_t coefficients = 0;  ///< number of vectors for dense output
+  static constexpr double least_relative_tolerance = 0;  ///< smallest rtol
+  static constexpr double safety = 0.9;                  ///< safety factor of the step size
+  static constexpr double most_growth = 5;               ///< largest factor on the step size
 
   /// Constants of the step control from @p t0 to @p t1.
   [[nodiscard]] static StepRule step_rule(const auto& method, double t0, double t1) {
     return {.largest = method.largest_step > 0 ? method.largest_step : std::abs(t1 - t0)};
   }
   /// The state changes by (atol + rtol)^(1/order) of its size in the first step, which is at most a tenth of
-  /// the segment: f = 0 at the start gives no length.
+  /// the segment, also for f = 0 at the start.
   [[nodiscard]] static FirstStep first_step(const auto& method) {
     const double tolerance = method.absolute_tolerance + method.relative_tolerance;
     return {method.absolute_tolerance / tolerance, P::root(std::min(1.0, tolerance)), 10};
   }
   /// error^(1/order).
   [[nodiscard]] static double root(double error) { return std::pow(error, 1. / P::order); }
-  /// Length of the step after an accepted one, whose error is @p error tolerances: by StepControl::change(),
-  /// at least a fifth of the accepted one.
+  /// Step size after an accepted step with @p error in tolerances: by StepControl::change(), at least a fifth
+  /// of the accepted step size.
   [[nodiscard]] static double next_length(StepControl& control, double error) {
     const double now = P::root(std::max(error, 1e-30));
     return control.taken() * std::clamp(control.change(P::safety, now, now), 0.2, P::most_growth);
   }
-  /// Length of the trial after a rejected one of length @p taken; a fifth of it if the error is NaN.
+  /// Step size of the trial after a rejected one of size @p taken; a fifth of it if the error is NaN.
   [[nodiscard]] static double shorter_length(double taken, double error) {
     return taken * std::min(0.9, std::max(0.2, 0.9 / P::root(error)));
   }
 
-  /// The first stage, at the start.
+  /// Evaluates the first stage, at the start.
   template <class S>
   static void start(const S& system, double time, TrialStep<S, P>& step) {
     system.rhs(time, step.x0, step.k[0]);
   }
-  /// Stage @p i.
+  /// Evaluates stage @p i.
   template <std::size_t i, class S>
   [[gnu::always_inline]] static void stage(const S& system, double time, TrialStep<S, P>& step) {
     auto& x = i > step.end ? step.r[0] : step.x1;
@@ -133,8 +133,9 @@ struct EmbeddedPair {
       rate = std::max(rate, std::abs(step.k[0][i]) / std::max(std::abs(step.x0[i]), floor));
     return rate;
   }
-  /// Writes the state at the end of the trial, unless the last stage has. @return the error in tolerances,
-  /// max_i |e_i|/(atol + rtol max(|x0_i|, |x1_i|)); NaN if a component is
+  /// Writes the state at the end of the trial unless the last stage has done so.
+  /// @return the error in tolerances, max_i |e_i|/(atol + rtol max(|x0_i|, |x1_i|)); NaN if a component is
+  /// NaN
   template <class S>
   [[nodiscard]] static double finish(TrialStep<S, P>& step, const auto& method) {
     constexpr std::size_t stages = P::error_weights.size(), end = TrialStep<S, P>::end;
@@ -148,7 +149,7 @@ struct EmbeddedPair {
     }
     return largest;
   }
-  /// Dense output: the cubic with states and slopes of both ends, of order 3.
+  /// Dense output: cubic Hermite interpolation, of order 3.
   template <class S>
   static void at(const TrialStep<S, P>& step, double t, typename S::State& x) {
     const double h = step.h, s = (t - step.t0) / h, u = 1 - s;
@@ -158,8 +159,8 @@ struct EmbeddedPair {
 };
 
 /// Options of a method: an aggregate with a name, a pair, tolerances, `initial_step` (of each segment; 0: by
-/// FirstStep) and `largest_step` (0: by the pair). A member `refine` is the number of equally spaced values a
-/// step for observers.
+/// FirstStep) and `largest_step` (0: by the pair). A member `refine` is the number of equally spaced output
+/// points per step for observers.
 template <class M>
 concept EmbeddedMethod = requires {
   M::Pair::order;
@@ -177,22 +178,22 @@ void check_options(const M& m) {
 }
 /// @}
 
-/// One integration by a pair; the dense output of its latest step.
+/// One integration by a pair, and the dense output of its latest step.
 template <SystemLike S, EmbeddedMethod M>
 class EmbeddedRungeKutta : public AdaptiveStepLoop<S, EmbeddedRungeKutta<S, M>>, public DenseOutputOf<S> {
  public:
   using State = typename S::State;  ///< all components
   /// @param problem outlives the integration
-  /// @param method outlives it too
+  /// @param method outlives the integration
   EmbeddedRungeKutta(const InitialValueProblemOf<S>& problem, const M& method)
       : Base(problem, M::name, Pair::step_rule(method, problem.t0, problem.t1), refine_of(method)),
         method_(method),
         system_(problem.system),
         trial_(problem.system.size()) {}
 
-  /// The first call after a step evaluates f at the stages for dense output, if there are any.
+  /// The first call after a step evaluates the stages for dense output, if there are any.
   void at(double t, State& x) const override {
-    if constexpr (Pair::is_nystrom) {  // a shorter step, over the stages of the last, which are used up
+    if constexpr (Pair::is_nystrom) {  // a shorter step, which overwrites the stages
       trial_.h = t - trial_.t0;
       evaluate<1>(t, std::make_index_sequence<stages - 1>());
       Pair::state(trial_, x);
@@ -224,7 +225,7 @@ class EmbeddedRungeKutta : public AdaptiveStepLoop<S, EmbeddedRungeKutta<S, M>>,
     else
       return 1;
   }
-  // Stages of a step to t1. A stage at the end is evaluated at t1 itself: t0 + h may be another double.
+  // Evaluates stages of a step to t1. A stage at the end is evaluated at t1: t0 + h may be another double.
   template <std::size_t from, std::size_t... i>
   [[gnu::always_inline]] void evaluate(double t1, std::index_sequence<i...>) const {
     (Pair::template stage<from + i>(

@@ -1,5 +1,6 @@
 /// @file
-/// Explicit Runge-Kutta methods of fixed step: Euler, the classical one of order 4, Butcher's of order 6.
+/// Explicit Runge-Kutta methods with fixed steps: Euler, the classical method of order 4, Butcher's of order
+/// 6.
 #pragma once
 
 #include <array>
@@ -12,10 +13,10 @@
 
 namespace nlmech::ivp {
 
-/// Coefficients of an explicit method: stage i is at c[i] and uses a[i][0..i-1]; weights b.
+/// Coefficients of an explicit method: stage i is at c[i] and uses a[i][0..i-1]; the weights are b.
 ///
-/// Tests hold Euler, Rk4 and Rk6 to the orders 1, 4 and 6 on Duffing's oscillator, observed within 0.1, and
-/// the sums of their rows and weights to 4e-16.
+/// Tests assert the orders 1, 4 and 6 of Euler, Rk4 and Rk6 on Duffing's oscillator (observed within 0.1),
+/// and the sums of their rows and weights (4e-16).
 template <std::size_t s>
 struct Tableau {
   static constexpr std::size_t stages = s;  ///< number of stages
@@ -28,7 +29,7 @@ struct Tableau {
 struct Euler {
   static constexpr std::string_view name = "euler";      ///< on command lines and in tables
   static constexpr Tableau<1> tableau = {{0}, {}, {1}};  ///< coefficients
-  double step = 0.01;                                    ///< length of a step, positive
+  double step = 0.01;                                    ///< step size, positive
 };
 
 /// The classical method of order 4 (W. Kutta 1901). Dense output of the same order: a shorter step.
@@ -37,7 +38,7 @@ struct Rk4 {
   /// Coefficients.
   static constexpr Tableau<4> tableau = {
       {0, 0.5, 0.5, 1}, {{{}, {0.5}, {0, 0.5}, {0, 0, 1}}}, {1. / 6, 1. / 3, 1. / 3, 1. / 6}};
-  double step = 0.01;  ///< length of a step, positive
+  double step = 0.01;  ///< step size, positive
 };
 
 /// Order 6 in 7 stages (J. C. Butcher, On Runge-Kutta processes of high order, J. Austral. Math. Soc. 4
@@ -54,10 +55,10 @@ struct Rk6 {
                                            {0, 9. / 8, -3. / 8, -3. / 4, 1. / 2},
                                            {9. / 44, -9. / 11, 63. / 44, 18. / 11, 0, -16. / 11}}},
                                          {11. / 120, 0, 27. / 40, 27. / 40, -4. / 15, -4. / 15, 11. / 120}};
-  double step = 0.01;  ///< length of a step, positive
+  double step = 0.01;  ///< step size, positive
 };
 
-/// Euler, Rk4, Rk6, or a user's own: an aggregate with name, tableau and step.
+/// Euler, Rk4, Rk6, or a method of the user: an aggregate with name, tableau and step.
 template <class M>
 concept ExplicitMethod = requires(const M& method) {
   M::tableau.stages;
@@ -65,7 +66,7 @@ concept ExplicitMethod = requires(const M& method) {
   method.step;
 };
 
-/// Row @p i of a method's tableau and its weights, objects of their own as add_stages() wants them.
+/// Row @p i of a method's tableau, and its weights, as objects for add_stages().
 /// @{
 template <class M, std::size_t i>
 inline constexpr auto row_of = M::tableau.a[i];
@@ -73,7 +74,7 @@ template <class M>
 inline constexpr auto weights_of = M::tableau.b;
 /// @}
 
-/// One step of an explicit method; the stages live in the stepper.
+/// Stepper of an explicit method; it owns the stages.
 template <SystemLike S, ExplicitMethod M>
 class ExplicitStepper : public StepperOf<S> {
  public:
@@ -83,13 +84,13 @@ class ExplicitStepper : public StepperOf<S> {
       : StepperOf<S>(system.size()), system_(system), argument_(system.size()), x0_(system.size()) {
     for (State& k : k_) k.resize(system.size());
   }
-  /// The method's.
+  /// Name of the method.
   [[nodiscard]] static std::string_view name() { return M::name; }
 
   /// The next step starts a segment on which f is smooth.
   void begin_segment(double begin, double end) { segment_ = SmoothSegment(begin, end); }
 
-  /// From t to t + h.
+  /// Integrates from t to t + h.
   Status step(double t, double h, const State& x0, State& x1, Statistics& statistics) {
     t0_ = t;
     x0_ = x0;
@@ -98,7 +99,7 @@ class ExplicitStepper : public StepperOf<S> {
     return {};
   }
 
-  /// A step of the length t - t0 from the start of the latest step: as accurate as the method itself.
+  /// Dense output: a step of size t - t0 from the start of the latest step, as accurate as the method.
   void at(double t, State& x) const override {
     ExplicitStepper shorter(system_);
     shorter.segment_ = segment_;
@@ -142,7 +143,7 @@ template <SystemLike S, ExplicitMethod M>
   return integrate_fixed_steps(problem, method.step, stepper);
 }
 
-/// The library's, for every System.
+/// Overload for System, compiled in the library.
 /// @{
 [[nodiscard]] Solution run(const InitialValueProblem& problem, const Euler& method);
 [[nodiscard]] Solution run(const InitialValueProblem& problem, const Rk4& method);

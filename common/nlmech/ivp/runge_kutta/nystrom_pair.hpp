@@ -10,7 +10,7 @@
 
 namespace nlmech::ivp {
 
-/// A trial step for accelerations.
+/// A trial step of a second-order problem.
 template <class S, class P>
 struct NystromStep : TrialStep<S, P> {
   using Half = typename S::Half;  ///< positions or velocities
@@ -19,27 +19,28 @@ struct NystromStep : TrialStep<S, P> {
   Half q0;  ///< positions at the start
   Half v0;  ///< velocities at the start
   Half q;   ///< positions at a stage
-  Half v;   ///< room for velocities
+  Half v;   ///< workspace for velocities
 };
 
-/// An EmbeddedPair for q'' = a(t, q): positions of stage i are q0 + c_i h v0 + h^2 sum_j a_ij k_j, the new
-/// ones have the weights `position`, `error_weights` in place of a last row of `a`, and velocities v0 + h
-/// sum_j k_j the weights `velocity`, `velocity_error_weights`. Dense output is a shorter step.
+/// An EmbeddedPair for q'' = a(t, q): positions of stage i are q0 + c_i h v0 + h^2 sum_j a_ij k_j. Positions
+/// at the end have the weights `position`, in place of a last row of `a`, and `error_weights`; velocities v0
+/// + h sum_j b_j k_j have the weights `velocity` and `velocity_error_weights`. Dense output is a shorter
+/// step.
 template <class P>
 struct NystromPair : EmbeddedPair<P> {
-  /// What a step needs.
+  /// The trial step.
   template <class S>
   using Trial = NystromStep<S, P>;
-  static constexpr bool is_nystrom = true;  ///< takes accelerations
+  static constexpr bool is_nystrom = true;  ///< uses accelerations
 
-  /// The first stage, at the start.
+  /// Evaluates the first stage, at the start.
   template <class S>
   static void start(const S& system, double time, NystromStep<S, P>& step) {
     step.q0 = positions(step.x0);
     step.v0 = velocities(step.x0);
     system.acceleration(time, step.q0, step.v0, step.k[0]);
   }
-  /// Stage @p i. Adds the stage before last, so that the other terms need not wait for its evaluation.
+  /// Evaluates stage @p i. The last stage is added at the end, so the other terms do not depend on it.
   template <std::size_t i, class S>
   [[gnu::always_inline]] static void stage(const S& system, double time, NystromStep<S, P>& step) {
     const double h = step.h, square = h * h;
@@ -60,7 +61,7 @@ struct NystromPair : EmbeddedPair<P> {
       largest = std::max({largest, rate(step.v0[i], step.q0[i]), rate(step.k[0][i], step.v0[i])});
     return largest;
   }
-  /// The state to which the stages lead.
+  /// Computes the state at the end from the stages.
   template <class S>
   static void state(NystromStep<S, P>& step, typename S::State& x) {
     constexpr std::size_t stages = P::position.size();
@@ -73,7 +74,7 @@ struct NystromPair : EmbeddedPair<P> {
       x.data()[m + d] = v0 + h * weighted<P::velocity, stages>(step.k, d);
     }
   }
-  /// Writes the state at the end. @return the error in tolerances of positions and velocities, as
+  /// Writes the state at the end. @return the error of positions and velocities in tolerances, as
   /// EmbeddedPair
   template <class S>
   [[nodiscard]] static double finish(NystromStep<S, P>& step, const auto& method) {
@@ -93,7 +94,7 @@ struct NystromPair : EmbeddedPair<P> {
     }
     return largest;
   }
-  /// Does the acceleration at the start change with the velocities? Costs two evaluations.
+  /// Does the acceleration at the start depend on the velocities? Costs two evaluations.
   template <class S>
   [[nodiscard]] static bool feels_velocities(const S& system, double time, NystromStep<S, P>& step) {
     bool feels = false;

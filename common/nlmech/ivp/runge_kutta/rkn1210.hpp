@@ -16,34 +16,33 @@ struct Pair;
 }
 
 /// Orders 12 and 10 in 17 stages for q'' = a(t, q) (J. R. Dormand, M. E. A. El-Mikkawy, P. J. Prince,
-/// High-order embedded Runge-Kutta-Nystroem formulae, IMA J. Numer. Anal. 7 (1987) 423-430), the RKN12(10) of
-/// the dissertation; goes on with the values of order 12. A step is accepted if max_i |e_i|/(atol + rtol
-/// max(|x0_i|, |x1_i|)) <= 1, e the difference of both orders in positions and velocities; the next one is
-/// 0.9 err^(-1/11) times as long, or less if the error of the step before says that it grows, by the factor
-/// (h/h') (err'/err)^(1/11) (K. Gustafsson, Control-theoretic techniques for stepsize selection in implicit
-/// Runge-Kutta methods, ACM Trans. Math. Software 20 (1994) 496-517), at least 0.2 and at most 4 times. A
-/// trial whose values are not finite is rejected. At each discontinuity the method starts anew.
+/// High-order embedded Runge-Kutta-Nystroem formulae, IMA J. Numer. Anal. 7 (1987) 423-430), RKN12(10) of the
+/// dissertation; continued with the values of order 12. A step is accepted if max_i |e_i|/(atol + rtol
+/// max(|x0_i|, |x1_i|)) <= 1, e the difference of both orders in positions and velocities. The factor to the
+/// next step size is 0.9 err^(-1/11), reduced if errors grow by the factor (h/h') (err'/err)^(1/11) (K.
+/// Gustafsson, Control-theoretic techniques for stepsize selection in implicit Runge-Kutta methods, ACM
+/// Trans. Math. Software 20 (1994) 496-517), from 0.2 to 4. A trial whose values are not finite is rejected.
+/// The method restarts at each discontinuity.
 ///
-/// Accelerations that depend on velocities are refused: before the first step, where the problem is asked
-/// with other velocities, by std::invalid_argument; after it, where they show only then, by
-/// `outside_validity`.
+/// Accelerations that depend on velocities are detected by evaluations with other velocities: before the
+/// first step (std::invalid_argument) and after it (`outside_validity`).
 ///
-/// Dense output of the same order: a shorter step.
+/// Dense output: a shorter step, of the same order.
 ///
-/// Tests hold the 30 digits of the coefficients to the quadrature conditions of both orders, and the observed
-/// orders to 12 and 10 within 0.6.
+/// Tests assert the quadrature conditions of both orders for the 30 digits of the coefficients, and the
+/// observed orders 12 and 10 within 0.6.
 struct Rkn1210 {
   static constexpr std::string_view name = "rkn1210";  ///< on command lines and in tables
   using Pair = rkn1210::Pair;                          ///< coefficients and step control
   double relative_tolerance = 1e-9;                    ///< rtol, from 0 to 0.1
   double absolute_tolerance = 1e-9;                    ///< atol, positive
-  double initial_step = 0;                             ///< of each segment; 0: chosen from q, v and a
-  double largest_step = 0;                             ///< 0: the interval
+  double initial_step = 0;  ///< first step of each segment; 0: chosen from q, v and a
+  double largest_step = 0;  ///< 0: the interval
 };
 
 namespace rkn1210 {
 
-/// High less low order.
+/// Weights of the high order minus those of the low order.
 [[nodiscard]] constexpr Column difference(const Column& high, const Column& low) {
   Column d = {};
   for (std::size_t i = 0; i < stages; ++i) d[i] = high[i] - low[i];
@@ -56,18 +55,18 @@ struct Pair : NystromPair<Pair> {
   static constexpr const auto& a = rkn1210::a;                                 ///< rows
   static constexpr const auto& position = rkn1210::position;                   ///< of order 12
   static constexpr const auto& velocity = rkn1210::velocity;                   ///< of order 12
-  static constexpr Column error_weights = difference(position, low_position);  ///< of positions
-  /// Of velocities.
+  static constexpr Column error_weights = difference(position, low_position);  ///< error weights of positions
+  /// Error weights of velocities.
   static constexpr Column velocity_error_weights = difference(velocity, low_velocity);
-  static constexpr int order = 11;          ///< of the estimate
-  static constexpr double most_growth = 4;  ///< of steps
+  static constexpr int order = 11;          ///< of the error estimate
+  static constexpr double most_growth = 4;  ///< largest factor on the step size
 
   /// Positions and velocities change by 2 (atol + rtol)^(1/12) of their size in the first step.
   [[nodiscard]] static FirstStep first_step(const Rkn1210& method) {
     const double tolerance = method.absolute_tolerance + method.relative_tolerance;
     return {method.absolute_tolerance / tolerance, 2 * std::pow(std::min(1.0, tolerance), 1. / 12)};
   }
-  /// At least a fifth.
+  /// Step size after a rejection, at least a fifth.
   [[nodiscard]] static double shorter_length(double taken, double error) {
     return taken * std::min(0.9, std::max(0.2, 0.9 * std::pow(error, -1. / order)));
   }
@@ -75,7 +74,7 @@ struct Pair : NystromPair<Pair> {
 
 }  // namespace rkn1210
 
-/// The library's, for every System.
+/// Overload for System, compiled in the library.
 [[nodiscard]] Solution run(const InitialValueProblem& problem, const Rkn1210& method);
 
 }  // namespace nlmech::ivp

@@ -6,12 +6,12 @@
 #include <cstddef>
 
 /// J. R. Dormand, M. E. A. El-Mikkawy, P. J. Prince, High-order embedded Runge-Kutta-Nystroem formulae, IMA
-/// J. Numer. Anal. 7 (1987) 423-430: 17 stages. The 30 digits of tables/reference/rkn12_10.csv, from which
-/// this file was written; a test compares the two and holds the digits to the order conditions.
+/// J. Numer. Anal. 7 (1987) 423-430: 17 stages. This file is generated from the 30 digits of
+/// tables/reference/rkn12_10.csv; a test compares both and asserts the order conditions.
 namespace nlmech::ivp::rkn1210 {
 
-inline constexpr std::size_t stages = 17;   ///< evaluations of the acceleration a step
-using Column = std::array<double, stages>;  ///< one number a stage
+inline constexpr std::size_t stages = 17;   ///< evaluations of the acceleration per step
+using Column = std::array<double, stages>;  ///< one number per stage
 
 /// Abscissae.
 inline constexpr Column c = {0,

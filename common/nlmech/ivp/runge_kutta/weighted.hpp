@@ -1,6 +1,6 @@
 /// @file
-/// Weighted sums of the stages of a Runge-Kutta method, as plain loops over components: short vectors of
-/// run-time length take a third of the time of Eigen's expressions.
+/// Weighted sums of the stages of a Runge-Kutta method, as plain loops over components: for short vectors of
+/// dynamic size they take a third of the time of Eigen expressions.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,30 +13,30 @@ namespace nlmech::ivp {
 
 namespace detail {
 
-/// Two components at a time, which every processor has. Handed on by reference: how a function takes and
-/// returns them depends on the processor.
+/// Two components at a time, available on every processor. Passed by reference: the calling convention of
+/// vectors depends on the processor.
 struct Pair {
-  using Numbers [[gnu::vector_size(2 * sizeof(double))]] = double;  ///< the compiler's vector
-  /// The components from @p from on.
+  using Numbers [[gnu::vector_size(2 * sizeof(double))]] = double;  ///< vector type of the compiler
+  /// Loads the components from @p from on.
   [[gnu::always_inline]] static void load(const double* from, Numbers& numbers) {
     std::memcpy(&numbers, from, sizeof numbers);
   }
-  /// Puts them to @p to and after it.
+  /// Stores the components from @p to on.
   [[gnu::always_inline]] static void store(double* to, const Numbers& numbers) {
     std::memcpy(to, &numbers, sizeof numbers);
   }
 };
 /// One component.
 struct Single {
-  using Numbers = double;  ///< itself
-  /// The component at @p from.
+  using Numbers = double;  ///< the number
+  /// Loads the component at @p from.
   [[gnu::always_inline]] static void load(const double* from, double& number) { number = *from; }
-  /// Puts it to @p to.
+  /// Stores the component at @p to.
   [[gnu::always_inline]] static void store(double* to, double number) { *to = number; }
 };
 
-/// Calls @p work(place, kind) for all of @p size components: by pairs, then the one that is left. (By fours
-/// GCC 12 stores through the stack where the processor has pairs only.)
+/// Calls @p work(index, kind) for all of @p size components: in pairs, then for a single last one. (In fours
+/// GCC 12 stores through the stack on processors with pairs only.)
 template <class Work>
 [[gnu::always_inline]] inline void for_components(Eigen::Index size, Work work) {
   Eigen::Index d = 0;
@@ -44,7 +44,7 @@ template <class Work>
   if (d < size) work(d, Single{});
 }
 
-/// @p sum = sum_j weights[j] k_j from left to right, without the terms whose weight is 0 but the first.
+/// @p sum = sum_j weights[j] k_j from left to right; after the first term those with weight 0 are omitted.
 template <const auto& weights, class Kind, std::size_t count>
 [[gnu::always_inline]] inline void add_up(const std::array<const double*, count>& k, Eigen::Index d,
                                           typename Kind::Numbers& sum) {
@@ -61,7 +61,7 @@ template <const auto& weights, class Kind, std::size_t count>
   (std::make_index_sequence<count - 1>());
 }
 
-/// Where the first @p count stages are.
+/// Pointers to the first @p count stages.
 template <std::size_t count, class V, std::size_t stages>
 [[nodiscard, gnu::always_inline]] inline std::array<const double*, count> places(
     const std::array<V, stages>& k) {
@@ -71,7 +71,7 @@ template <std::size_t count, class V, std::size_t stages>
   (std::make_index_sequence<count>());
 }
 
-/// Writes to @p y what @p finish(place, kind, sum) makes of the sum of each component.
+/// Writes to @p y the sum of each component as modified by @p finish(index, kind, sum).
 template <const auto& weights, std::size_t count, class V, std::size_t stages, class Finish>
 [[gnu::always_inline]] inline void store_sums(const std::array<V, stages>& k, V& y, Finish finish) {
   const auto from = places<count>(k);
@@ -86,7 +86,7 @@ template <const auto& weights, std::size_t count, class V, std::size_t stages, c
       });
 }
 
-/// y = x + what @p terms adds for each component: it calls its argument with the weight and the number of a
+/// y = x + sum of the terms of each component; @p terms calls its argument with weight and index of each
 /// stage.
 template <std::size_t count, class V, std::size_t stages, class Terms>
 [[gnu::always_inline]] inline void add_terms(const V& x, const std::array<V, stages>& k, V& y, Terms terms) {
@@ -127,8 +127,8 @@ template <const auto& weights, std::size_t count, class V, std::size_t stages>
       });
 }
 
-/// y = x + (h weights[0]) k_0 + (h weights[1]) k_1 + ..., from left to right, without the weights 0: as it is
-/// written for a tableau.
+/// y = x + (h weights[0]) k_0 + (h weights[1]) k_1 + ..., from left to right, without the weights 0: the
+/// usual order for a tableau.
 template <const auto& weights, std::size_t count, class V, std::size_t stages>
 [[gnu::always_inline]] inline void add_stages(const V& x, double h, const std::array<V, stages>& k, V& y) {
   detail::add_terms<count>(
@@ -153,7 +153,7 @@ template <class V, std::size_t stages>
       });
 }
 
-/// The sum for one component.
+/// sum_j weights[j] k_j for component @p d.
 template <const auto& weights, std::size_t count, class V, std::size_t stages>
 [[nodiscard, gnu::always_inline]] inline double weighted(const std::array<V, stages>& k, Eigen::Index d) {
   double sum = 0;

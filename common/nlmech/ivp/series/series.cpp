@@ -3,7 +3,7 @@
 namespace nlmech::ivp {
 
 int series_order(double relative_tolerance) {
-  // Above 1e-9 a step costs as much besides its terms as for them, and higher orders pay: measured.
+  // Measured: above 1e-9 the fixed cost of a step equals that of its terms, so higher orders are cheaper.
   const double digits = -std::log(relative_tolerance);
   return std::min(static_cast<int>(std::ceil(std::max(1 + 0.75 * digits, 9 + 0.36 * digits))), 40);
 }

@@ -1,6 +1,6 @@
 /// @file
-/// Integration by Taylor series of the solution: the paper's fixed step and order, or both by the radius of
-/// convergence.
+/// Integration by Taylor series of the solution: fixed step size and order as in the paper, or an adaptive
+/// step size by the decay of the terms.
 #pragma once
 
 #include <algorithm>
@@ -24,7 +24,7 @@ namespace nlmech::ivp {
 
 namespace taylor_series {
 
-/// Logarithm to the base 2 to 0.01, which is good enough for a step: of 0 below -1000.
+/// Logarithm to the base 2 with an error of 0.01, enough for a step size; below -1000 for 0.
 [[nodiscard]] inline double rough_log2(double x) {
   const auto bits = std::bit_cast<std::uint64_t>(x);
   const double exponent = static_cast<double>(static_cast<std::int64_t>(bits >> 52U)) - 1023;
@@ -33,19 +33,19 @@ namespace taylor_series {
   return exponent + mantissa * (1.3465 - 0.3465 * mantissa);
 }
 
-/// 2^x to 0.3 %, x held between -1000 and 1000.
+/// 2^x to 0.3 %, x clamped to [-1000, 1000].
 [[nodiscard]] inline double rough_exp2(double x) {
   const double held = std::clamp(x, -1000.0, 1000.0), whole = std::floor(held), part = held - whole;
   const auto exponent = static_cast<std::uint64_t>(static_cast<std::int64_t>(whole) + 1023) << 52U;
   return std::bit_cast<double>(exponent) * (1 + part * (0.6565 + 0.3435 * part));
 }
 
-/// The power of two next to a length, by the same measure.
+/// The power of two nearest to a step size, by rough_log2().
 [[nodiscard]] inline double power_of_two(double length) {
   return rough_exp2(std::floor(rough_log2(length) + 0.5));
 }
 
-/// The sum of c_k s^k for k = 1, ..., order: even and odd powers apart, the two halves side by side.
+/// The sum of c_k s^k for k = 1, ..., order; even and odd powers are summed in parallel.
 [[nodiscard]] inline double increment(const double* c, int order, double s) {
   const double square = s * s;
   int k = order;
@@ -54,7 +54,7 @@ namespace taylor_series {
     high = high * square + c[k];
     low = low * square + c[k - 1];
   }
-  // high belongs to the power k + 2 or, by now, 2 or 1; low to the one below it.
+  // high has the power k + 2, that is 3 or 2; low has the power below it.
   if (k == 1) return (high * square + c[1]) * s + low * square;
   return high * square + low * s;
 }
@@ -66,29 +66,30 @@ namespace taylor_series {
   return sum;
 }
 
-/// The last two terms in the norm max_i |e_i| / (atol + rtol |x_i|), and what tells whether all are finite.
+/// The last two terms in the norm max_i |e_i| / (atol + rtol |x_i|), and a sum to detect coefficients that
+/// are not finite.
 struct Tail {
-  double last = 0;    ///< of the order N
-  double before = 0;  ///< of the order N - 1
-  double sum = 0;     ///< of the absolute values of the first and the last coefficients
+  double last = 0;    ///< norm of the term of order N
+  double before = 0;  ///< norm of the term of order N - 1
+  double sum = 0;     ///< sum of the absolute values of the first and last coefficients
 
-  /// Takes in a component by its coefficients 0, 1, N - 1 and N.
+  /// Adds a component by its coefficients 0, 1, N - 1 and N.
   void add(double x, double first, double previous, double end, double atol, double rtol) {
     const double unit = 1 / (atol + rtol * std::abs(x));
     last = std::max(last, unit * std::abs(end));
     before = std::max(before, unit * std::abs(previous));
     sum += std::abs(end) + std::abs(first);
   }
-  /// Are all coefficients finite? The last ones tell: they are made of the others.
+  /// Are all coefficients finite? The last ones are computed from the others.
   [[nodiscard]] bool is_finite() const { return sum <= std::numeric_limits<double>::max(); }
-  /// The length at which the last two terms are 1, times @p log2_safety as a power of two; positive.
+  /// The step size at which the last two terms are 1, times 2 to the power @p log2_safety; positive.
   [[nodiscard]] double length(int order, double scale, double log2_safety) const {
     const double log2 = std::max(rough_log2(last) / order, rough_log2(before) / (order - 1));
     return scale * rough_exp2(log2_safety - log2);
   }
 };
 
-/// x1 = x0 + carry + @p increment of one component, and what rounding cuts off.
+/// Compensated sum x1 = x0 + carry + @p increment of one component; @p next_carry is its rounding error.
 inline void add_increment(double x0, double carry, double increment, double& x1, double& next_carry) {
   const double term = carry + increment;
   x1 = x0 + term;
@@ -106,7 +107,7 @@ class Expansion : public DenseOutputOf<S> {
   Expansion(const S& system, int order)
       : taylor_(system.taylor(order)), size_(system.size()), order_(order), carry_(State::Zero(size_)) {}
 
-  /// Starts a stretch on which the right-hand side is smooth.
+  /// Starts an interval on which the right-hand side is smooth.
   void begin_segment(double begin, double end, const State& x) {
     segment_ = SmoothSegment(begin, end);
     taylor_.begin_segment(segment_(begin), x);
@@ -117,7 +118,7 @@ class Expansion : public DenseOutputOf<S> {
     scale_ = scale;
     taylor_.expand(segment_(t), x, scale);
   }
-  /// Its last terms. @param x the state at its start
+  /// The last terms of the series. @param x the state at its start
   [[nodiscard]] Tail tail(const State& x, double atol, double rtol) const {
     Tail tail;
     for (int i = 0; i < size_; ++i) {
@@ -128,10 +129,10 @@ class Expansion : public DenseOutputOf<S> {
   }
   /// Coefficient @p k of component @p i, times T^k.
   [[nodiscard]] double coefficient(int i, int k) const { return taylor_.coefficients(i)[k]; }
-  /// Where f is asked for when @p t is meant.
+  /// Time at which to evaluate f for the time @p t; see SmoothSegment.
   [[nodiscard]] double inside(double t) const { return segment_(t); }
 
-  /// The state @p x1 at t0 + @p h. What rounding cuts off goes to a place that accept() takes over.
+  /// The state @p x1 at t0 + @p h. The rounding error is stored for accept().
   void advance(double h, const State& x0, State& x1) {
     const double s = h / scale_;
     if constexpr (S::dimension == Eigen::Dynamic) next_carry_.resize(size_);
@@ -139,14 +140,14 @@ class Expansion : public DenseOutputOf<S> {
       add_increment(x0[i], carry_[i], increment(taylor_.coefficients(i), order_, s), x1[i], next_carry_[i]);
     }
   }
-  /// Goes on from the end of the latest advance().
+  /// Continues from the end of the latest advance().
   void accept() { carry_ = next_carry_; }
   /// dx/dt of the series at t0 + @p h, component @p i.
   [[nodiscard]] double slope_at(double h, int i) const {
     return slope(taylor_.coefficients(i), order_, h / scale_) / scale_;
   }
 
-  /// Within the latest step.
+  /// Dense output of the latest step.
   void at(double t, State& x) const override {
     x.resize(size_);
     const double s = (t - t0_) / scale_;
@@ -164,45 +165,46 @@ class Expansion : public DenseOutputOf<S> {
   double t0_ = 0, scale_ = 1;
 };
 
-/// Tolerances and order, and the formulas with them; see Series.
+/// Tolerances, order, and the formulas of step-size control; see Series.
 struct Rule {
-  double relative_tolerance;  ///< of the last terms
-  double absolute_tolerance;  ///< of the last terms
+  double relative_tolerance;  ///< rtol of the last terms
+  double absolute_tolerance;  ///< atol of the last terms
   double largest_step;        ///< 0: no bound
-  int order;                  ///< of all steps
+  int order;                  ///< order of the series, the same in all steps
 
-  /// Of the lengths of steps.
+  /// Constants of step-size control.
   static constexpr StepRule steps = {.shortest = 0, .stretch = 1, .measured = true};
-  /// So often the unit of time is made smaller where coefficients are not finite.
+  /// Number of reductions of the unit of time if coefficients are not finite.
   static constexpr int attempts = 24;
 
   /// exp(-0.7/(N - 1)), as a power of two.
   [[nodiscard]] double log2_safety() const { return -0.7 / (order - 1) * 1.4426950408889634; }
 
-  /// The unit of time of the first step over @p interval: in which the state would change by its own size.
+  /// The unit of time of the first step: the time in which the state changes by its own size, at most @p
+  /// interval.
   template <class X>
   [[nodiscard]] double first_scale(const X& x, const X& f, double interval) const {
     const double size = x.template lpNorm<Eigen::Infinity>() + absolute_tolerance;
     const double rate = f.template lpNorm<Eigen::Infinity>();
     return power_of_two(rate * interval > size ? size / rate : interval);
   }
-  /// That of the next attempt. Coefficients that leave the range of double with T leave it no more with a
-  /// small part of T.
+  /// The unit of time of the next attempt. Coefficients that overflow with T do not overflow with a small
+  /// fraction of T.
   [[nodiscard]] static double smaller(double scale) { return std::ldexp(scale, -16); }
-  /// That of the step after one of length @p taken.
+  /// The unit of time of the step after one of size @p taken.
   [[nodiscard]] static double next_scale(double scale, double taken) {
     const double ratio = taken / scale;
     return ratio < 0.25 || ratio > 4 ? power_of_two(taken) : scale;
   }
-  /// How long a step is to be.
+  /// The step size.
   [[nodiscard]] double length(const Tail& tail, double scale, double log2_safety) const {
     const double h = tail.length(order, scale, log2_safety);
     return largest_step > 0 ? std::min(h, largest_step) : h;
   }
 
-  /// Is the slope of the series at the end @p x1 of a step of length @p h that of the equation, @p f? The
-  /// term after the last one is some tenth of the tolerance and its slope N + 1 times that; the bound leaves
-  /// room for a stiff equation. @param slope_at of component i
+  /// Does the slope of the series at the end @p x1 of a step of size @p h agree with the right-hand side @p
+  /// f? The first omitted term is about a tenth of the tolerance, its slope N + 1 times that; the bound is
+  /// wider for stiff equations. @param slope_at slope of component i
   template <class X, class Slope>
   [[nodiscard]] bool slope_agrees(const X& x1, const X& f, double h, const Slope& slope_at) const {
     const double room = 100.0 * (order + 1), size = x1.template lpNorm<Eigen::Infinity>();
@@ -221,43 +223,44 @@ struct Rule {
 /// Each step sums the Taylor series of the solution about its start.
 ///
 /// With a `step` T and an order N this is the scheme of C. P. Filipich and M. B. Rosales, A straightforward
-/// approach to solve ordinary nonlinear differential systems, section 3.2: steps of equal length, N terms
-/// beyond the first, whatever they are worth. It converges where T is below the radius of convergence of
-/// every step, and is wrong without notice where it is not.
+/// approach to solve ordinary nonlinear differential systems, section 3.2: steps of equal size, N terms
+/// beyond the first, without an error estimate. It converges if T is below the radius of convergence at every
+/// step; otherwise the result is wrong without a warning.
 ///
-/// Without a step, steps are chosen after A. Jorba and M. Zou, A software package for the numerical
-/// integration of ODEs by means of high-order Taylor methods, Experimental Mathematics 14 (2005) 99-117: the
-/// length at which the last two terms, in the norm max_i |e_i| / (atol + rtol |x_i|), are 1, times
-/// exp(-0.7/(N - 1)); the order from the tolerance. A first step, or one more than twice as long as the step
-/// before, is tested: if the slope of the series at its end is not that of the equation, it is halved (a
-/// series with gaps can look like a polynomial). No step is longer than the series converges.
+/// Without a `step`, the step size is adaptive after A. Jorba and M. Zou, A software package for the
+/// numerical integration of ODEs by means of high-order Taylor methods, Experimental Mathematics 14 (2005)
+/// 99-117: the step size at which the last two terms, in the norm max_i |e_i| / (atol + rtol |x_i|), are 1,
+/// times exp(-0.7/(N - 1)); the order follows from the tolerance. A first step, or one more than twice as
+/// large as the last, is tested: if the slope of the series at its end does not agree with the equation, the
+/// step is halved (the last terms of a series with gaps may vanish). Steps stay within the radius of
+/// convergence.
 ///
-/// Steps end on announced discontinuities. Their lengths are the differences of the doubles at their ends, so
-/// that no error of time adds up, and the state is summed with the part that rounding cuts off.
+/// Steps end on the problem's discontinuities. The step size is the difference of the doubles at its ends, so
+/// errors of time do not accumulate; the sum of the state is compensated.
 ///
 /// Dense output: the series of the step, as accurate as its end. Statistics::right_hand_sides counts orders:
-/// N a step, each as much work as an evaluation with all its products replaced by sums.
+/// N per step, each as much work as an evaluation with all products replaced by sums.
 ///
-/// Tests hold fixed steps to the order N (observed within 0.25); with chosen steps the error of a damped
-/// motion over ten units of time to 20 tolerances and 40 eps, and Lorenz's equations at t = 20 to 1e-8 of a
-/// computation in 70 digits.
+/// Tests assert the order N of fixed steps (observed within 0.25); for adaptive steps an error of 20
+/// tolerances and 40 eps of a damped motion over ten units of time, and Lorenz's equations at t = 20 to 1e-8
+/// against 70 digits.
 struct Series {
   static constexpr std::string_view name = "series";  ///< on command lines and in tables
   double relative_tolerance = 1e-9;                   ///< rtol of the last terms, from 1e-18 to 0.1
   double absolute_tolerance = 1e-9;                   ///< atol of the last terms, positive
   int order = 0;                                      ///< N, from 2 to 100; 0: series_order() of rtol
-  double step = 0;                                    ///< T, the same for all steps; 0: chosen
-  double largest_step = 0;                            ///< no step is longer; 0: no bound
+  double step = 0;                                    ///< T, fixed step size; 0: adaptive
+  double largest_step = 0;                            ///< largest step size; 0: no bound
 };
 
-/// The order that series takes for a relative tolerance: least work for problems of a few products, where the
-/// cost of a step goes with the order rather than with its square.
+/// The default order for a relative tolerance: least work for problems of a few products, whose cost per step
+/// is proportional to the order rather than to its square.
 [[nodiscard]] int series_order(double relative_tolerance);
 
 /// @throws std::invalid_argument naming an option out of range and its value
 void check_options(const Series& method);
 
-/// With the order that is taken.
+/// Rule of @p method with its order or the default order.
 [[nodiscard]] inline taylor_series::Rule rule_of(const Series& method) {
   return {method.relative_tolerance, method.absolute_tolerance, method.largest_step,
           method.order > 0 ? method.order : series_order(method.relative_tolerance)};
@@ -265,7 +268,7 @@ void check_options(const Series& method);
 
 namespace taylor_series {
 
-/// Steps of fixed length and order.
+/// Stepper of fixed step size and order.
 template <class S>
 class FixedStepper : public StepperOf<S> {
  public:
@@ -275,7 +278,7 @@ class FixedStepper : public StepperOf<S> {
   FixedStepper(const InitialValueProblemOf<S>& problem, int order)
       : StepperOf<S>(problem.system.size()), expansion_(problem.system, order), order_(order) {}
 
-  /// On the command line.
+  /// Name of the method.
   [[nodiscard]] std::string_view name() const { return Series::name; }
   /// See Stepper.
   void begin_segment(double begin, double end) {
@@ -283,7 +286,7 @@ class FixedStepper : public StepperOf<S> {
     end_ = end;
     is_new_ = true;
   }
-  /// From t to t + h.
+  /// Integrates from t to t + h.
   Status step(double t, double h, const State& x0, State& x1, Statistics& statistics) {
     if (std::exchange(is_new_, false)) expansion_.begin_segment(begin_, end_, x0);
     expansion_.expand(t, x0, power_of_two(std::abs(h)));
@@ -293,7 +296,7 @@ class FixedStepper : public StepperOf<S> {
     expansion_.accept();
     return {};
   }
-  /// Within the latest step.
+  /// Dense output of the latest step.
   void at(double t, State& x) const override { expansion_.at(t, x); }
 
  private:
@@ -303,7 +306,7 @@ class FixedStepper : public StepperOf<S> {
   bool is_new_ = true;
 };
 
-/// Steps of chosen length: one integration from begin to end.
+/// One integration with adaptive steps.
 template <class S>
 class Run : public AdaptiveStepLoop<S, Run<S>> {
  public:
@@ -343,7 +346,7 @@ class Run : public AdaptiveStepLoop<S, Run<S>> {
     }
     return false;
   }
-  // The coefficients say how long the step is, whatever the one before was.
+  // The step size follows from the coefficients, independent of the last step.
   Status prepare() {
     Tail tail;
     if (!expand(tail)) return non_finite_coefficients(Series::name, now_.t, rule_.order);
@@ -386,8 +389,8 @@ class Run : public AdaptiveStepLoop<S, Run<S>> {
 
 }  // namespace taylor_series
 
-/// See integrate(). @throws std::invalid_argument also for a problem that cannot be expanded: written for
-/// double alone, or with a branch that it has not announced
+/// See integrate(). @throws std::invalid_argument also for a problem that cannot be expanded: in double only,
+/// or with a branch for which it gives no discontinuities
 template <SystemLike S>
 [[nodiscard]] SolutionOf<S> run(const InitialValueProblemOf<S>& problem, const Series& method) {
   check_options(method);
@@ -399,7 +402,7 @@ template <SystemLike S>
   return taylor_series::Run<S>(problem, rule).run();
 }
 
-/// The library's, for every System.
+/// Overload for System, compiled in the library.
 [[nodiscard]] Solution run(const InitialValueProblem& problem, const Series& method);
 
 }  // namespace nlmech::ivp

@@ -1,6 +1,5 @@
 /// @file
-/// Taylor coefficients of the solutions of a system: from a tape, or from the problem itself where the
-/// compiler sees it.
+/// Taylor coefficients of the solutions of a system: from a tape, or inlined from the problem.
 #pragma once
 
 #include <array>
@@ -14,12 +13,11 @@
 
 namespace nlmech::ivp {
 
-/// The coefficients of the solution through a point, computed by the problem itself with the scalar
-/// UnrolledSeries: one function for each order, with all sums unrolled. The order is chosen at run time up to
-/// unrolled::most_order.
+/// Taylor coefficients of the solution through a point, by the problem with the scalar UnrolledSeries: one
+/// function per order, with all sums unrolled. The order is chosen at run time up to unrolled::most_order.
 ///
-/// As fast as it gets for small problems; a problem of many operations outgrows the instruction cache, and is
-/// better off with a tape.
+/// Fastest for small problems; a problem of many operations exceeds the instruction cache and is faster with
+/// a tape.
 /// @tparam most highest order, up to unrolled::most_order: each is a function to compile
 template <class Problem, int most = unrolled::most_order>
 class UnrolledTaylor {
@@ -32,8 +30,8 @@ class UnrolledTaylor {
   UnrolledTaylor(const Problem& problem, int order, bool announced)
       : problem_(problem), order_(order), announced_(announced) {}
 
-  /// Starts a stretch on which the right-hand side is smooth: finds out how much memory it takes.
-  /// @throws std::invalid_argument for a branch that the problem has not announced
+  /// Starts an interval on which the right-hand side is smooth and allocates the memory.
+  /// @throws std::invalid_argument for a branch for which the problem gives no discontinuities
   void begin_segment(double t, const Vector<double, n>& x) {
     using S = UnrolledSeries<-1>;
     UnrolledPass<-1> pass{nullptr, n + 1, announced_};
@@ -44,7 +42,8 @@ class UnrolledTaylor {
     memory_.assign(static_cast<std::size_t>(pass.used * unrolled::stride), 0.0);
   }
 
-  /// Computes the coefficients at (t, x), that of order k times scale^k; see TapeExpansion::expand().
+  /// Computes the coefficients at (t, x); that of order k is multiplied by scale^k. See
+  /// TapeExpansion::expand().
   void expand(double t, const Vector<double, n>& x, double scale) {
     if (scale != scale_) {
       scale_ = scale;
@@ -63,7 +62,7 @@ class UnrolledTaylor {
   }
 
  private:
-  // From this coefficient on the state is multiplied by a rounded reciprocal; the first ones are divided.
+  // First coefficient of the state with a rounded reciprocal in place of a division.
   static constexpr int first_reciprocal = 8;
 
   template <int... k>
@@ -100,7 +99,7 @@ class UnrolledTaylor {
   std::vector<double> memory_;
 };
 
-/// What a system's taylor() gives, by its tape. Used so: begin_segment() at the start of every stretch on
+/// Taylor coefficients of a system by its tape. Usage: begin_segment() at the start of every interval on
 /// which the right-hand side is smooth, then expand() for every step, then coefficients().
 /// @tparam S has `Tape record(double t) const`
 template <class S>
@@ -112,16 +111,16 @@ class TapedTaylor {
   /// @param order 1 or more
   TapedTaylor(const S& system, int order) : system_(system), order_(order) {}
 
-  /// Records the right-hand side as it is at time @p t, which lies within the stretch.
-  /// @throws std::invalid_argument for a branch that the problem has not announced
+  /// Records the right-hand side at time @p t, which lies within the interval.
+  /// @throws std::invalid_argument for a branch for which the problem gives no discontinuities
   void begin_segment(double t, const State& /*x*/) { expansion_.load(system_.record(t), order_); }
-  /// Computes the coefficients at (t, x), that of order k times scale^k.
+  /// Computes the coefficients at (t, x); that of order k is multiplied by scale^k.
   void expand(double t, const State& x, double scale = 1) { expansion_.expand(t, x.data(), scale); }
   /// Coefficients 0 to order of component @p i.
   [[nodiscard]] const double* coefficients(int i) const { return expansion_.coefficients(i); }
   /// Order of the series.
   [[nodiscard]] int order() const { return order_; }
-  /// What was recorded.
+  /// The recorded right-hand side.
   [[nodiscard]] const Tape& tape() const { return expansion_.tape(); }
 
  private:
@@ -130,7 +129,7 @@ class TapedTaylor {
   TapeExpansion expansion_;
 };
 
-/// The same for a problem that the compiler sees: unrolled up to unrolled::most_order, beyond by a tape.
+/// Taylor coefficients of an inlined problem: unrolled up to unrolled::most_order, by a tape above it.
 template <class S, class Problem>
 class DirectTaylor {
  public:

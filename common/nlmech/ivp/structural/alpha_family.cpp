@@ -40,8 +40,7 @@ AlphaScheme alpha_scheme(const GeneralizedAlpha& method) {
 
 namespace {
 
-/// One step of the family; its equations are solved for a1 by Newton's iteration with the exact Jacobian,
-/// from a1 = a0.
+/// Stepper of the family; Newton's iteration with the exact Jacobian solves for a1, from a1 = a0.
 class AlphaStepper : public Stepper {
  public:
   /// @param system outlives the stepper
@@ -61,16 +60,16 @@ class AlphaStepper : public Stepper {
         g0_(q_),
         g1_(q_),
         workspace_(q_.size()) {}
-  /// Of the method that this is.
+  /// Name of the method.
   [[nodiscard]] std::string_view name() const { return name_; }
 
-  /// The next step starts a segment on which f is smooth: accelerations of the one before do not count.
+  /// The next step starts a segment on which f is smooth; the last acceleration is discarded.
   void begin_segment(double begin, double end) {
     segment_ = SmoothSegment(begin, end);
     starts_ = true;
   }
 
-  /// From t to t + h.
+  /// Integrates from t to t + h.
   Status step(double t, double h, const State& x0, State& x1, Statistics& statistics) {
     if (starts_) {
       q_ = positions(x0);
@@ -95,7 +94,7 @@ class AlphaStepper : public Stepper {
     return {};
   }
 
-  /// Cubic Hermite.
+  /// Dense output: cubic Hermite interpolation.
   void at(double t, State& x) const override { hermite_.at(t, x); }
 
  private:
@@ -120,7 +119,7 @@ class AlphaStepper : public Stepper {
         r[i] = wm * a1_[i] + scheme_.alpha_m * a0_[i] - wf * g1_[i] - scheme_.alpha_f * g0_[i];
     };
     const auto derivative = [&](const State& /*a1_*/, Jacobian& matrix) {
-      join(q_, v_, g1_, hermite_.x1, hermite_.f1);  // as a place to work: step() writes it anew
+      join(q_, v_, g1_, hermite_.x1, hermite_.f1);  // as workspace: step() overwrites it
       system_.jacobian(t1, hermite_.x1, jacobian_);
       const double by_q = scheme_.beta * h * h, by_v = scheme_.gamma * h;
       const Eigen::Index size = q_.size();
@@ -138,8 +137,8 @@ class AlphaStepper : public Stepper {
     return step_not_solved(name_, outcome, t, h, static_cast<int>(statistics.newton_iterations - before));
   }
 
-  // Rounding of q and v by eps moves g by at most eps (|g_q| |q| + |g_v| |v|), and that moves a1, however
-  // stiff g is, by at most eps (|q|/(beta h^2) + |v|/(gamma h)): a change of a1 that is lost in q1 and v1.
+  // Rounding of q and v changes g by at most eps (|g_q| |q| + |g_v| |v|), and so a1, for any stiffness of g,
+  // by at most eps (|q|/(beta h^2) + |v|/(gamma h)). Such a change of a1 is below the rounding of q1 and v1.
   [[nodiscard]] double noise(double h, const State& x0) const {
     constexpr double eps = 4 * std::numeric_limits<double>::epsilon();
     const double q = greatest(x0, 0, q_.size()), v = greatest(x0, q_.size(), x0.size());
@@ -159,7 +158,7 @@ class AlphaStepper : public Stepper {
   bool starts_ = true;
 };
 
-// Runs a method of the family.
+// Integrates by a method of the family.
 [[nodiscard]] Solution integrate_by_alpha(const InitialValueProblem& problem, std::string_view name,
                                           double step, const AlphaScheme& scheme,
                                           const algebraic::Newton& newton) {

@@ -1,6 +1,6 @@
 /// @file
-/// Newmark's, Hilber, Hughes and Taylor's and the generalised alpha method for accelerations: one family of
-/// implicit steps.
+/// The alpha family of implicit methods for second-order problems: Newmark, Hilber-Hughes-Taylor, generalised
+/// alpha.
 #pragma once
 
 #include <cstdint>
@@ -11,19 +11,19 @@
 
 namespace nlmech::ivp {
 
-/// The four numbers of the family, for q'' = g(t, q, v):
+/// Parameters of the family for q'' = g(t, q, v):
 ///
 ///     q1 = q0 + h v0 + h^2/2 [(1 - 2 beta) a0 + 2 beta a1],   v1 = v0 + h [(1 - gamma) a0 + gamma a1],
 ///     (1 - alpha_m) a1 + alpha_m a0 = (1 - alpha_f) g1 + alpha_f g0.
 ///
-/// The accelerations a are variables of the method: they start as g(t0, q0, v0) and are then carried from
-/// step to step. Order 2 if and only if gamma = 1/2 - alpha_m + alpha_f.
+/// The accelerations a are variables of the method: they start as g(t0, q0, v0) and are then passed from step
+/// to step. Order 2 if and only if gamma = 1/2 - alpha_m + alpha_f.
 struct AlphaScheme {
   double alpha_m = 0;    ///< weight of the old acceleration
   double alpha_f = 0;    ///< weight of the old force
   double beta = 0.25;    ///< weight of the new acceleration in positions
   double gamma = 0.5;    ///< weight of the new acceleration in velocities
-  bool forgets = false;  ///< a0 is replaced by g0 in every step
+  bool forgets = false;  ///< is a0 replaced by g0 in every step?
 };
 
 /// Newmark's method (N. M. Newmark, A method of computation for structural dynamics, J. Eng. Mech. Div. ASCE
@@ -31,22 +31,22 @@ struct AlphaScheme {
 ///
 ///     q1 = q0 + h v0 + h^2/2 [(1 - 2 beta) g0 + 2 beta g1],   v1 = v0 + h [(1 - gamma) g0 + gamma g1].
 ///
-/// Implicit; solved by Newton's iteration with the exact Jacobian. Order 2 for gamma = 1/2, else 1. Linear
-/// problems: unconditionally stable if 2 beta >= gamma >= 1/2. The default (constant average acceleration)
-/// keeps the energy of a linear oscillator. Dense output: the cubic Hermite interpolant.
+/// Implicit; solved by Newton's iteration with the exact Jacobian. Order 2 for gamma = 1/2, otherwise 1.
+/// Linear problems: unconditionally stable if 2 beta >= gamma >= 1/2. The default (constant average
+/// acceleration) conserves the energy of a linear oscillator. Dense output: the cubic Hermite interpolant.
 ///
-/// Tests hold it to the rotation by 2 arctan(h/2) on the linear oscillator (16 eps (1 + h^2/4) a step, h
-/// omega up to 50), to order 2 (observed within 0.1), and to the errors that
-/// tools/oracles/rbf_ivp_methods.py has for Tables 4.2, 4.4 and 4.6.
+/// Tests assert the rotation by 2 arctan(h/2) on the linear oscillator (16 eps (1 + h^2/4) per step, h omega
+/// up to 50), order 2 (observed within 0.1), and the errors of tools/oracles/rbf_ivp_methods.py for Tables
+/// 4.2, 4.4 and 4.6.
 struct Newmark {
   static constexpr std::string_view name = "newmark";  ///< on command lines and in tables
-  double step = 0.01;                                  ///< length of a step, positive
+  double step = 0.01;                                  ///< step size, positive
   double beta = 0.25;                                  ///< from 0 (explicit positions) to 1/2
-  double gamma = 0.5;                                  ///< from 0 to 1; above 1/2 it damps
+  double gamma = 0.5;                                  ///< from 0 to 1; numerical damping above 1/2
   algebraic::Newton newton = {};                       ///< solves each step's equations for g1
 };
 
-/// The numbers of the family. @throws std::invalid_argument for beta or gamma out of range
+/// Parameters of the family. @throws std::invalid_argument for beta or gamma out of range
 [[nodiscard]] AlphaScheme alpha_scheme(const Newmark& method);
 
 /// See integrate(). @throws std::invalid_argument also for a problem without accelerations
@@ -59,27 +59,28 @@ struct Newmark {
 ///     q1 = q0 + h v0 + h^2/2 [(1 - 2 beta) a0 + 2 beta a1],   v1 = v0 + h [(1 - gamma) a0 + gamma a1],
 ///     a1 = (1 + alpha) g1 - alpha g0,   beta = (1 - alpha)^2/4,   gamma = 1/2 - alpha.
 ///
-/// The acceleration a is carried from step to step; it starts as g(t0, q0, v0), also at each discontinuity.
-/// Order 2; linear problems: unconditionally stable, high frequencies are damped for alpha < 0. Implicit;
-/// solved by Newton's iteration with the exact Jacobian. Dense output: the cubic Hermite interpolant.
+/// The acceleration a is passed from step to step; it starts as g(t0, q0, v0), also at each discontinuity.
+/// Order 2; linear problems: unconditionally stable, with damping of high frequencies for alpha < 0.
+/// Implicit; solved by Newton's iteration with the exact Jacobian. Dense output: the cubic Hermite
+/// interpolant.
 ///
-/// Tests hold both forms to their difference equations in 50 digits (1e-13 a step), the usual one to order 2
-/// and the printed one to order 1 (observed within 0.1), and the former to the errors that
-/// tools/oracles/rbf_ivp_methods.py has for Tables 4.2, 4.4 and 4.6.
+/// Tests assert the difference equations of both forms in 50 digits (1e-13 per step), order 2 of the
+/// corrected form and order 1 of the printed one (observed within 0.1), and the errors of
+/// tools/oracles/rbf_ivp_methods.py for Tables 4.2, 4.4 and 4.6 for the corrected form.
 struct Hht {
   static constexpr std::string_view name = "hht";  ///< on command lines and in tables
-  /// Which equations.
+  /// Form of the equations.
   enum class Form : std::uint8_t {
     corrected,  ///< the method of 1977
-    as_printed  ///< Eq. 4.7 to the letter: g(t0, q0, v0) where a0 belongs; order 1 unless alpha = 0
+    as_printed  ///< Eq. 4.7 as printed: g(t0, q0, v0) in place of a0; order 1 unless alpha = 0
   };
-  double step = 0.01;             ///< length of a step, positive
+  double step = 0.01;             ///< step size, positive
   double alpha = -0.1;            ///< from -1/3 (most dissipation) to 0 (Newmark's method)
-  Form form = Form::corrected;    ///< as_printed: for the errata only
+  Form form = Form::corrected;    ///< as_printed is for the errata only
   algebraic::Newton newton = {};  ///< solves each step's equations for a1
 };
 
-/// The numbers of the family. @throws std::invalid_argument for alpha out of range
+/// Parameters of the family. @throws std::invalid_argument for alpha out of range
 [[nodiscard]] AlphaScheme alpha_scheme(const Hht& method);
 
 /// See integrate(). @throws std::invalid_argument also for a problem without accelerations
@@ -94,23 +95,23 @@ struct Hht {
 ///     alpha_m = (2 rho - 1)/(rho + 1),   alpha_f = rho/(rho + 1),
 ///     gamma = 1/2 - alpha_m + alpha_f,   beta = (1 - alpha_m + alpha_f)^2/4.
 ///
-/// The paper is linear; here forces are averaged, not their arguments, as the method of Hilber, Hughes and
-/// Taylor does. Order 2; linear problems: unconditionally stable, and the spectral radius tends to rho for
-/// h omega -> infinity with the least damping of low frequencies that this allows. a starts as g(t0, q0, v0),
-/// also at each discontinuity. Implicit; solved by Newton's iteration with the exact Jacobian. Dense output:
-/// the cubic Hermite interpolant.
+/// The paper treats linear problems; here the forces are averaged, not their arguments, as in the method of
+/// Hilber, Hughes and Taylor. Order 2; linear problems: unconditionally stable, and the spectral radius tends
+/// to rho for h omega -> infinity, with the least possible damping of low frequencies. a starts as g(t0, q0,
+/// v0), also at each discontinuity. Implicit; solved by Newton's iteration with the exact Jacobian. Dense
+/// output: the cubic Hermite interpolant.
 ///
-/// Tests hold it to its difference equation in 50 digits (1e-13 a step), to order 2 (observed within 0.1),
-/// and to what rho promises at h omega = 1e6 (2 %).
+/// Tests assert its difference equation in 50 digits (1e-13 per step), order 2 (observed within 0.1), and the
+/// spectral radius rho at h omega = 1e6 (2 %).
 struct GeneralizedAlpha {
   static constexpr std::string_view name = "generalized-alpha";  ///< on command lines and in tables
-  double step = 0.01;                                            ///< length of a step, positive
-  /// rho: what is left of the highest frequencies after a step, from 0 (nothing) to 1 (all).
+  double step = 0.01;                                            ///< step size, positive
+  /// rho: spectral radius at infinite frequency, from 0 (full damping in one step) to 1 (no damping).
   double rho_inf = 0.8;
   algebraic::Newton newton = {};  ///< solves each step's equations for a1
 };
 
-/// The numbers of the family. @throws std::invalid_argument for rho_inf out of range
+/// Parameters of the family. @throws std::invalid_argument for rho_inf out of range
 [[nodiscard]] AlphaScheme alpha_scheme(const GeneralizedAlpha& method);
 
 /// See integrate(). @throws std::invalid_argument also for a problem without accelerations

@@ -12,7 +12,7 @@ namespace nlmech::ivp {
 
 namespace {
 
-/// One step of central differences; remembers the velocity half a step back.
+/// Stepper of central differences; stores the velocity of half a step earlier.
 class CentralDifferenceStepper : public Stepper {
  public:
   /// @param system outlives the stepper
@@ -26,7 +26,7 @@ class CentralDifferenceStepper : public Stepper {
         v_(q_),
         v_half_(q_),
         a_(q_) {}
-  /// The method's.
+  /// Name of the method.
   [[nodiscard]] static std::string_view name() { return CentralDifference::name; }
 
   /// The next step starts a segment on which f is smooth.
@@ -35,7 +35,7 @@ class CentralDifferenceStepper : public Stepper {
     starts_ = true;
   }
 
-  /// From t to t + h.
+  /// Integrates from t to t + h.
   Status step(double t, double h, const State& x0, State& x1, Statistics& statistics) {
     if (starts_) {
       start(t, h, x0);
@@ -58,12 +58,12 @@ class CentralDifferenceStepper : public Stepper {
     return {};
   }
 
-  /// Cubic Hermite.
+  /// Dense output: cubic Hermite interpolation.
   void at(double t, State& x) const override { hermite_.at(t, x); }
 
  private:
-  // Velocity and acceleration at the start of a segment, and the velocity that would have been half a step
-  // before. After the first segment v_ is that of the end of the latest step.
+  // Sets velocity and acceleration at the start of a segment, and the velocity half a step earlier. After the
+  // first segment v_ is the velocity at the end of the latest step.
   void start(double t, double h, const State& x0) {
     q_ = positions(x0);
     if (first_) v_ = velocities(x0);

@@ -51,7 +51,7 @@ Status mtl_wrong_branch(double t, double block, double estimate, double allowed)
                      block, t, estimate, allowed);
 }
 
-// A, and the harmonics.
+// The linear part A and the harmonic loads.
 program::LinearTerms linear_terms(const System& system, MtlLinear linear) {
   program::LinearTerms terms = system.linear_terms();
   if (linear != MtlLinear::given) terms.a.setZero();
@@ -59,7 +59,7 @@ program::LinearTerms linear_terms(const System& system, MtlLinear linear) {
   return terms;
 }
 
-/// One block of p steps.
+/// Stepper of one block of p steps.
 class MtlStepper : public Stepper {
  public:
   static constexpr bool has_nodes = true;  ///< the points 1..p
@@ -92,13 +92,13 @@ class MtlStepper : public Stepper {
     this->times_.resize(static_cast<std::size_t>(p_));
     this->states_.resize(system.size(), p_);
   }
-  /// The method's.
+  /// Name of the method.
   [[nodiscard]] static std::string_view name() { return Mtl::name; }
 
   /// The next step starts a segment on which f is smooth.
   void begin_segment(double begin, double end) { segment_ = SmoothSegment(begin, end); }
 
-  /// From t to t + block, p steps at once.
+  /// Integrates from t to t + block: p steps at once.
   Status step(double t, double block, const State& x0, State& x1, Statistics& statistics) {
     const double h = block / static_cast<double>(p_);
     if (Outcome outcome = prepare(t, h, x0, statistics); outcome != Outcome::success)
@@ -106,13 +106,13 @@ class MtlStepper : public Stepper {
     const std::int64_t before = statistics.newton_iterations;
     Outcome outcome = solve(true, statistics);
     if (outcome != Outcome::success) {
-      ++statistics.fallbacks;  // rare: the other start
+      ++statistics.fallbacks;  // rare: the other initial guess
       outcome = solve(false, statistics);
     }
     if (outcome != Outcome::success)
       return step_not_solved(Mtl::name, outcome, t, block,
                              static_cast<int>(statistics.newton_iterations - before));
-    // The nonlinear terms at the states as they are after the last update.
+    // Updates the nonlinear terms to first order for the last change of the states.
     for (Eigen::Index k = 1; k <= p_; ++k)
       g_.col(k).noalias() -= slope(k) * work_.update.segment((k - 1) * size(), size());
     this->states_ = Eigen::Map<const Nodes>(unknowns_.data(), size(), p_);
@@ -120,7 +120,7 @@ class MtlStepper : public Stepper {
     return method_.error_tolerance > 0 ? judge(t, block, statistics) : Status();
   }
 
-  /// The linearised solution itself.
+  /// Dense output: the linearised solution.
   void at(double t, State& x) const override {
     const auto j = std::clamp(static_cast<Eigen::Index>(std::floor((t - t0_) / h_)), Eigen::Index{0}, p_ - 1);
     const bool at_next = t == time(j + 1);  // rounding may have put it before
@@ -145,7 +145,7 @@ class MtlStepper : public Stepper {
   }
   [[nodiscard]] Eigen::MatrixXd& slope(Eigen::Index k) { return slopes_[static_cast<std::size_t>(k - 1)]; }
 
-  // All that does not depend on the unknowns.
+  // Computes everything that does not depend on the unknowns.
   Outcome prepare(double t, double h, const State& x0, Statistics& statistics) {
     x0_ = x0;
     t0_ = t;
@@ -168,7 +168,7 @@ class MtlStepper : public Stepper {
     return Outcome::success;
   }
 
-  // g(t_k, x_k): what A and the load leave of f.
+  // g(t_k, x_k): f without the linear part and the load.
   void nonlinear(Eigen::Index k, Statistics& statistics) {
     node_ = point(k);
     system_.rhs(segment_(time(k)), node_, f_);
@@ -178,7 +178,7 @@ class MtlStepper : public Stepper {
     g_.col(k) = f_.tail(g_.rows());
   }
 
-  // Newton's iteration, from the motion with g held at its first value, or from rest at the first state.
+  // Newton's iteration. Initial guess: the motion with constant g (@p moving), or the constant first state.
   Outcome solve(bool moving, Statistics& statistics) {
     for (Eigen::Index l = 1; l <= p_; ++l) {
       auto x = unknowns_.segment((l - 1) * size(), size());
@@ -219,7 +219,7 @@ class MtlStepper : public Stepper {
     }
   }
 
-  // The estimate of Mtl::error_tolerance.
+  // Checks the error estimate against Mtl::error_tolerance.
   Status judge(double t, double block, Statistics& statistics) {
     double worst = 0;
     if (weights_.prepare_between(a_, h_ / 2) != Outcome::success) return mtl_overflow(t, block);
@@ -255,7 +255,7 @@ class MtlStepper : public Stepper {
   Mtl method_;
   Eigen::Index p_;
   Jacobian a_;
-  mutable MtlWeights weights_;  // at() works in its second half
+  mutable MtlWeights weights_;  // at() uses its workspace
   SmoothSegment segment_;
   Eigen::VectorXd unknowns_;  // states at the points 1..p
   algebraic::Workspace<Eigen::VectorXd> work_;

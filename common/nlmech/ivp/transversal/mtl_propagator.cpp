@@ -24,7 +24,7 @@ constexpr double b[] = {64764752532480000.,
                         16380.,
                         182.,
                         1.};
-/// The largest norm for which its error stays below the unit roundoff.
+/// The largest norm for which the error of the approximant is below the unit roundoff.
 constexpr double largest_norm = 5.371920351148152;
 
 }  // namespace
@@ -73,8 +73,8 @@ void MtlPropagator::assemble(const Eigen::Ref<const Eigen::MatrixXd>& a, double 
   }
 }
 
-// Osborne's iteration: row and column sums of every index are made alike by a power of two, which changes no
-// digit. An index without a row or a column is left alone; some sweeps do, the rest gains nothing.
+// Balances by Osborne's iteration: powers of two, which cause no rounding, equalise row and column sums of
+// every index. An index with a zero row or column is skipped; a few sweeps suffice.
 void MtlPropagator::balance() {
   scale_.setOnes();
   const Index all = matrix_.rows();

@@ -1,5 +1,6 @@
 /// @file
-/// The weights of multi-step transversal linearisation: what nonlinear terms at the points do to all states.
+/// Weights of multi-step transversal linearisation: effect of the nonlinear terms at the points on all
+/// states.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,12 +11,12 @@
 
 namespace nlmech::ivp {
 
-/// The functions phi_k with phi_k(t_i) = delta_ki that stand for the nonlinear terms (Roy, Eq. 3). What they
-/// need beside is a sum of one everywhere; the printed condition, an integral of one, is not it.
+/// Basis functions phi_k with phi_k(t_i) = delta_ki that interpolate the nonlinear terms (Roy, Eq. 3). Their
+/// sum must be one everywhere; the printed condition, an integral of one, is wrong.
 enum class MtlBasis {
   lagrange,   ///< Lagrange polynomials through all points, degree p: order p + 1 (odd p), p + 2 (even p)
-  interpolet  ///< the simplest of Saito and Beylkin's: the autocorrelation of Haar's scaling function, which
-              ///< is the hat |x| < 1. Straight lines between points: order 2 for every p
+  interpolet  ///< the simplest interpolet of Saito and Beylkin: the autocorrelation of Haar's scaling
+              ///< function, the hat function on |x| < 1. Piecewise linear: order 2 for every p
 };
 
 /// Order of convergence of the method with p points beyond the first.
@@ -32,13 +33,14 @@ enum class MtlBasis {
 ///     W_lk = integral over (0, l h) of exp(A (l h - s)) E phi_k(s) ds  (Roy, Eqs 4 and 5).
 ///
 /// On every interval phi_k is a polynomial sum_m c_m (s/h)^m, whose integral is sum_m c_m m! h^(m+1)
-/// phi_{m+1}(A h) E; from interval to interval the rest moves on by exp(A h).
+/// phi_{m+1}(A h) E; exp(A h) propagates it to the following intervals.
 class MtlWeights {
  public:
-  /// Makes the workspace; the rest allocates nothing. @param columns as for MtlPropagator
+  /// Allocates the workspace; other members allocate nothing. @param columns as for MtlPropagator
   MtlWeights(int size, int columns, MtlBasis basis, int points, std::span<const Harmonic> load);
 
-  /// For points at the distance @p h of either sign. @return success; `non_finite` if a weight overflows
+  /// Computes the weights for points of spacing @p h of either sign. @return success; `non_finite` if a
+  /// weight overflows
   [[nodiscard]] Outcome compute(const Eigen::Ref<const Eigen::MatrixXd>& a, double h);
 
   /// W_lk, n by columns; l from 1 to p, k from 0 to p.
@@ -57,13 +59,13 @@ class MtlWeights {
   /// Prepares between() for the time @p tau after a point. @return as compute()
   [[nodiscard]] Outcome prepare_between(const Eigen::Ref<const Eigen::MatrixXd>& a, double tau);
   /// The linearised solution (Roy, Eq. 4) tau after point @p j.
-  /// @param g nonlinear terms at the points, one a column
+  /// @param g nonlinear terms at the points, one point per column
   /// @param xj state at point j
-  /// @param phase MtlPropagator::phases() there
+  /// @param phase MtlPropagator::phases() at point j
   /// @param out state
   void between(Eigen::Index j, const Eigen::MatrixXd& g, const Eigen::Ref<const Eigen::VectorXd>& xj,
                const Eigen::Ref<const Eigen::VectorXd>& phase, Eigen::Ref<Eigen::VectorXd> out);
-  /// The interpolated nonlinear terms (Roy, Eq. 3) there, into @p out of as many rows as g.
+  /// The interpolated nonlinear terms (Roy, Eq. 3) at the same time; @p out has as many rows as @p g.
   void interpolate(Eigen::Index j, const Eigen::MatrixXd& g, Eigen::Ref<Eigen::VectorXd> out) const;
 
  private:

@@ -6,7 +6,7 @@ namespace nlmech::tape {
 
 namespace {
 
-// Four products at once in two sums; the rest one by one.
+// Sums four products at once in two vector sums, the remainder one by one.
 struct Avx2Sum {
   [[gnu::always_inline]] static double of(const double* a, const double* b, int n) {
     double rest = 0;

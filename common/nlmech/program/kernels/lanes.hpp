@@ -1,5 +1,5 @@
 /// @file
-/// The replay of a tape for several solutions at once, one a lane, each with the bits that it has alone.
+/// Replay of a tape for several solutions in parallel, one per lane, each with the bits of a single replay.
 /// Internal to the kernels.
 #pragma once
 
@@ -7,12 +7,12 @@
 
 namespace nlmech::tape {
 
-/// @tparam A the numbers; its name has the instruction set, so that no instance can be taken for another's:
-///  - `Number`, and `width`, how many doubles it is in memory: one, or one a lane;
+/// @tparam A number type; its name contains the instruction set, so that the linker cannot confuse instances:
+///  - `Number`, and `width`, its number of doubles in memory: one, or one per lane;
 ///  - `load(const double*)`, `store(double*, Number)`, `all(double)`;
-///  - `sum(const double* a, const double* b, int n)`, of the products of n numbers from a on upwards and from
-///    b on downwards;
-///  - `constant(double own, const double* constants, int i)`: a constant of the tape, or of each lane.
+///  - `sum(const double* a, const double* b, int n)`, the sum of n products of numbers ascending from a and
+///    descending from b;
+///  - `constant(double own, const double* constants, int i)`: a constant of the tape, or one per lane.
 template <class A>
 class Replayer {
  public:
@@ -51,7 +51,7 @@ class Replayer {
     return A::constant(program_.instructions[i].factor, constants_, factor_of(i));
   }
 
-  // a_1 b_{k-1} + ... + a_{k-1} b_1, then the two products with the newest coefficients.
+  // a_1 b_{k-1} + ... + a_{k-1} b_1: the product without the newest coefficients.
   [[gnu::always_inline]] Number middle(Series a, Series b) const {
     return A::sum(a.first + A::width, b.first + (k_ - 1) * A::width, k_ - 1);
   }
@@ -155,7 +155,7 @@ struct One {
   [[gnu::always_inline]] static double constant(double own, const double*, int) { return own; }
 };
 
-/// One solution a lane. @tparam V simd::Pack
+/// One solution per lane. @tparam V simd::Pack
 template <class V>
 struct Many {
   using Number = V;
@@ -169,7 +169,7 @@ struct Many {
   }
 };
 
-/// Sums in the order of the AVX2 kernel: eight partial sums, and what is left of four.
+/// Sums in the order of the AVX2 kernel: eight partial sums, and one of the remainder after fours.
 template <class V>
 struct ManyInFours : Many<V> {
   using Many<V>::load;
@@ -222,7 +222,7 @@ struct ManyRounded : Many<V> {
   }
 };
 
-/// See LaneKernel::increments: even and odd powers apart, the two halves side by side.
+/// See LaneKernel::increments; even and odd powers are summed in parallel.
 template <class V>
 void lane_increments(const double* memory, std::int64_t stride, int size, int order, const double* s,
                      double* sums) {
