@@ -140,8 +140,7 @@ void check_settings(const std::vector<Choice>& all, const ivp::Settings& setting
   }
 }
 
-/// Solution and times of a run. A short run is repeated and its first time dropped, which includes cold
-/// caches.
+/// Solution and times of a run. A short run is repeated and its first time dropped as a warm-up.
 /// @param enough no repetition that would end after so many seconds
 std::pair<ivp::Solution, Timing> timed(const std::function<ivp::Solution()>& work, double enough) {
   constexpr int repeats = 5;
