@@ -26,7 +26,7 @@ namespace {
 /// hyphens.)
 constexpr std::string_view drawn_here = "<!-- drawn by a command of nlmech -->\n";
 
-/// Temporary folder for the data of a drawing, removed by the destructor or at the end of the process.
+/// Temporary folder for the data of a drawing, removed by the destructor or at an early end of the process.
 class Scratch {
  public:
   Scratch() {
