@@ -1,11 +1,11 @@
 /// @file
-/// Published methods for the reverse geodetic transformation, each as its paper gives it, to be set beside
-/// ours.
+/// Published methods for the reverse geodetic transformation, each as in its paper, for comparison with
+/// nlmech methods.
 ///
-/// All are function objects of an ellipsoid that take a Cartesian point to latitude, longitude and height.
-/// They hold for oblate ellipsoids and outside the region around the centre that each one's paper excludes.
-/// Heights of the iterative methods come from Bowring's projection (1985), which is the most accurate of the
-/// formulas in use.
+/// All are function objects of an ellipsoid that convert a Cartesian point to latitude, longitude and height.
+/// They are valid for oblate ellipsoids outside the region around the centre that each paper excludes.
+/// Heights of the iterative methods use Bowring's projection (1985), the most accurate of the formulas in
+/// use.
 #pragma once
 
 #include <cmath>
@@ -19,7 +19,7 @@ using nlmech::geodesy::Cartesian;
 using nlmech::geodesy::Ellipsoid;
 using nlmech::geodesy::Geodetic;
 
-/// What every method needs of the ellipsoid.
+/// Constants of the ellipsoid for all methods.
 struct EllipsoidConstants {
   /// All of them.
   explicit EllipsoidConstants(const Ellipsoid& e)
@@ -32,7 +32,7 @@ struct EllipsoidConstants {
   double second_e2;     ///< second eccentricity squared, e2/(1 - e2)
 };
 
-/// From S : C = sin phi : cos phi to the position, phi in the first quadrant.
+/// Position from S : C = sin phi : cos phi, phi in the first quadrant.
 /// h = r cos phi + |z| sin phi - a sqrt(1 - e^2 sin^2 phi) (Bowring 1985).
 inline Geodetic position(double S, double C, double r, const Cartesian& p, const EllipsoidConstants& k) {
   const double H2 = C * C + S * S, inverse = 1 / std::sqrt(H2);
@@ -91,8 +91,7 @@ class Bowring1985 {
 };
 
 /// T. Fukushima, Transformation from Cartesian to geodetic coordinates accelerated by Halley's method,
-/// Journal of Geodesy 79 (2006) 689-693. S and C vanish together on the axis, which is therefore a case of
-/// its own.
+/// Journal of Geodesy 79 (2006) 689-693. The axis is a special case, because S and C vanish together there.
 template <int iterations>
 class Fukushima2006 {
  public:

@@ -48,8 +48,8 @@ std::string read_to_end(std::FILE* in, const std::string& name) {
   return text;
 }
 
-/// A temporary file in the folder of the final one. Unless renamed, it is removed by the destructor or at the
-/// end of the process.
+/// A temporary file in the folder of the final one. Unless renamed, it is removed by the destructor or at an
+/// early end of the process.
 class TemporaryFile {
  public:
   explicit TemporaryFile(fs::path path) : path_(std::move(path)) {
