@@ -184,7 +184,8 @@ ErrorGrowth growth_along(const ChoiceRequest& q, const std::string& method) {
     ivp::Solution s = run(q.system, part.x0.cast<double>(), part.t0, part.times.back(), {}, these);
     states = s.x.cast<long double>();
     if (s.status.outcome() != Outcome::outside_validity) return s.status;
-    // A perturbed run of switching equations may fail alone: the unperturbed state stands for it, no growth.
+    // If only the perturbed run of switching equations fails, the unperturbed state replaces its result: no
+    // growth.
     states = along.states.col(std::ranges::find(way.times, part.times.back()) - way.times.begin());
     return Status();
   };

@@ -21,7 +21,7 @@ using nlmech::geodesy::Geodetic;
 
 /// Constants of the ellipsoid for all methods.
 struct EllipsoidConstants {
-  /// All of them.
+  /// Computes all constants.
   explicit EllipsoidConstants(const Ellipsoid& e)
       : a(e.a()), b(e.b()), e2(e.e2()), e4(e2 * e2), one_minus_e2(1 - e2), second_e2(e2 / (1 - e2)) {}
   double a;             ///< equatorial radius, m
@@ -61,7 +61,7 @@ Geodetic bowring(double sin_beta, double cos_beta, double r, const Cartesian& p,
 template <int iterations>
 class Bowring1976 {
  public:
-  /// Prepares what depends on the ellipsoid alone.
+  /// Computes the constants of the ellipsoid.
   explicit Bowring1976(const Ellipsoid& e) : k_(e) {}
   /// The position in radians and metres.
   Geodetic operator()(const Cartesian& p) const {
@@ -78,7 +78,7 @@ class Bowring1976 {
 template <int iterations>
 class Bowring1985 {
  public:
-  /// Prepares what depends on the ellipsoid alone.
+  /// Computes the constants of the ellipsoid.
   explicit Bowring1985(const Ellipsoid& e) : k_(e) {}
   /// The position in radians and metres.
   Geodetic operator()(const Cartesian& p) const {
@@ -95,7 +95,7 @@ class Bowring1985 {
 template <int iterations>
 class Fukushima2006 {
  public:
-  /// Prepares what depends on the ellipsoid alone.
+  /// Computes the constants of the ellipsoid.
   explicit Fukushima2006(const Ellipsoid& e) : k_(e), b_over_a_(std::sqrt(k_.one_minus_e2)) {}
   /// The position in radians and metres.
   Geodetic operator()(const Cartesian& p) const {
@@ -124,7 +124,7 @@ class Fukushima2006 {
 /// Geodesy 76 (2002) 451-454. Outside the evolute only.
 class Vermeille2002 {
  public:
-  /// Prepares what depends on the ellipsoid alone.
+  /// Computes the constants of the ellipsoid.
   explicit Vermeille2002(const Ellipsoid& e) : k_(e) {}
   /// The position in radians and metres.
   Geodetic operator()(const Cartesian& c) const {
@@ -146,7 +146,7 @@ class Vermeille2002 {
 /// 85 (2011) 105-117. Everywhere, the inside of the evolute and the disc included.
 class Vermeille2011 {
  public:
-  /// Prepares what depends on the ellipsoid alone.
+  /// Computes the constants of the ellipsoid.
   explicit Vermeille2011(const Ellipsoid& e) : k_(e) {}
   /// The position in radians and metres.
   Geodetic operator()(const Cartesian& c) const {
@@ -182,7 +182,7 @@ class Vermeille2011 {
 /// on Aerospace and Electronic Systems 32 (1996) 473-476. At least 100 km from the centre.
 class Olson1996 {
  public:
-  /// Prepares what depends on the ellipsoid alone.
+  /// Computes the constants of the ellipsoid.
   explicit Olson1996(const Ellipsoid& e)
       : k_(e), a1_(k_.a * k_.e2), a2_(a1_ * a1_), a3_(a1_ * k_.e2 / 2), a4_(2.5 * a2_), a5_(a1_ + a3_) {}
   /// The position in radians and metres.
@@ -218,7 +218,7 @@ class Olson1996 {
 /// Aerospace and Electronic Systems 30 (1994) 957-961. Outside the evolute only.
 class Heikkinen1982 {
  public:
-  /// Prepares what depends on the ellipsoid alone.
+  /// Computes the constants of the ellipsoid.
   explicit Heikkinen1982(const Ellipsoid& e) : k_(e) {}
   /// The position in radians and metres.
   Geodetic operator()(const Cartesian& p) const {
@@ -244,7 +244,7 @@ class Heikkinen1982 {
 template <int iterations>
 class LinWang1995 {
  public:
-  /// Prepares what depends on the ellipsoid alone.
+  /// Computes the constants of the ellipsoid.
   explicit LinWang1995(const Ellipsoid& e) : k_(e) {}
   /// The position in radians and metres.
   Geodetic operator()(const Cartesian& c) const {

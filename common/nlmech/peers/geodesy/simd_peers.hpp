@@ -1,5 +1,5 @@
 /// @file
-/// Batches of the peers that vectorise, for every instruction set that our own kernel has.
+/// Batches of the vectorised peers, for every instruction set of the nlmech kernel.
 #pragma once
 
 #include <array>

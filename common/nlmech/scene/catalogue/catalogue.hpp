@@ -1,6 +1,6 @@
 /// @file
-/// A catalogue: CSV with a header and a task a row, read some rows at a time, so that memory does not grow
-/// with the file. Every complaint names file, line, column and value.
+/// Catalogues: CSV with a header and one task per row, read in portions, so that memory does not grow with
+/// the file. Every error message names file, line, column and value.
 #pragma once
 
 #include <cstddef>

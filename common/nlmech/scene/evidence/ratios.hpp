@@ -1,7 +1,6 @@
 /// @file
-/// Claims about speed, each a ratio of medians measured in one process; and printed ratios of run times
-/// beside ours. Seconds of an unknown machine cannot be compared; which of two methods was faster there, and
-/// by how much, can be.
+/// Claims about speed as ratios of medians measured in one process, and comparison of printed ratios of run
+/// times with reproduced ones. Absolute times of an unknown machine cannot be compared, but ratios can.
 #pragma once
 
 #include <filesystem>
