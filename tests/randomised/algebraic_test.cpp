@@ -31,7 +31,7 @@ enum class Shape { product, chain, exponential, saturating, no_root, root };
 struct RandomSystem {
   Shape shape{};
   int n = 1, degree = 1;
-  MatrixXd a;  ///< factors of x
+  MatrixXd a;      ///< factors of x
   MatrixXd roots;  ///< roots of f, a row for each component
   VectorXd scale;
   double steepness = 1;

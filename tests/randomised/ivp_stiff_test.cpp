@@ -32,7 +32,7 @@ constexpr double eps = 2.220446049250313e-16;
 /// once.
 struct Forced {
   MatrixXd a = {}, v = {}, inverse = {};
-  VectorXd real;  // real parts of the eigenvalues; pairs are adjacent
+  VectorXd real;       // real parts of the eigenvalues; pairs are adjacent
   VectorXd imaginary;  // imaginary part at the first of a pair; 0: none
   VectorXd amplitude, frequency, phase, mean;
 

@@ -70,7 +70,7 @@ struct Case {
   /// wrong: a silent failure; refused: a status or an exception that names the cause; undecided: no
   /// reference.
   enum class Verdict { right, wrong, refused, undecided };
-  Verdict verdict;  ///< the result
+  Verdict verdict;        ///< the result
   double ratio = 0;       ///< error over its bound; meaningful for right and wrong
   std::string what = {};  ///< all data needed to repeat the case
 

@@ -1,5 +1,5 @@
 /// @file
-/// One registry of our methods and of peers.
+/// Registry of all methods: those of nlmech and the peers.
 #pragma once
 
 #include <string>
@@ -10,14 +10,14 @@
 
 namespace nlmech::comparison {
 
-/// The method of that name, ours or a peer, in this build or not.
-/// @throws std::invalid_argument listing all methods and peers, if there is none
+/// The nlmech method or peer of that name, also a peer that this build lacks.
+/// @throws std::invalid_argument listing all methods and peers for an unknown name
 [[nodiscard]] const ivp::MethodInfo& any_method(std::string_view name);
 
-/// Names of ours, then of the peers, built or not.
+/// Names of the nlmech methods, then of all peers, also those that this build lacks.
 [[nodiscard]] std::vector<std::string> any_method_names();
 
-/// Names of ours, then of the peers that this build has.
+/// Names of the nlmech methods, then of the peers in this build.
 [[nodiscard]] std::vector<std::string> built_method_names();
 
 }  // namespace nlmech::comparison

@@ -1,5 +1,5 @@
 /// @file
-/// Owners of SUNDIALS objects. Only sources that are compiled with SUNDIALS include this.
+/// Owners of SUNDIALS objects. Only for sources that are compiled with SUNDIALS.
 #pragma once
 
 #include <nvector/nvector_serial.h>
@@ -12,7 +12,7 @@
 
 namespace nlmech::peers {
 
-/// Frees a SUNDIALS object that is freed by its value.
+/// Owner of a SUNDIALS object that is released by value.
 template <class Handle, auto release>
 class SundialsObject {
  public:
@@ -30,7 +30,7 @@ class SundialsObject {
   Handle handle_;
 };
 
-/// The context that all objects of one computation belong to.
+/// The context of all objects of one computation.
 class SundialsContext {
  public:
   SundialsContext() {
@@ -46,14 +46,14 @@ class SundialsContext {
   SUNContext context_ = nullptr;
 };
 
-/// Column of numbers.
+/// Vector.
 using SundialsVector = SundialsObject<N_Vector, &N_VDestroy>;
 /// Dense matrix.
 using SundialsMatrix = SundialsObject<SUNMatrix, &SUNMatDestroy>;
 /// Dense factorisation.
 using SundialsLinearSolver = SundialsObject<SUNLinearSolver, &SUNLinSolFree>;
 
-/// SUNDIALS prints its errors and warnings unless it is told where to send them: here.
+/// Error handler that discards the errors and warnings of SUNDIALS, which prints them by default.
 inline void silence_sundials(int /*code*/, const char* /*module*/, const char* /*function*/,
                              char* /*message*/, void* /*data*/) noexcept {}
 

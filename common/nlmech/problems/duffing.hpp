@@ -1,5 +1,5 @@
 /// @file
-/// Closed forms of the freely vibrating Duffing oscillator, duffing.ode (Elgohary 2015, Eq. 4.22).
+/// Closed-form solution of the free Duffing oscillator, duffing.ode (Elgohary 2015, Eq. 4.22).
 #pragma once
 
 #include <cmath>
@@ -10,11 +10,11 @@
 
 namespace nlmech::problems {
 
-/// x'' + w^2 x + eta x^3 = 0. From x(0) = X at rest the solution is X cn(omega t | m) with the Jacobi
-/// elliptic function of the modulus sqrt(m); argument_frequency(), elliptic_parameter() and period() are its
-/// constants. They hold for every eta for which w^2 + eta X^2 > 0.
+/// Duffing oscillator x'' + w^2 x + eta x^3 = 0. From x(0) = X at rest the solution is X cn(omega t | m) with
+/// the Jacobi elliptic function of the modulus sqrt(m). Its constants are argument_frequency(),
+/// elliptic_parameter() and period(); they hold for w^2 + eta X^2 > 0.
 struct Duffing {
-  double natural_frequency = 1;  ///< w, of the linear oscillator, rad/time
+  double natural_frequency = 1;  ///< w, frequency of the linear oscillator, rad/time
   double hardening = 1;          ///< eta, cubic stiffness; negative: softening
 
   /// The problem with these parameters, from x(0) = 1 at rest.
@@ -36,7 +36,7 @@ struct Duffing {
     using std::sqrt;
     using T = std::remove_cvref_t<decltype(x[0])>;
     const T w2 = T(natural_frequency) * natural_frequency, e = energy(x);
-    // The root X of eta X^4/4 + w^2 X^2/2 = E, in the form that has no difference for eta > 0.
+    // The root X of eta X^4/4 + w^2 X^2/2 = E, in the form without cancellation for eta > 0.
     return T(sqrt(4 * e / (w2 + sqrt(w2 * w2 + 4 * hardening * e))));
   }
 
@@ -63,8 +63,8 @@ struct Duffing {
     const T w2 = T(natural_frequency) * natural_frequency, cubic = hardening * (amplitude * amplitude);
     if (!(w2 + cubic > 0)) return std::numeric_limits<T>::quiet_NaN();
     T a = sqrt(w2 + cubic), b = sqrt(w2 + cubic / 2);
-    // The arithmetic-geometric mean: the difference is squared at every turn, so a handful suffices; the
-    // means may end up one unit apart, hence the count.
+    // The arithmetic-geometric mean converges quadratically. The means may remain one unit apart, hence the
+    // limit of the iterations.
     for (int turn = 0; turn < 64 && a != b; ++turn) {
       const T mean = (a + b) / 2;
       b = sqrt(a * b);

@@ -1,6 +1,6 @@
 /// @file
-/// Reference solutions: Taylor series of high order in any precision, with dense output. They exist to judge
-/// the methods of this library, which share nothing with them, and are not made for speed.
+/// Reference solutions by Taylor series of high order in any precision, with dense output. They verify the
+/// methods of this library, share no code with them, and are not optimised for speed.
 #pragma once
 
 #include <algorithm>
@@ -22,15 +22,15 @@
 
 namespace nlmech::problems {
 
-/// A step by Taylor series: from `start` on, the state is the sum of `coefficient[k] * s^k` at start + s.
+/// A step of a Taylor series: the state at start + s is the sum of `coefficient[k] * s^k`.
 template <class Real, int n>
 struct TaylorStep {
-  Real start{};                              ///< time at the beginning
-  Real length{};                             ///< as far as the series is used
-  std::vector<Vector<Real, n>> coefficient;  ///< by power
+  Real start{};                              ///< time at the start of the step
+  Real length{};                             ///< step size
+  std::vector<Vector<Real, n>> coefficient;  ///< coefficients by power
 
-  /// The sum of the series at start + @p s without its first term, which is the greater by far: added last,
-  /// it is rounded once.
+  /// The sum of the series at start + @p s without its first term. This term is by far the greatest; added
+  /// last, it is rounded once.
   [[nodiscard]] Vector<Real, n> increment(const Real& s) const {
     Vector<Real, n> sum = coefficient.back();
     for (std::size_t k = coefficient.size() - 1; k-- > 1;) sum = (sum * s + coefficient[k]).eval();
@@ -47,9 +47,9 @@ struct TaylorStep {
   [[nodiscard]] Vector<Real, n> at(const Real& s) const { return coefficient[0] + increment(s); }
 };
 
-/// The Taylor coefficients of the solution through @p x at time @p t: coefficient k + 1 is coefficient k of
-/// the right-hand side over k + 1, which in turn depends on the coefficients up to k of the state.
-/// @param memory is used and left with rubbish; keeping it from step to step saves its allocation
+/// Taylor coefficients of the solution through @p x at time @p t. Coefficient k + 1 is coefficient k of the
+/// right-hand side over k + 1, which depends on the coefficients of the state up to k.
+/// @param memory scratch memory; reuse it from step to step to avoid allocations
 template <class Real, class Problem>
 void taylor_coefficients(const Problem& problem, const Real& t, const Vector<Real, Problem::dimension>& x,
                          int order, std::vector<Vector<Real, Problem::dimension>>& coefficient,
@@ -76,10 +76,10 @@ void taylor_coefficients(const Problem& problem, const Real& t, const Vector<Rea
 
 namespace detail {
 
-/// Beyond every logarithm: the step of a solution that is a polynomial.
+/// Greater than every logarithm: log2 of the step size for a solution that is a polynomial.
 inline constexpr double polynomial = 1e9;
 
-/// Logarithm to the base 2 of |x|; far below everything for 0.
+/// log2 |x|; -polynomial for 0.
 template <class Real>
 [[nodiscard]] double log2_of(const Real& x) {
   using std::abs;
@@ -89,11 +89,12 @@ template <class Real>
   return mantissa > 0 ? std::log2(mantissa) + exponent : -polynomial;
 }
 
-/// Logarithm to the base 2 of the step at which the last two terms of the series are the tolerance relative
-/// to the state's scale, after Jorba and Zou, A software package for the numerical integration of ODEs by
-/// means of high-order Taylor methods, Experimental Mathematics 14 (2005) 99-117. The scale of a component is
-/// its greatest value so far. What lies beyond @p most, the logarithm of the longest step, says nothing.
-/// Logarithms, because the coefficients of a stiff problem leave the range of double.
+/// log2 of the step size at which the last two terms of the series equal the tolerance times the scale of the
+/// state, after Jorba and Zou, A software package for the numerical integration of ODEs by means of
+/// high-order Taylor methods, Experimental Mathematics 14 (2005) 99-117. The scale of a component is its
+/// greatest value so far. Logarithms avoid overflow, because the coefficients of a stiff problem leave the
+/// range of double.
+/// @param most log2 of the greatest step size, which bounds the radius used for the scales
 template <class Real, int n>
 [[nodiscard]] double log2_step(const std::vector<Vector<Real, n>>& c, double tolerance,
                                std::vector<double>& log2_scale, double most) {
@@ -109,7 +110,7 @@ template <class Real, int n>
   if (radius > polynomial / static_cast<double>(2 * order)) return polynomial;
   radius = std::min(radius, most);
   for (int i = 0; i < size; ++i) {
-    // A component that starts at 0 gets the size of its terms well within the disc of convergence.
+    // The scale of a component that starts at 0 is the size of its terms well within the disc of convergence.
     double& scale = log2_scale[static_cast<std::size_t>(i)];
     for (std::size_t k = 0; k < order; ++k) {
       scale = std::max(scale, log2_of(c[k][i]) + static_cast<double>(k) * (radius - 3));
@@ -119,11 +120,11 @@ template <class Real, int n>
   return step;
 }
 
-/// Does the sum of a series solve the equations within its step, which its coefficients alone do not show?
-/// Those of tanh(100 (t - 5)) at t = 0 are zero but for the first, in any precision. Asked for beside the
-/// end, where the equations may change; by a millionth of the state, or what is far more than truncation
-/// leaves.
-/// @param tolerance of the step, as of log2_step() @param log2_scale of the components, as of log2_step()
+/// Does the sum of a series satisfy the equations within its step? Coefficients alone do not show it: those
+/// of tanh(100 (t - 5)) at t = 0 vanish except for the first, in any precision. The defect is checked at
+/// 0.618 and 0.999 of the step, because the equations may change at its end. The bound, relative to the
+/// state, is 2^-20 or 2^20 tolerances, whichever is greater.
+/// @param tolerance, log2_scale as in log2_step()
 template <class Real, int n, class Problem>
 [[nodiscard]] bool is_solution(const Problem& problem, const TaylorStep<Real, n>& step, double tolerance,
                                const std::vector<double>& log2_scale) {
@@ -146,7 +147,8 @@ template <class Real, int n, class Problem>
   return true;
 }
 
-/// 2^x rounded down to eight binary digits: sums of such steps are exact, and time carries no rounding.
+/// 2^x rounded down to eight binary digits, so that sums of such steps are exact and time has no rounding
+/// error.
 template <class Real>
 [[nodiscard]] Real short_step(double log2) {
   using std::ldexp;
@@ -156,19 +158,19 @@ template <class Real>
 
 }  // namespace detail
 
-/// A state of a problem, made of its components in braces.
+/// State of a problem; initialised with its components in braces.
 template <class Real, class Problem>
 using StateOf = std::conditional_t<Problem::dimension == Eigen::Dynamic, ivp::BasicState<Real>,
                                    Vector<Real, Problem::dimension>>;
 
-/// How a reference is computed.
+/// Options of a reference.
 struct ReferenceOptions {
-  int order = 0;         ///< of the Taylor series, 4 or more; 0: chosen for the tolerance
-  double tolerance = 0;  ///< last kept terms of a step relative to the state; 0: an eighth of Real's epsilon
-  std::size_t most_steps = 10'000'000;                            ///< after which it gives up
-  double largest_step = std::numeric_limits<double>::infinity();  ///< no step is longer; positive
+  int order = 0;         ///< order of the Taylor series, 4 or more; 0: chosen for the tolerance
+  double tolerance = 0;  ///< last terms of a step relative to the state; 0: an eighth of Real's epsilon
+  std::size_t most_steps = 10'000'000;                            ///< limit of the number of steps
+  double largest_step = std::numeric_limits<double>::infinity();  ///< greatest step size; positive
 
-  /// The same with the zeros replaced by what they stand for in the precision of @p Real.
+  /// The options with zeros replaced by the defaults for the precision of @p Real.
   /// @throws std::invalid_argument naming the value that is out of range
   template <class Real>
   [[nodiscard]] ReferenceOptions completed() const {
@@ -177,9 +179,9 @@ struct ReferenceOptions {
     if (!(all.tolerance > 0 && all.tolerance < 1)) {
       throw std::invalid_argument("reference: tolerance must lie in (0, 1), is " + std::to_string(tolerance));
     }
-    // Cost goes with order^3 (order^2/2 for each of `order` products) over the step, step with
-    // tolerance^(1/order): least near -ln(tolerance)/3, and flat to both sides, while longer steps round
-    // less.
+    // The cost per time is proportional to order^3 (order^2/2 for each of `order` products) over the step
+    // size, which is proportional to tolerance^(1/order). The minimum near -ln(tolerance)/3 is flat; a higher
+    // order takes longer steps with less rounding.
     if (order == 0) all.order = std::max(8, static_cast<int>(-std::log(all.tolerance) / 2));
     if (all.order < 4) {
       throw std::invalid_argument("reference: order must be 4 or more, is " + std::to_string(order));
@@ -188,24 +190,23 @@ struct ReferenceOptions {
   }
 };
 
-/// Walks along a solution from @p t0 to @p t1 and shows every step with the state at its end:
-/// visit(const TaylorStep<Real, n>&, const Vector<Real, n>&). Steps end exactly at the problem's
-/// discontinuities and at t1. The state is summed with its rounding error carried along (compensated), and
-/// step lengths are short binary numbers, so that time is exact.
-/// @returns step_underflow or non_finite where a solution ends before t1, step_limit
+/// Integrates from @p t0 to @p t1 and calls visit(const TaylorStep<Real, n>&, const Vector<Real, n>&) with
+/// every step and the state at its end. Steps end exactly at the problem's discontinuities and at t1. The
+/// state uses compensated summation, and step sizes are short binary numbers, so that the time is exact.
+/// @returns step_underflow or non_finite if the solution ends before t1, or step_limit
 /// @throws std::invalid_argument if t1 < t0 or a number is not finite
 template <class Real, class Problem, class Visit>
 Status walk_reference(const Problem& problem, const Vector<Real, Problem::dimension>& x0, const Real& t0,
                       const Real& t1, const ReferenceOptions& options, Visit&& visit);
 
-/// The states of a solution at given times, without keeping the way there.
-/// @param problem of Problem::dimension
+/// States of a solution at given times, without storing its steps.
+/// @param problem problem, see problem.hpp
 /// @param x0 state at time @p t0
 /// @param t0 start
-/// @param times in ascending order, from t0 on
-/// @param states gets one for each time; fewer if the solution ends before
+/// @param times output times in ascending order, from t0 on
+/// @param states receives one state per time, fewer if the solution ends earlier
 /// @param options order, tolerance
-/// @returns as walk_reference()
+/// @returns status as of walk_reference()
 template <class Real, class Problem>
 [[nodiscard]] Status reference_states(const Problem& problem, const Vector<Real, Problem::dimension>& x0,
                                       const Real& t0, std::span<const Real> times,
@@ -225,18 +226,18 @@ template <class Real, class Problem>
   return times.empty() ? Status() : walk_reference(problem, x0, t0, times.back(), options, visit);
 }
 
-/// A solution that can be asked for its state at any time: the Taylor coefficients of all its steps.
+/// A solution with its state at any time, stored as Taylor coefficients of all steps.
 ///
-/// With Real = long double the free and the impact Duffing oscillator to t = 500 and the three masses to
-/// t = 200 take a few hundredths of a second, 0.8 to 3 kB a step, and end within 2.6e-16 of the state in 60
-/// digits (tests/problems). A stiff problem needs many steps (about |lambda| (t1 - t0)/8): take
+/// With Real = long double the free and the impact Duffing oscillator to t = 500 and the three masses to t =
+/// 200 take a few hundredths of a second and 0.8 to 3 kB per step; the final state is within 2.6e-16 of the
+/// one in 60 digits (tests/problems). For a stiff problem, which needs about |lambda| (t1 - t0)/8 steps, use
 /// reference_states().
 template <class Real, class Problem>
 class ReferenceTrajectory {
  public:
   /// Number of components of the state.
   static constexpr int dimension = Problem::dimension;
-  /// A state.
+  /// Type of the state.
   using State = StateOf<Real, Problem>;
 
   /// Computes the solution from @p x0 at @p t0 to @p t1.
@@ -258,7 +259,7 @@ class ReferenceTrajectory {
   [[nodiscard]] const Status& status() const { return status_; }
   /// The time t0.
   [[nodiscard]] const Real& start() const { return start_; }
-  /// The time t1; where the computation ended if the status is a failure.
+  /// The time t1; after a failure the time reached.
   [[nodiscard]] const Real& end() const { return end_; }
   /// Number of Taylor series from start() to end().
   [[nodiscard]] std::size_t steps() const { return steps_.size(); }
@@ -288,10 +289,11 @@ class ReferenceTrajectory {
 
 namespace detail {
 
-/// Where a reference cannot go on.
+/// Failure status at the time where a reference ends early.
 [[nodiscard]] Status reference_failure(Outcome outcome, double t, double step, std::size_t steps);
 
-/// Adds to a sum and keeps what rounding cuts off (Knuth, The Art of Computer Programming, 4.2.2, Theorem B).
+/// Compensated summation: keeps the rounding error in @p carry (Knuth, The Art of Computer
+/// Programming, 4.2.2, Theorem B).
 template <class Real, int n>
 void add_compensated(Vector<Real, n>& sum, Vector<Real, n>& carry, const Vector<Real, n>& increment) {
   for (Eigen::Index i = 0; i < sum.size(); ++i) {
@@ -301,7 +303,7 @@ void add_compensated(Vector<Real, n>& sum, Vector<Real, n>& carry, const Vector<
   }
 }
 
-/// The times at which the walk must stop: announced discontinuities, then the end.
+/// Times at which steps must end: discontinuities, then t1.
 template <class Real, class Problem>
 [[nodiscard]] std::vector<Real> stops(const Problem& problem, const Real& t0, const Real& t1) {
   std::vector<Real> times;

@@ -1,5 +1,5 @@
 /// @file
-/// Problems that are texts: `kepler.ode` beside this file is the problem "kepler".
+/// Library problems as texts: `kepler.ode` in this folder is the problem "kepler".
 #pragma once
 
 #include <span>
@@ -13,36 +13,36 @@
 
 namespace nlmech::problems {
 
-/// A problem as one types it.
+/// Text of a library problem.
 struct ProblemText {
-  std::string_view name;  ///< of the file, without .ode
-  std::string_view text;  ///< all of it
+  std::string_view name;  ///< name of the file without .ode
+  std::string_view text;  ///< content of the file
 };
 
-/// All of them, in the order of their names.
+/// All library problems in alphabetical order.
 [[nodiscard]] std::span<const ProblemText> problem_texts();
 
-/// A problem that is a text, with the data that stand in it: a right-hand side for every type of number, and
-/// what ivp::System takes. Its numbers are doubles in every precision: 0.1 in a text is the double next to
-/// it, so that a reference in more digits is of the problem that methods solve.
+/// Problem from a text with its initial state, times and parameters, for every type of number and for
+/// ivp::System. Numbers of the text are doubles in every precision: 0.1 is the nearest double, so that a
+/// reference in extended precision solves the same problem as methods in double precision.
 class TextProblem : public program::Problem {
  public:
   /// @param of_text name of one of problem_texts()
-  /// @param settings of its definitions
-  /// @throws std::invalid_argument listing all names, if there is none of that name; for a text without
-  /// initial values or end
-  /// @throws InputError for a setting that the text does not name, or that breaks a condition
+  /// @param settings values of its parameters
+  /// @throws std::invalid_argument listing all names, for an unknown name; for a text without initial values
+  /// or end
+  /// @throws InputError for an unknown parameter or a value that violates a condition
   explicit TextProblem(std::string_view of_text, const program::Settings& settings = {});
 
-  std::string name;     ///< as on command lines
-  double initial_time;  ///< where it begins
-  double final_time;    ///< where it ends
+  std::string name;     ///< name on command lines
+  double initial_time;  ///< initial time of the text
+  double final_time;    ///< end time of the text
 
-  /// The state there.
+  /// The state at the initial time.
   [[nodiscard]] const ivp::State& initial_state() const { return x0_; }
-  /// The definitions that are numbers, as the text names them.
+  /// Names and values of the parameters, the numeric definitions of the text.
   [[nodiscard]] const std::vector<std::pair<std::string, double>>& parameters() const { return parameters_; }
-  /// The value of one of them. @throws std::invalid_argument if there is none of that name
+  /// The value of a parameter. @throws std::invalid_argument for an unknown name
   [[nodiscard]] double parameter(std::string_view definition) const;
 
  private:

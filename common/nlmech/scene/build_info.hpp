@@ -1,6 +1,5 @@
 /// @file
-/// What this program was made from. Filled in by the build; the values stand in the provenance of every
-/// scene.
+/// Sources, compiler and libraries of this build, for the provenance of every scene.
 #pragma once
 
 #include <string>
@@ -11,22 +10,22 @@ namespace nlmech::scene {
 
 /// A library that the build found, with its version.
 struct LibraryVersion {
-  std::string name;     ///< as CMake knows it
-  std::string version;  ///< as found
+  std::string name;     ///< name of the CMake package
+  std::string version;  ///< version found
 };
 
 /// Facts about the build; see provenance().
 struct BuildInfo {
-  std::string version;                    ///< of nlmech, "1.2.3"
+  std::string version;                    ///< version of nlmech, "1.2.3"
   std::string commit;                     ///< git commit, or "unknown" outside a checkout
-  bool dirty = false;                     ///< tracked files differed from that commit when it was built
-  std::string compiler;                   ///< name and version
-  std::string flags;                      ///< options given to the compiler, build type included
-  std::vector<LibraryVersion> libraries;  ///< those that the configuration uses
-  std::string source_folder;              ///< where templates and published values are, unless installed
+  bool dirty = false;                     ///< true if tracked files differed from that commit
+  std::string compiler;                   ///< name and version of the compiler
+  std::string flags;                      ///< compiler options with the build type
+  std::vector<LibraryVersion> libraries;  ///< libraries of this configuration
+  std::string source_folder;              ///< folder of templates and published values, unless installed
 };
 
-/// Always the same object.
+/// The facts about this build.
 [[nodiscard]] const BuildInfo& build_info();
 
 }  // namespace nlmech::scene

@@ -20,7 +20,7 @@ std::string shortened(const std::string& text) {
   return tidy.size() <= most ? tidy : tidy.substr(0, most) + "...";
 }
 
-/// A template without the comments that it begins with, which explain its variables.
+/// Text of a template without its leading comments, which explain its variables.
 std::string body_of(const std::string& name) {
   const fs::path file = data_folder() / "figures" / "templates" / (name + ".gp");
   if (!fs::exists(file)) throw Failure(fmt::format("{}: no such template", file.string()));
@@ -57,8 +57,8 @@ std::string with_answers(std::string svg, const std::string& answers) {
 }
 
 std::string draw(const fs::path& folder, const std::string& script, PictureFormat format) {
-  // The picture comes from standard output and is written by write_whole(): if gnuplot wrote the file, a
-  // failure or a killed program would leave half a picture.
+  // gnuplot writes to standard output and write_whole() writes the file, so that a failure or a killed
+  // program leaves no partial picture.
   std::vector<std::string> command = {"gnuplot"};
   if (format == PictureFormat::png) command.insert(command.end(), {"-e", "png=1"});
   command.push_back(script);
@@ -67,10 +67,9 @@ std::string draw(const fs::path& folder, const std::string& script, PictureForma
   if (gnuplot.exit_code != 0) {
     throw Failure(fmt::format("gnuplot ended with {}: {}", gnuplot.exit_code, shortened(gnuplot.errors)));
   }
-  // gnuplot goes on after a warning ("Skipping data file with no valid points") and draws an empty frame
+  // after a warning ("Skipping data file with no valid points") gnuplot draws an empty frame
   if (!gnuplot.errors.empty()) throw Failure(fmt::format("gnuplot warns: {}", shortened(gnuplot.errors)));
-  const char* mark =
-      format == PictureFormat::svg ? "</svg>" : "IEND";  // both stand at the end of a whole picture
+  const char* mark = format == PictureFormat::svg ? "</svg>" : "IEND";  // end marks of a complete picture
   if (gnuplot.output.find(mark) == std::string::npos) throw Failure("gnuplot drew nothing");
   return gnuplot.output;
 }

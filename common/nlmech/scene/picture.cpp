@@ -22,11 +22,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// What such pictures end with. A file without it is never overwritten. (A comment of XML has no two
+/// Last line of these pictures; a file without it is never overwritten. (XML comments must not contain two
 /// hyphens.)
 constexpr std::string_view drawn_here = "<!-- drawn by a command of nlmech -->\n";
 
-/// A folder for the data of a drawing, gone with it and with the process.
+/// Temporary folder for the data of a drawing, removed by the destructor or at an early end of the process.
 class Scratch {
  public:
   Scratch() {
@@ -63,7 +63,7 @@ std::string without_markup(const std::string& text) {
   for (const char c : text) {
     if (std::string_view("^_{}@&~\\").find(c) != std::string_view::npos) plain += '\\';
     if (c == '\'')
-      plain += "\u2032";  // gnuplot cannot quote two of the other kind in a row
+      plain += "\u2032";  // gnuplot cannot quote two apostrophes in a row
     else
       plain += c;
   }

@@ -1,5 +1,5 @@
 /// @file
-/// The picture that a user of a command asks for by `--plot FILE.svg`.
+/// The picture of `--plot FILE.svg`.
 #pragma once
 
 #include <filesystem>
@@ -10,22 +10,21 @@
 
 namespace nlmech::scene {
 
-/// Words as they stand, in a text that gnuplot reads with its markup: "k_1 x^2" has no subscript. Apostrophes
-/// become primes.
+/// Escapes a text for gnuplot's markup, so that "k_1 x^2" is drawn literally. Apostrophes become primes.
 [[nodiscard]] std::string without_markup(const std::string& text);
 
-/// A picture in a file of the user's choice.
+/// A picture in a file chosen by the user.
 class Picture {
  public:
-  /// @param file empty: no picture is wanted
-  /// @throws InputError naming `--plot` unless the name ends with .svg, in a folder that is there, and for a
-  /// file that is there and that no Picture has drawn
+  /// @param file empty: no picture
+  /// @throws InputError naming `--plot` if the name does not end with .svg, the folder does not exist, or the
+  /// file exists and was not drawn by a Picture
   explicit Picture(std::filesystem::path file);
 
-  /// Is one wanted?
+  /// Was a picture requested?
   [[nodiscard]] bool wanted() const { return !file_.empty(); }
-  /// Draws what @p make gives. To be called when the numbers have been printed, which a failure leaves where
-  /// they are.
+  /// Draws the figure that @p make returns. Call it after printing the results, so that a failure does not
+  /// lose them.
   /// @throws Failure naming the file
   void draw(const std::function<Figure()>& make) const;
 

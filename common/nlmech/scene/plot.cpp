@@ -19,14 +19,14 @@ std::string range(const char* axis, double low, double high) {
   return fmt::format("set {}range [{:.12g}:{:.12g}]\n", axis, low, high);
 }
 
-/// Of labels and arrows that can be named; those set without a name get lower numbers.
+/// First tag of labels and arrows; gnuplot gives lower numbers to those without a tag.
 constexpr int first_tag = 1000;
 
-/// Tics at 1, 2 and 5 times powers of ten where the axis is short; else at every power, or every second, ...,
-/// as there is room for.
+/// Tics of a logarithmic axis: at 1, 2 and 5 times powers of ten on a short axis, else at every power or
+/// every n-th one, as there is room.
 std::string decades(const char* axis, double low, double high) {
   const double count = std::log10(high / low);
-  if (count > 30) {  // one by one: gnuplot 5.4 does not come back from steps of ten powers
+  if (count > 30) {  // explicit list: gnuplot 5.4 hangs on steps of ten powers
     std::vector<std::string> tics;
     for (int power = 10 * static_cast<int>(std::ceil(std::log10(low) / 10)); power <= std::log10(high);
          power += 10)
@@ -51,7 +51,7 @@ std::string log_range(const char* axis, double low, double high) {
   return fmt::format("set logscale {}\n", axis) + range(axis, low, high) + decades(axis, low, high);
 }
 
-/// `using "t":"laier"` of "t:laier"; a part with parentheses is an expression.
+/// `using "t":"laier"` for "t:laier"; a part with parentheses is an expression.
 std::string by_name(const std::string& columns) {
   std::string out = "using ", part;
   int depth = 0;
@@ -78,7 +78,7 @@ std::string margins_at(double left, double right, double bottom, double top) {
 }  // namespace
 
 std::string with_kept_blanks(std::string text) {
-  const std::string mark = "\u200b";  // a space of no width
+  const std::string mark = "\u200b";  // zero-width space
   for (const char* const edge : {" {", "} "}) {
     for (std::size_t at = 0; (at = text.find(edge, at)) != std::string::npos; at += mark.size() + 1)
       text.insert(at + 1, mark);
@@ -274,7 +274,7 @@ std::string Plot::prelude() const {
   return width_ == 760 && height_ == 520 ? "" : fmt::format("width = {}\nheight = {}\n", width_, height_);
 }
 
-/// Where a panel stands: in shares of the picture, from room in pixels for tics, labels and the heading.
+/// Margins of a panel as fractions of the picture, with room in pixels for tics, labels and the heading.
 std::string Plot::margins(const Panel& panel) const {
   if (panels_.size() == 1) return "";
   const double count = static_cast<double>(panels_.size()), k = static_cast<double>(panel.number_);

@@ -1,6 +1,5 @@
 /// @file
-/// Figures of curves: panels of axes, what is drawn in them, the data behind it and the gnuplot script that
-/// draws it.
+/// Figures of curves: panels, the data of their curves, and the gnuplot script that draws them.
 #pragma once
 
 #include <concepts>
@@ -15,55 +14,52 @@
 
 namespace nlmech::scene {
 
-/// A text whose blanks beside gnuplot's markup stay: some viewers of SVG drop them where markup begins or
-/// ends.
+/// Protects blanks next to gnuplot's markup: some SVG viewers drop blanks where markup begins or ends.
 [[nodiscard]] std::string with_kept_blanks(std::string text);
 
-/// A text in single quotes, as gnuplot reads it.
+/// A text in single quotes for gnuplot.
 [[nodiscard]] std::string gnuplot_quoted(const std::string& text);
 
-/// How a curve is drawn: what follows gnuplot's `with`. Style 0 is the next of the panel, from 1; styles are
-/// those of `figures/style.gp`.
+/// Appearance of a curve. Styles are numbered from 1 in `figures/style.gp`; 0 is the next style of the panel.
 struct Look {
-  std::string with;  ///< "lines", "points pointsize 1.2"
-  int style = 0;     ///< of line and point
+  std::string with;  ///< gnuplot's text after `with`: "lines", "points pointsize 1.2"
+  int style = 0;     ///< style of line and point
 };
 [[nodiscard]] Look lines(int style = 0);        ///< a line
-[[nodiscard]] Look thin_lines(int style = 0);   ///< a line for what stands back
+[[nodiscard]] Look thin_lines(int style = 0);   ///< a line of the background
 [[nodiscard]] Look points(int style = 0);       ///< a symbol at each point
-[[nodiscard]] Look large_points(int style);     ///< a symbol for a point that is pointed out
+[[nodiscard]] Look large_points(int style);     ///< a symbol that marks a point
 [[nodiscard]] Look linespoints(int style = 0);  ///< line and symbols
 
-/// A pair of axes and what is drawn in it. Each setting returns the panel, so that settings can be chained.
+/// A pair of axes with its curves. Each setting returns the panel, so that settings can be chained.
 class Panel {
  public:
   /// Ranges are finite and not empty, those of logarithmic axes positive and rising; else
   /// std::invalid_argument is thrown.
-  Panel& log_x();                           ///< logarithmic, tics at powers of ten
-  Panel& log_x(double low, double high);    ///< the same with its range
-  Panel& log_y();                           ///< logarithmic, tics at powers of ten
-  Panel& log_y(double low, double high);    ///< the same with its range
-  Panel& x_range(double low, double high);  ///< of a linear axis
-  Panel& y_range(double low, double high);  ///< of a linear axis
-  Panel& caption(const std::string& text);  ///< above the panel, at its left
-  /// What follows `set key`: "bottom left"; "off" for none, "below" for two rows under the axis of a single
-  /// panel, where curves leave no room.
+  Panel& log_x();                           ///< logarithmic axis with tics at powers of ten
+  Panel& log_x(double low, double high);    ///< logarithmic axis with a range
+  Panel& log_y();                           ///< logarithmic axis with tics at powers of ten
+  Panel& log_y(double low, double high);    ///< logarithmic axis with a range
+  Panel& x_range(double low, double high);  ///< range of a linear axis
+  Panel& y_range(double low, double high);  ///< range of a linear axis
+  Panel& caption(const std::string& text);  ///< text above the panel on the left
+  /// Place of the key, gnuplot's text after `set key`: "bottom left"; "off" for no key; "below" for two rows
+  /// below the axis of a single panel.
   Panel& key(const std::string& place);
-  /// A text. @param side of the text that stands at the place: "left", "right" or "center"
+  /// Adds a text at (x, y). @param side alignment of the text: "left", "right" or "center"
   Panel& note(const std::string& text, double x, double y, const std::string& side = "left");
   Panel& level(double y,
-               const std::string& text = "");  ///< a dashed horizontal line, and words above its left end
-  Panel& mark(double x, const std::string& text = "");  ///< a thin vertical line, and words beside its foot
-  /// Where the axes stand, in shares of the picture: for panels that are neither in a row nor stacked.
+               const std::string& text = "");  ///< a dashed horizontal line with a text above its left end
+  Panel& mark(double x, const std::string& text = "");  ///< a thin vertical line with a text at its foot
+  /// Position of the axes as fractions of the picture, for panels that are neither in a row nor stacked.
   Panel& place(double left, double right, double bottom, double top);
-  /// Any other setting of gnuplot: what follows `set`.
+  /// Any other setting, gnuplot's text after `set`.
   Panel& set(const std::string& setting);
 
-  /// A curve through points; NaN breaks the line. @param name in the key, empty for none
+  /// A curve through points; NaN breaks the line. @param name title in the key, empty for none
   Panel& curve(const std::string& name, const std::vector<double>& x, const std::vector<double>& y,
                const Look& look = lines());
-  /// A curve of the rows of a range, which may be a view of some of them. @param x, y accessors of a row:
-  /// members, functions
+  /// A curve with a point for each row of a range or view. @param x, y members or functions of a row
   template <std::ranges::range Rows, std::invocable<std::ranges::range_reference_t<Rows>> X, class Y>
   Panel& curve(const std::string& name, Rows&& rows, X x, Y y, const Look& look = lines()) {
     std::vector<double> xs, ys;
@@ -73,12 +69,12 @@ class Panel {
     }
     return curve(name, xs, ys, look);
   }
-  /// A curve of columns of data that the plot was given: "t:laier", columns by name, or an expression in
-  /// parentheses: "t:(1000*column('x'))".
-  /// @param block of lines in the data, from 0; -1: all
+  /// A curve of the data of Plot::data(): columns by name, "t:laier", or an expression in parentheses,
+  /// "t:(1000*column('x'))".
+  /// @param block index of a block of lines in the data, from 0; -1: all
   Panel& columns(const std::string& name, const std::string& columns, const Look& look = lines(),
                  int block = -1);
-  /// Anything else that gnuplot plots, before the next curve: "sin(x) with lines".
+  /// Any other element of gnuplot's `plot`, before the next curve: "sin(x) with lines".
   Panel& also(const std::string& element);
 
  private:
@@ -94,36 +90,36 @@ class Panel {
   bool log_y_ = false, key_below_ = false;
 };
 
-/// Panels side by side or one above the other, with a common heading. Data are kept in the order in which
-/// curves are drawn, in columns that the plot names; a blank line stands between curves.
+/// Panels side by side or stacked, with a common heading. The data are in the order of the curves, separated
+/// by blank lines, in columns named by columns().
 class Plot {
  public:
-  /// @param heading what to see, at most 60 characters
+  /// @param heading quantity and finding, at most 60 characters
   explicit Plot(const std::string& heading);
   Plot(const Plot&) = delete;
   Plot& operator=(const Plot&) = delete;
 
-  /// Another panel, right of the last one or, of stacked plots, below it.
+  /// Adds a panel to the right of the last one or, in a stacked plot, below it.
   Panel& panel(const std::string& x_label, const std::string& y_label);
-  /// Panels one above the other on a common abscissa, whose label and numbers the last one shows.
-  /// @param shares of the height, one a panel; equal ones if there are none
+  /// Stacks the panels on a common abscissa, with label and numbers only below the last one.
+  /// @param shares fractions of the height, one per panel; empty: equal
   Plot& stacked(std::vector<double> shares = {});
-  /// Of the picture, in pixels. @throws std::invalid_argument unless both are positive
+  /// Size of the picture in pixels. @throws std::invalid_argument unless both are positive
   Plot& size(int width, int height);
-  /// Names of the data's columns: that of a curve's number, of the panel's number if there is one, of
-  /// abscissa and ordinate, as in {"curve", "x", "y"}, {"panel", "curve", "x", "y"} or {"curve", "panel",
-  /// "x", "y"}. To be called before the first curve.
+  /// Names of the columns of the data: number of the curve, optional number of the panel, abscissa and
+  /// ordinate, as {"curve", "x", "y"}, {"panel", "curve", "x", "y"} or {"curve", "panel", "x", "y"}. Call it
+  /// before the first curve.
   Plot& columns(const std::vector<std::string>& names);
-  /// Data of another form, of which Panel::columns() draws.
+  /// Data of any other form for Panel::columns().
   Plot& data(Table table);
 
   /// The data of all curves.
   [[nodiscard]] const Table& data() const { return data_; }
-  /// Everything that gnuplot is told after style and data; complete but for these.
+  /// gnuplot commands after style and data.
   [[nodiscard]] std::string script() const;
-  /// The same from before the style: the picture's size.
+  /// gnuplot commands before the style: the size of the picture.
   [[nodiscard]] std::string prelude() const;
-  /// Elements of all panels.
+  /// Number of elements of all panels.
   [[nodiscard]] std::size_t curves() const;
 
  private:

@@ -64,13 +64,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// What a picture was drawn from, as a last line of the SVG: style, script and data in one number (Fowler,
-/// Noll and Vo's hash, FNV-1a, of 64 bits).
+/// Last line of an SVG: hash of its style, script and data (FNV-1a of Fowler, Noll and Vo, 64 bits).
 std::string drawn_from(const std::string& style, const std::string& script, const std::string& data) {
   std::uint64_t hash = 0xcbf29ce484222325;
   const auto add = [&hash](std::string_view text) {
     for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
-    hash = (hash ^ 0xff) * 0x100000001b3;  // no byte of UTF-8: the texts do not run into each other
+    hash = (hash ^ 0xff) * 0x100000001b3;  // separator of the texts: 0xff does not occur in UTF-8
   };
   add(style);
   add(script);
@@ -82,7 +81,7 @@ bool ends_with(const fs::path& file, const std::string& text) {
   return fs::is_regular_file(file) && read_whole(file).ends_with(text);
 }
 
-/// An SVG that was drawn from the same is left as it is.
+/// Draws a figure, unless the SVG already has the same hash.
 void draw_figure(const std::string& chapter, const std::string& scene, const std::string& answers,
                  const std::string& origin, const Publishing& how) {
   const std::string script = fmt::format("results/{}/{}.gp", chapter, scene);
@@ -97,7 +96,7 @@ void draw_figure(const std::string& chapter, const std::string& scene, const std
       write_whole(picture, drawn + (svg ? origin : ""));
     } catch (const Failure& failure) {
       std::error_code ignored;
-      fs::remove(picture, ignored);  // a drawing of older data beside new data would mislead
+      fs::remove(picture, ignored);  // it would not match the new data
       throw Failure(fmt::format("figure {} of {} was not drawn: {}; its script is {}", name, chapter,
                                 failure.what(), (how.out / script).string()));
     }

@@ -1,5 +1,5 @@
 /// @file
-/// Scenes and chapters: what a chapter can show, and what each showing needs.
+/// Scenes and chapters, and the runs whose results scenes show.
 #pragma once
 
 #include <concepts>
@@ -23,10 +23,10 @@ namespace nlmech::scene {
 
 class Results;
 
-/// What all runs have in common: a name, the reading behind it, and the runs that it builds on.
+/// Base of all runs: name, reading, and the runs that this one depends on.
 class AnyRun {
  public:
-  /// Runs that something needs.
+  /// Dependencies.
   using List = std::vector<std::shared_ptr<const AnyRun>>;
   /// See the accessors of the same names.
   AnyRun(std::string name, std::string reading, List needs);
@@ -35,21 +35,21 @@ class AnyRun {
   virtual ~AnyRun();
 
   [[nodiscard]] const std::string& name() const { return name_; }        ///< "series-order-4"
-  [[nodiscard]] const std::string& reading() const { return reading_; }  ///< how the text was understood
-  [[nodiscard]] const List& needs() const { return needs_; }             ///< runs that are computed before
+  [[nodiscard]] const std::string& reading() const { return reading_; }  ///< interpretation of the source
+  [[nodiscard]] const List& needs() const { return needs_; }             ///< runs that this one depends on
 
  private:
   std::string name_, reading_;
   List needs_;
 };
 
-/// One method on one problem with one setting, with a result of type @p T.
+/// One method on one problem with one setting; its result has type @p T.
 template <class T>
 class Run : public AnyRun {
  public:
-  /// Computes the result; takes those of the runs that it needs.
+  /// Computes the result from the results of the needed runs.
   using Compute = std::function<T(Results&)>;
-  /// Made by Result.
+  /// Constructed by Result.
   Run(std::string name, std::string reading, List needs, Compute compute)
       : AnyRun(std::move(name), std::move(reading), std::move(needs)), compute_(std::move(compute)) {}
 
@@ -58,20 +58,20 @@ class Run : public AnyRun {
   Compute compute_;
 };
 
-/// The results of a process: each computed at the first call, and kept.
+/// Cache of the results of a process: each is computed at its first use.
 class Results {
  public:
-  /// @param quick fewer samples and shorter timings, never other methods; times are taken as they come,
-  /// however many programs compute
+  /// @param quick fewer samples and shorter timings, but the same methods; timings do not wait until a
+  /// processor is free
   explicit Results(bool quick) : quick_(quick) {
     if (!quick) machine_.emplace();
   }
 
-  /// Is less work asked for?
+  /// Fewer samples and shorter timings?
   [[nodiscard]] bool quick() const { return quick_; }
 
-  /// To be called before each scene: waits for this program's turn to compute, unless quick. With many scenes
-  /// left it keeps its turn, so that a long chapter is not the last and alone.
+  /// Call before each scene: waits for a free processor (Machine), unless quick. With many scenes left the
+  /// program keeps its processor, so that a long chapter does not finish last.
   void take_turn(std::size_t scenes_left);
 
   /// The run's result. @throws std::logic_error if another run of the same name has another reading or type
@@ -98,20 +98,19 @@ class Results {
   std::map<std::string, Computed> computed_;  // by name
 };
 
-/// A result that scenes show: named, and computed when a scene first asks for it. A value: copies are the
-/// same result, and so are results of one name and reading.
+/// A named result that is computed when a scene first needs it. Copies, and results with the same name and
+/// reading, are the same result.
 template <class T>
 class Result {
  public:
-  /// @param name among the chapter's results
-  /// @param reading how the source's text was understood
-  /// @param compute a function of the results needed, each a `const T&`, or a `std::vector<const T*>` where
-  /// several of one type were given as a vector; and last, if it wants to know, of whether less work is asked
-  /// for
+  /// @param name name, unique in the chapter
+  /// @param reading interpretation of the source
+  /// @param compute function of the needed results, each a `const T&`, or a `std::vector<const T*>` for a
+  /// vector of results; an optional last argument is `bool quick`
   template <class Compute, class... Needs>
   Result(std::string name, std::string reading, Compute compute, const Needs&... needs);
 
-  /// Without its type.
+  /// The run that computes the result.
   [[nodiscard]] const std::shared_ptr<const Run<T>>& run() const { return run_; }
 
  private:
@@ -147,7 +146,7 @@ std::vector<const T*> get(Results& all, const std::vector<Result<T>>& results) {
 }
 template <class Need>
 using Got = decltype(get(std::declval<Results&>(), std::declval<const Need&>()));
-/// With the effort, if the function wants to know it.
+/// Calls @p compute with the results, and with `quick` if it takes a bool.
 template <class Compute, class... Needs>
 decltype(auto) call(const Compute& compute, Results& all, const Needs&... needs) {
   if constexpr (std::invocable<const Compute&, Got<Needs>..., bool>)
@@ -164,13 +163,13 @@ Result<T>::Result(std::string name, std::string reading, Compute compute, const 
     : run_(std::make_shared<const Run<T>>(
           std::move(name), std::move(reading), needed::all(needs...),
           [compute, needs...](Results& all) -> T { return needed::call(compute, all, needs...); })) {}
-/// The type is that of what is computed.
+/// Deduces the type of the result from the return type of the function.
 template <class Compute, class... Needs>
 Result(std::string, std::string, Compute, const Needs&...)
     -> Result<std::decay_t<decltype(needed::call(std::declval<const Compute&>(), std::declval<Results&>(),
                                                  std::declval<const Needs&>()...))>>;
 
-/// What a scene shows: a function that puts results on a Show, and the results.
+/// Content of a scene: a function that puts results on a Show, and these results.
 struct Content {
   Content() = default;
   /// @param put called with the results, each as in Result, and the Show
@@ -179,37 +178,37 @@ struct Content {
       : needs(needed::all(results...)), show(shown([put, results...](Results& all, Show& to_show) {
           put(needed::get(all, results)..., to_show);
         })) {}
-  needed::Runs needs = {};                     ///< computed before
-  std::function<Showing(Results&)> show = {};  ///< called with them
+  needed::Runs needs = {};                     ///< runs of the results
+  std::function<Showing(Results&)> show = {};  ///< puts the results on a Show
 
  private:
   static std::function<Showing(Results&)> shown(std::function<void(Results&, Show&)> put);
 };
 
-/// One figure or one table: the smallest thing that a user asks for.
+/// One figure or one table, the unit that a user can run.
 struct Scene {
   std::string name;               ///< "fig-2.27"
-  std::string title;              ///< what there is to see
-  std::string place = "our own";  ///< "Figure 2.27"
-  Content content = {};           ///< what it shows
+  std::string title;              ///< quantity and finding
+  std::string place = "our own";  ///< place in the source: "Figure 2.27"
+  Content content = {};           ///< content
 };
 
-/// A subject of the publications: its scenes, in the order in which they are told.
+/// A subject of the publications with its scenes in their order.
 class Chapter {
  public:
-  /// @param name the folder's and the program's
-  /// @param title what the chapter is about
-  /// @param scenes in the order in which they are told
+  /// @param name name of the folder and of the program
+  /// @param title subject of the chapter
+  /// @param scenes groups of scenes in their order
   /// @throws std::invalid_argument if two scenes have the same name
   Chapter(std::string name, std::string title, const std::vector<std::vector<Scene>>& scenes);
 
   /// The program's name.
   [[nodiscard]] const std::string& name() const { return name_; }
-  /// What the chapter is about.
+  /// The subject of the chapter.
   [[nodiscard]] const std::string& title() const { return title_; }
-  /// In the order in which they were given.
+  /// All scenes in the given order.
   [[nodiscard]] const std::vector<Scene>& scenes() const { return scenes_; }
-  /// @throws InputError naming the scenes there are
+  /// The scene of that name. @throws InputError listing the scenes of the chapter for an unknown name
   [[nodiscard]] const Scene& scene(const std::string& name) const;
 
  private:
@@ -217,14 +216,13 @@ class Chapter {
   std::vector<Scene> scenes_;
 };
 
-/// A scene as it came out: what it shows, and the runs it rests on.
+/// Result of a scene and the runs behind it.
 struct Performance {
-  Showing showing;                  ///< what it shows
-  std::vector<const AnyRun*> runs;  ///< sorted by name
+  Showing showing;                  ///< figure, table and checks
+  std::vector<const AnyRun*> runs;  ///< runs, sorted by name
 };
 
-/// Computes one scene. @throws std::logic_error if it shows nothing, has an empty figure or table, or checks
-/// nothing
+/// Computes one scene. @throws std::logic_error if it has no figure and no table, an empty one, or no check
 [[nodiscard]] Performance perform(const Scene& scene, Results& results);
 
 }  // namespace nlmech::scene

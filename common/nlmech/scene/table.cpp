@@ -12,7 +12,7 @@
 namespace nlmech::scene {
 namespace {
 
-/// Turns a cell into text; @p real and @p text say how the two kinds that differ between formats are written.
+/// Text of a cell; @p real and @p text format the two kinds that differ between CSV and Markdown.
 template <class Real, class Text>
 std::string show(const Cell& cell, Real real, Text text) {
   if (const auto* s = std::get_if<std::string>(&cell)) return text(*s);
@@ -25,7 +25,7 @@ std::string markdown_text(std::string_view text) {
   std::string out;
   std::size_t backslashes = 0;
   for (const char c : text) {
-    // a pipe is part of the text behind an odd number of backslashes; those that stood before it are doubled
+    // a pipe after an odd number of backslashes is literal, so existing backslashes are doubled
     if (c == '|') out.append(backslashes + 1, '\\');
     backslashes = c == '\\' ? backslashes + 1 : 0;
     out += c == '\n' || c == '\r' ? ' ' : c;

@@ -7,7 +7,7 @@
 namespace nlmech::scene {
 namespace {
 
-/// A block of rows for each line that has a point; then one a problem of who is fastest.
+/// Adds a block of rows for each line that has a point, then for each problem a block of its fastest methods.
 void add_rows(Diagram& d) {
   int block = 0;
   const auto colour = [&](std::size_t line) {

@@ -1,6 +1,7 @@
 /// @file
-/// Work-precision diagrams: digits of many methods against what they cost, as a figure and a table. A few
-/// curves are in colour and named at their ends, all others grey behind them; below stands who is fastest.
+/// Work-precision diagrams: digits of many methods against their cost, as a figure and a table. A few curves
+/// are coloured and named at their ends, the others are grey in the background; strips below show the fastest
+/// methods.
 #pragma once
 
 #include <optional>
@@ -15,35 +16,35 @@
 
 namespace nlmech::scene {
 
-/// The diagram. One problem has a panel over time and, if there is further work, one over its first column;
-/// several problems have a panel each, over time. What is in colour, and who is fastest, follows from the
-/// data: foreground(), rankings_of().
+/// Labels and ranges of a diagram. One problem has a panel against time and, if there is a work_label, one
+/// against the first column of work; several problems have one panel each against time. foreground() selects
+/// the coloured curves and rankings_of() the fastest methods.
 struct WorkPrecision {
-  std::string heading = {};                                        ///< what to see
+  std::string heading = {};                                        ///< quantity and finding
   std::string digits = "digits: -log_{10} of the relative error";  ///< label of the ordinate
   double least_digits = 0;                                         ///< low end of the ordinate
   double most_digits = 15;                                         ///< high end of the ordinate
-  std::string error = {};                                          ///< heading of a column; empty: digits
-  std::string time = "median run time (s)";                        ///< label of the abscissa
-  std::string unit = "ms";                                         ///< of time in the table: ms, µs or ns
-  std::vector<std::string> work = {};                              ///< further columns of the table
-  std::string work_label = {};                                     ///< abscissa of the second panel
-  std::vector<MethodGroup> groups = {};                            ///< kinds, foremost first
-  double rounding = 0;                                            ///< the worst that one rounding of the data
-                                                                  ///< makes of the end; 0: not known
-  std::optional<std::pair<double, std::string>> least_time = {};  ///< s, and what takes it
+  std::string error = {};                    ///< heading of the error column; empty: digits
+  std::string time = "median run time (s)";  ///< label of the abscissa
+  std::string unit = "ms";                   ///< unit of time in the table: ms, µs or ns
+  std::vector<std::string> work = {};        ///< further cost columns of the table
+  std::string work_label = {};               ///< abscissa of the second panel
+  std::vector<MethodGroup> groups = {};      ///< groups of methods, foremost first
+  double rounding = 0;                       ///< greatest effect of one rounding of the
+                                             ///< data on the final state; 0: unknown
+  std::optional<std::pair<double, std::string>> least_time = {};  ///< a lower limit in s and its label
 };
 
-/// Puts figure and table on @p show.
+/// Puts figure and table of a diagram on @p show.
 void show_work_precision(const WorkPrecision& what, const std::vector<ProblemLines>& problems, Show& show);
 
-/// How a computation ended, and its error if it has one.
+/// Status of a computation, and its error if it has one.
 struct Ending {
-  Status status;                ///< of the method
-  std::optional<double> error;  ///< nothing if it failed
+  Status status;                ///< status of the method
+  std::optional<double> error;  ///< error; nothing if the method failed
 };
 
-/// One setting, computed and timed. @param judge how what @p compute gives ended; not timed
+/// Computes and times one setting. @param judge gives the Ending of the result of @p compute; not timed
 template <class Compute, class Judge>
 [[nodiscard]] Attempt attempt(std::string setting, const Compute& compute, const Judge& judge, bool quick) {
   const Stopwatch watch;

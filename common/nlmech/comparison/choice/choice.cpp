@@ -19,16 +19,17 @@
 namespace nlmech::comparison {
 namespace {
 
-// Steps no shorter than the solution asks for; the second where coarse steps converge to wrong roots.
+// Coarse tolerances, for steps limited by the solution alone; the second pair is for problems where coarse
+// steps converge to wrong roots.
 constexpr ivp::Settings coarse[] = {{.tolerance = 1e-3, .absolute_tolerance = 1e-6},
                                     {.tolerance = 1e-6, .absolute_tolerance = 1e-12}};
 
-/// The greatest modulus of an eigenvalue.
+/// Spectral radius of a matrix; 0 if an entry is not finite.
 double spectral_radius(const Eigen::MatrixXd& j) {
-  constexpr int most_components = 32;  // eigenvalues take their cube
+  constexpr int most_components = 32;  // eigenvalues cost O(n^3)
   if (!j.allFinite()) return 0;
   if (j.rows() <= most_components) return j.eigenvalues().cwiseAbs().maxCoeff();
-  // The growth of powers, also of a complex pair.
+  // Power iteration; the mean over several powers covers a complex pair.
   constexpr int powers = 32, counted = 16;
   Eigen::VectorXd v = Eigen::VectorXd::LinSpaced(j.rows(), 1, 2);
   double growth = 0;
@@ -40,7 +41,7 @@ double spectral_radius(const Eigen::MatrixXd& j) {
   return std::exp(growth / counted);
 }
 
-/// The equations as recorded, those of one mode where they switch; nothing: they are refused.
+/// The recorded equations, for switching ones those of one mode; nothing if they cannot be recorded.
 std::optional<Tape> tape_of(const ivp::System& system, double t) {
   const auto modes = static_cast<std::size_t>(system.switches());
   try {
@@ -50,14 +51,14 @@ std::optional<Tape> tape_of(const ivp::System& system, double t) {
   }
 }
 
-/// Coarse steps. @param stiffness becomes Features::stiffness
+/// Takes coarse steps. @param stiffness receives Features::stiffness
 Status coarse_steps(const ChoiceRequest& q, const ivp::Settings& settings, double& stiffness) {
   const Eigen::Index n = q.x0.size();
   ivp::Jacobian j(n, n);
-  std::vector<double> units;  // of time of the fastest motion, in a step
+  std::vector<double> units;  // |h| rho of the sampled steps
   int steps = 0;
   const ivp::Observer sample = [&](const ivp::Step& step) {
-    constexpr int dense = 24;  // all of so many steps, then every second, third, ...
+    constexpr int dense = 24;  // samples each of the first steps, then every second, third, ...
     ++steps;
     if (steps % (1 + steps / dense) != 0) return true;
     q.system.jacobian(step.t1, step.x1, j);
@@ -68,20 +69,20 @@ Status coarse_steps(const ChoiceRequest& q, const ivp::Settings& settings, doubl
       .steps = std::clamp<std::int64_t>(2000 / n, 60, 400), .seconds = 0.5, .largest_step = q.largest_step};
   const auto run = any_method("adaptive-collocation").with(settings);
   Status status = run(q.system, q.x0, q.t0, q.t1, sample, limits).status;
-  // Where few steps are all, the first ones grow from a cautious start and say nothing of accuracy.
+  // If the step limit ends the run, skip its first half: these steps still grow from a small initial one.
   const auto begin = units.begin() + (status.ok() ? 0 : static_cast<std::ptrdiff_t>(units.size() / 2));
   if (begin != units.end())
     stiffness = std::accumulate(begin, units.end(), 0.0) / static_cast<double>(units.end() - begin);
   return status;
 }
 
-/// Are the equations q'' = a(t, q)? As recorded, else by the Jacobian at @p x and beside it.
+/// Are the equations q'' = a(t, q)? Decided by the recorded equations, else by the Jacobian at two states.
 bool has_velocity_free_accelerations(const ivp::System& system, double t, const ivp::State& x) {
   if (!system.second_order()) return false;
   const int half = system.size() / 2;
   if (const std::optional<Tape> tape = tape_of(system, t)) return !tape->depends(half, half);
   ivp::Jacobian j(system.size(), system.size());
-  for (const double shift : {0.0, 0.1}) {  // at rest or in a point of symmetry a product may vanish
+  for (const double shift : {0.0, 0.1}) {  // the entries may vanish at rest or at a point of symmetry
     system.jacobian(t, (x.array() + shift).matrix(), j);
     if (!j.bottomRightCorner(half, half).isZero(0)) return false;
   }
@@ -109,7 +110,7 @@ constexpr Rule rules[] = {{"stiff",
                            [](const Features&, double) { return true; },
                            {"dop853", "series", "adaptive-collocation"}}};
 
-/// Those methods of the rule that this build has and the request allows.
+/// Methods of the rule that this build has and the request allows.
 std::vector<std::string> candidates(const ChoiceRequest& q, const Features& f, double digits) {
   std::vector<std::string> all;
   for (const std::string_view name : choice_rule(f, digits).methods) {
@@ -120,11 +121,11 @@ std::vector<std::string> candidates(const ChoiceRequest& q, const Features& f, d
   return all;
 }
 
-/// A short run from t0, which may be repeated for its time. Its covered share is 0 if the method fails or is
-/// not for the problem. @param status gets the first failure
+/// A short run from t0, repeated at most @p repeats times to measure its time. The covered share is 0 if the
+/// method fails or does not apply to the problem. @param status receives the first failure
 Ranked short_run(const ChoiceRequest& q, const std::string& method, double tolerance, int repeats,
                  Status& status) {
-  constexpr std::int64_t steps = 4000;  // of one component
+  constexpr std::int64_t steps = 4000;  // for one component
   constexpr double enough = 0.005;      // s
   Ranked r{method, tolerance};
   try {
@@ -149,12 +150,12 @@ Ranked short_run(const ChoiceRequest& q, const std::string& method, double toler
   return r;
 }
 
-/// The greatest factor from six times to the last of them, by amplification() along a run by @p method; not
-/// known with more than 64 components.
+/// Error growth from six times to the last of them, by amplification() along a run of @p method; unknown with
+/// more than 64 components.
 ErrorGrowth growth_along(const ChoiceRequest& q, const std::string& method) {
-  constexpr Eigen::Index most_components = 64;  // each is perturbed by itself
+  constexpr Eigen::Index most_components = 64;  // each costs two runs an interval
   constexpr int intervals = 6;
-  constexpr double most_seconds = 10;  // of all runs, where right-hand sides are expensive
+  constexpr double most_seconds = 10;  // for all runs; matters if right-hand sides are expensive
   constexpr double tolerance = 1e-11;  // far below the perturbations of amplification()
   if (q.x0.size() > most_components) return {};
   const ivp::Limits limits = q.limits(40'000);
@@ -183,7 +184,8 @@ ErrorGrowth growth_along(const ChoiceRequest& q, const std::string& method) {
     ivp::Solution s = run(q.system, part.x0.cast<double>(), part.t0, part.times.back(), {}, these);
     states = s.x.cast<long double>();
     if (s.status.outcome() != Outcome::outside_validity) return s.status;
-    // Where the equations switch, a perturbed run may fail for itself; it shows no growth.
+    // If only the perturbed run of switching equations fails, the unperturbed state replaces its result: no
+    // growth.
     states = along.states.col(std::ranges::find(way.times, part.times.back()) - way.times.begin());
     return Status();
   };
@@ -197,7 +199,7 @@ ErrorGrowth growth_along(const ChoiceRequest& q, const std::string& method) {
           std::abs((end.t - q.t0) / (q.t1 - q.t0))};
 }
 
-/// Seconds of a right-hand side.
+/// Seconds of one right-hand side.
 double right_hand_side_seconds(const ChoiceRequest& q) {
   ivp::State f(q.x0.size());
   const auto calls = [&](int count) {
@@ -215,7 +217,7 @@ std::string accuracy(const MethodChoice& c) {
   return fmt::format("{:.3g} digits where errors grow {:.2g} times", c.digits, c.condition);
 }
 
-/// "not stiff (...); smooth, operations: 5": what the rules ask.
+/// "not stiff (...); smooth, operations: 5": the features that the rules use.
 std::string features_text(const Features& f) {
   const std::string operations =
       f.operations > 0 ? fmt::format("operations: {}", f.operations) : "not recorded as series";
@@ -288,7 +290,8 @@ MethodChoice examine(const ChoiceRequest& q) {
     c.condition = c.growth.factor / c.growth.covered;  // errors grow at least in proportion to the time
     break;
   }
-  constexpr double roundings = 16 * std::numeric_limits<double>::epsilon();  // of some hundred steps
+  constexpr double roundings =
+      16 * std::numeric_limits<double>::epsilon();  // accumulated by a few hundred steps
   c.possible = -std::log10(roundings * c.condition);
   return c;
 }
@@ -296,9 +299,9 @@ MethodChoice examine(const ChoiceRequest& q) {
 MethodChoice choose(const ChoiceRequest& q, double digits, MethodChoice c) {
   c.digits = digits;
   if (!c.status.ok()) return c;
-  constexpr double safety = 1. / 3;  // an error of one tolerance at any time, and those of the other steps
+  constexpr double safety = 1. / 3;  // the condition is that of a single error; steps add theirs
   const double tolerance = safety * std::pow(10, -std::min(digits, c.possible)) / c.condition;
-  // More digits than the problem allows are no fault of a tolerance.
+  // Digits beyond those possible are missing because of rounding, not because of the tolerance.
   c.missing = digits > c.possible ? 0 : std::max(0.0, std::log10(tightest / tolerance));
   Status status;
   for (const std::string& method : candidates(q, c.features, digits)) {

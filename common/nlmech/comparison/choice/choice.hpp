@@ -1,6 +1,6 @@
 /// @file
-/// Which method for an initial value problem: a list of rules on features that are found before it is solved.
-/// The first that holds decides.
+/// Choice of a method for an initial value problem: the first matching rule of a list, by features that are
+/// found before the problem is solved.
 #pragma once
 
 #include <array>
@@ -24,113 +24,114 @@ struct ChoiceRequest {
   double t0;                                                      ///< start
   double t1;                                                      ///< end
   double absolute = 1;                                            ///< absolute over relative tolerance
-  std::vector<std::string> methods = {};                          ///< that may be chosen; empty: all
-  double largest_step = std::numeric_limits<double>::infinity();  ///< bound on the steps
+  std::vector<std::string> methods = {};                          ///< methods to choose from; empty: all
+  double largest_step = std::numeric_limits<double>::infinity();  ///< bound on the step size
 
-  /// Limits of a short run. @param steps with one component; fewer with more, at least 50
+  /// Limits of a short run. @param steps for one component; divided by their number, but at least 50
   [[nodiscard]] ivp::Limits limits(std::int64_t steps) const;
 };
 
-/// Does f depend on the time, or on a component that moves at a constant rate? By the recorded equations; of
-/// a problem that cannot be recorded by df/dt at (t, x), and true where it has none.
+/// Does f depend on the time, or on a component with a constant rate? Decided by the recorded equations; if
+/// the problem cannot be recorded, by df/dt at (t, x), and true without df/dt.
 [[nodiscard]] bool depends_on_time(const ivp::System& system, double t, const ivp::State& x);
 
-/// The features of a problem. They are counts and ratios: found twice, they are the same, unless half a
-/// second cuts the probe short.
+/// Features of a problem: counts and ratios, so that they are reproducible unless the time limit of the probe
+/// (0.5 s) ends it early.
 struct Features {
   bool velocity_free = false;  ///< the equations are q'' = a(t, q)
   bool switches = false;       ///< abs, sign, min or max of the state decide which equations hold
-  int operations = 0;    ///< of one right-hand side, as recorded for Taylor series; 0: it cannot be recorded
-  double stiffness = 0;  ///< mean of |h| rho over coarse steps h of an implicit method, rho the greatest
-                         ///< modulus of an eigenvalue of the Jacobian: about 1 where accuracy bounds the
-                         ///< steps, more where stability would bound those of an explicit method
+  int operations = 0;  ///< operations of one right-hand side, as recorded for Taylor series; 0: not recorded
+  double stiffness = 0;  ///< mean of |h| rho over coarse steps h of an implicit method, rho the spectral
+                         ///< radius of the Jacobian: about 1 where accuracy limits the step size, more where
+                         ///< stability would limit that of an explicit method
 };
 
-/// The features, or why there are none.
+/// Result of probe_problem().
 struct Probe {
-  Features features;  ///< as far as the steps went
+  Features features;  ///< its stiffness is that of the steps taken
   Status status;      ///< a failure: the solution ends before t1, or the implicit method fails
 };
 
-/// Finds the features by some coarse steps of `adaptive-collocation`, at most so many that they take a few
-/// milliseconds with few components.
+/// Finds the features of a problem, its stiffness by at most 400 coarse steps of `adaptive-collocation`: a
+/// few milliseconds for few components.
 [[nodiscard]] Probe probe_problem(const ChoiceRequest& request);
 
 /// A rule of the list.
 struct Rule {
   std::string_view name;                            ///< "stiff"
-  std::string_view reason;                          ///< why its methods, in a clause
-  bool (*holds)(const Features& f, double digits);  ///< for that many digits at t1
-  std::array<std::string_view, 4> methods;          ///< the best first; some may be empty
+  std::string_view reason;                          ///< why its methods suit, as a clause
+  bool (*holds)(const Features& f, double digits);  ///< condition on the features and the digits at t1
+  std::array<std::string_view, 4> methods;          ///< best first; unused entries are empty
 };
 
-/// Features::stiffness from which stability bounds the steps of explicit methods. Those of `dop853` end near
-/// 6, and its steps for nine digits are 5.6 times shorter than the coarse ones of the probe.
+/// Features::stiffness from which stability limits the steps of explicit methods. The stability limit of
+/// `dop853` is |h| rho near 6, and its steps for nine digits are 5.6 times smaller than those of the probe.
 inline constexpr double stiff_from = 30;
-/// Of a right-hand side: with more operations a step of `series` costs more than it is longer than that of
-/// `dop853`.
+/// Features::operations up to which `series` is cheaper than `dop853`: the ratio of the step sizes exceeds
+/// the ratio of the costs of a step.
 inline constexpr int most_operations = 13;
-/// From so many digits on the order 8 of `dop853` is too low for that.
+/// Digits from which `series` is cheaper whatever the operations: order 8 of `dop853` is too low.
 inline constexpr double many_digits = 11;
 
-/// The list; its last rule always holds.
+/// All rules in order; the last one always holds.
 [[nodiscard]] std::span<const Rule> choice_rules();
-/// The first that holds.
+/// The first rule that holds.
 [[nodiscard]] const Rule& choice_rule(const Features& features, double digits);
 
-/// A method of a choice, in the order of preference.
+/// One method of a ranking.
 struct Ranked {
-  std::string method;           ///< its name
-  double tolerance = 0;         ///< relative; absolute in the ratio that was asked for
-  double covered = 0;           ///< share of the interval of its short run
-  double seconds = 0;           ///< of the whole interval, by the short run
-  double right_hand_sides = 0;  ///< of the whole interval, by the short run
+  std::string method;           ///< name of the method
+  double tolerance = 0;         ///< relative tolerance; times ChoiceRequest::absolute: the absolute one
+  double covered = 0;           ///< share of the interval of integration that the short run covered
+  double seconds = 0;           ///< estimate for the whole interval, from the short run
+  double right_hand_sides = 0;  ///< estimate for the whole interval, from the short run
 };
 
-/// What a problem makes of errors.
+/// Error growth of a problem.
 struct ErrorGrowth {
-  double factor = 1;   ///< from one tolerance, absolute + relative, to the error by the size of a component
-  double covered = 0;  ///< the share of the interval that it was found on, from 0 to 1; 0: it is not known
+  double factor = 1;   ///< error relative to the size of a component, for an earlier error of weight
+                       ///< absolute + relative, in units of the relative tolerance
+  double covered = 0;  ///< share of the interval on which it was found, from 0 to 1; 0: unknown
 };
 
-/// An answer to the question which method gives so many digits.
+/// Ranking of the methods for a number of digits at t1.
 struct MethodChoice {
   Status status;                    ///< a failure: the problem, or every method on it, ends before t1
-  Features features;                ///< of the problem
-  double digits = 9;                ///< asked for at t1
-  ErrorGrowth growth;               ///< of errors; ErrorGrowth::covered is 0 if it is not known
-  double condition = 1;             ///< of the whole interval: the factor of the growth, or more
-  double possible = 15;             ///< digits that rounding leaves
+  Features features;                ///< features of the problem
+  double digits = 9;                ///< requested digits at t1
+  ErrorGrowth growth;               ///< error growth; ErrorGrowth::covered is 0 if it is unknown
+  double condition = 1;             ///< condition number: factor of the growth over its covered share
+  double possible = 15;             ///< digits attainable in view of rounding
   double missing = 0;               ///< digits by which the tightest tolerance, 1e-13, falls short
-  double right_hand_side = 0;       ///< s of one
-  std::vector<Ranked> ranked = {};  ///< the best first
+  double right_hand_side = 0;       ///< seconds of one right-hand side
+  std::vector<Ranked> ranked = {};  ///< best first
 };
 
-/// The method for runs by @p tolerance: the first of the rule's that may be chosen and does not fail in a
+/// Name of the method for runs at @p tolerance: the first allowed method of the rule that does not fail in a
 /// short run; empty if there is none.
 [[nodiscard]] std::string method_for(const ChoiceRequest& request, double tolerance);
 
-/// Finds the features of the problem and the growth of errors.
-/// @returns all of MethodChoice but what depends on the digits; its status is a failure if the solution ends
-/// early
+/// Finds the features of the problem and its error growth.
+/// @returns a MethodChoice without the members that depend on the digits; its status is a failure if the
+/// solution ends early
 [[nodiscard]] MethodChoice examine(const ChoiceRequest& request);
 
-/// Ranks the methods of the rule for @p digits at t1, each by a short run. Times decide nothing: asked twice,
-/// it gives the same order.
-/// @param examined of examine(), for the same request
+/// Ranks the methods of the rule for @p digits at t1 after a short run of each. Times do not affect the
+/// order, so that it is reproducible.
+/// @param examined result of examine() for the same request
 [[nodiscard]] MethodChoice choose(const ChoiceRequest& request, double digits, MethodChoice examined);
 
 /// Rows `rank,method,tolerance,seconds,reason` as CSV.
-/// @throws Failure if there is nothing to choose from, with the reason
+/// @throws Failure with the reason if there is no method to choose
 [[nodiscard]] std::string choice_rows(const MethodChoice& chosen);
 
-/// A remark beside the rows: digits that the problem does not give; empty if there are none.
+/// Remark for standard error if rounding and error growth rule out the requested digits; else empty.
 [[nodiscard]] std::string choice_remark(const MethodChoice& chosen);
 
-/// Words as they are typed to a shell.
+/// Words as one command line of a shell, quoted where necessary.
 [[nodiscard]] std::string shell_line(const std::vector<std::string>& words);
 
-/// A text as a cell of CSV, in quotes.
+/// A text as a quoted CSV cell.
 [[nodiscard]] std::string quoted_cell(std::string_view text);
 
 }  // namespace nlmech::comparison

@@ -20,9 +20,9 @@
 namespace nlmech::comparison {
 namespace {
 
-/// Lines and rows that are worked on at a time, if they make work for all lanes and threads.
+/// Greatest numbers of output lines and of rows in a portion, which must occupy all SIMD lanes and threads.
 constexpr double lines_at_a_time = 1e5, most_rows = 1024;
-/// The column of ends.
+/// Column of the end times.
 constexpr const char* end_column = "until";
 
 std::chrono::steady_clock::time_point deadline_after(const std::optional<double>& seconds) {
@@ -32,7 +32,7 @@ std::chrono::steady_clock::time_point deadline_after(const std::optional<double>
          std::chrono::duration_cast<steady_clock::duration>(std::chrono::duration<double>(*seconds));
 }
 
-/// Names without those that are there already.
+/// Union of names in their order.
 std::vector<std::string> joined(std::vector<std::string> names, const std::vector<std::string>& more) {
   for (const std::string& name : more) {
     if (std::ranges::find(names, name) == names.end()) names.push_back(name);
@@ -77,7 +77,7 @@ class CatalogueRun {
   }
 
   [[nodiscard]] int print() {
-    // Rows have as many lines as --every makes of them, and count for so many that most_rows make a portion.
+    // A row weighs as many lines as --every prints, but at least so many that most_rows fill a portion.
     catalogue_.weigh_by(
         [this](const auto& row) { return std::max(lines_at_a_time / most_rows, lines(row)); });
     const std::vector<std::string> printed = printed_names(*base_, options_);
@@ -101,7 +101,8 @@ class CatalogueRun {
   }
 
  private:
-  /// That of a row without columns; if one is missing and nothing was said of it, zeros and why.
+  /// Initial state without columns of the file. If it is incomplete and without `--initial`: zeros, and the
+  /// reason in missing_.
   [[nodiscard]] ivp::State initial_state(const UserProblem& problem) {
     try {
       return problem.initial_state(typed_.initial);
@@ -111,7 +112,7 @@ class CatalogueRun {
       return ivp::State::Zero(static_cast<Eigen::Index>(states_.size()));
     }
   }
-  /// Where a row ends.
+  /// End time of a row.
   [[nodiscard]] double end(const std::vector<double>& row, double without_column) const {
     return row.size() > columns_.size() && !std::isnan(row.back()) ? row.back() : without_column;
   }
@@ -120,7 +121,7 @@ class CatalogueRun {
     const auto others = static_cast<double>(options_.at.size() + 2);
     return options_.every ? std::abs(end(row) - options_.t0) / *options_.every + others : others;
   }
-  /// What is asked of a row, NaN standing where there is no column.
+  /// Problem and options of a row, whose numbers are NaN for missing columns.
   [[nodiscard]] EnsembleMember member_of(const std::vector<double>& row) const {
     program::Settings values;
     for (std::size_t i = states_.size(); i < columns_.size(); ++i) {
@@ -142,7 +143,8 @@ class CatalogueRun {
     options.deadline = deadline_;
     return member;
   }
-  /// Called while the catalogue is made, too: only what is before it in this class is there.
+  /// Error message of a row, empty if it is valid. The constructor of catalogue_ calls it, so that it may use
+  /// only members declared before catalogue_.
   [[nodiscard]] std::string complaint(const std::vector<double>& row) {
     try {
       static_cast<void>(member_of(row));
@@ -173,8 +175,7 @@ class CatalogueRun {
     });
   }
 
-  /// Remembers the first remark, which is that of a run that is not verified if there is one, and the first
-  /// failure.
+  /// Keeps the first failure and the first remark, with unverified runs before others.
   void note(std::int64_t row, const EnsembleResult& end) {
     const Trajectory& run = end.trajectory;
     if ((run.is_open && open_++ == 0) || (remark_.empty() && !run.remark.empty()))
@@ -209,7 +210,7 @@ class CatalogueRun {
   std::chrono::steady_clock::time_point deadline_ = deadline_after(typed_.limit);
   MakeProblem make_;
   std::shared_ptr<const UserProblem> base_;
-  std::string missing_;  // why there is no initial state
+  std::string missing_;  // reason why the initial state is incomplete
   std::vector<std::string> states_;
   RunOptions options_;
   std::vector<std::string> columns_;

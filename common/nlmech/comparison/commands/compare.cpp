@@ -29,7 +29,7 @@ std::string names_of(const Methods& methods) {
   return names;
 }
 
-/// Names with commas between; "all": those of ours and of the peers in this build.
+/// Methods by names separated by commas; "all": nlmech methods and the peers in this build.
 Methods typed_methods(const std::string& list) {
   Methods methods;
   if (scene::trimmed(list) == "all") {
@@ -46,10 +46,10 @@ Methods typed_methods(const std::string& list) {
   return methods;
 }
 
-/// See choices().
+/// Methods without `--methods`, see choices().
 Methods usual_methods(const UserProblem& problem, const RunOptions& r) {
   Methods methods;
-  // The first of them that this build has.
+  // Adds the first of the methods that this build has.
   const auto add = [&methods](std::initializer_list<std::string_view> names) {
     const auto built = [](std::string_view name) { return any_method(name).is_available(); };
     const auto* first = std::ranges::find_if(names, built);
@@ -77,7 +77,7 @@ Methods usual_methods(const UserProblem& problem, const RunOptions& r) {
   return methods;
 }
 
-/// The number that is written with few digits, as the user would: 1e-5, and not 1e-3/100.
+/// Rounds to 12 digits, so that 1e-3/100 becomes 1e-5.
 double as_typed(double value) { return std::stod(fmt::format("{:.12g}", value)); }
 
 /// Tolerances: "1e-3:1e-12" by decades, or "1e-3,1e-6"; empty if nothing was typed.
@@ -104,7 +104,7 @@ std::vector<double> typed_tolerances(const std::string& list) {
   return all;
 }
 
-/// Of a step and tolerances, those that choose their steps take the tolerances.
+/// Settings that apply to a method: of a step and tolerances, adaptive methods keep the tolerances.
 Choice choice(const ivp::MethodInfo& method, ivp::Settings settings) {
   if (settings.step && (settings.tolerance || settings.absolute_tolerance)) {
     if (method.fixed_step())
@@ -119,7 +119,7 @@ Choice choice(const ivp::MethodInfo& method, ivp::Settings settings) {
   return {&method, settings};
 }
 
-/// Every setting counts for some method.
+/// Checks that every setting applies to some method. @throws InputError naming the option
 void check_settings(const std::vector<Choice>& all, const ivp::Settings& settings, const std::string& names) {
   const auto none = [&all](auto has) { return std::ranges::none_of(all, has); };
   if (settings.step && none([](const Choice& c) { return c.settings.step.has_value(); }))
@@ -140,8 +140,8 @@ void check_settings(const std::vector<Choice>& all, const ivp::Settings& setting
   }
 }
 
-/// One run, repeated if it is short: its solution, and the times without the first, which warms up.
-/// @param enough seconds after which it is not repeated
+/// Solution and times of a run. A short run is repeated and its first time dropped as a warm-up.
+/// @param enough no repetition that would end after so many seconds
 std::pair<ivp::Solution, Timing> timed(const std::function<ivp::Solution()>& work, double enough) {
   constexpr int repeats = 5;
   const Stopwatch watch;
@@ -154,12 +154,12 @@ std::pair<ivp::Solution, Timing> timed(const std::function<ivp::Solution()>& wor
   return {first, {median(seconds), least, most, static_cast<int>(seconds.size())}};
 }
 
-/// What `compare` prints: a row a method, and on standard error what the digits are measured by and why a row
-/// has none.
+/// Output of `compare`: one CSV row per run; on standard error the reference and the reasons of failures.
 class ComparisonTable {
  public:
-  /// @param program begins what is said on standard error
-  /// @param reference its last time is the end; without one there are no digits, which is said
+  /// @param program prefix of messages on standard error
+  /// @param reference its last time is the end; without a reference rows have no digits, and a message says
+  /// so
   ComparisonTable(std::string_view program, const Reference& reference, const ivp::State& x0)
       : program_(program), reference_(reference), size_(x0.cwiseAbs()) {
     const bool known = reference.status.ok();
@@ -167,15 +167,15 @@ class ComparisonTable {
     scene::print_message(fmt::format("{}: {}reference: {}", program_,
                                      known ? "" : "no digits, because there is no ", reference.text()));
   }
-  /// A run that has ended.
+  /// Adds a run.
   void add(const Choice& choice, const ivp::Solution& end, const Timing& time);
-  /// A method that is not for this problem or these settings: the status is `unsuitable`.
+  /// Adds a method that does not apply to the problem or the settings, with the status `unsuitable`.
   void add_unsuitable(const Choice& choice, const std::string& why) {
     unsuitable_ += (unsuitable_.empty() ? "" : "; ") + why;
     say(choice, why);
     text_ += fmt::format("{},{},unsuitable,,,,{}\n", choice.method->name, choice.setting(), quoted_cell(why));
   }
-  /// All of it.
+  /// The rows and lines. @throws InputError if no method applies
   [[nodiscard]] Comparison take() {
     if (!some_) throw InputError("--methods: none of them is for this: " + unsuitable_);
     return {std::move(text_), std::move(lines_)};
@@ -184,11 +184,11 @@ class ComparisonTable {
  private:
   void say(const Choice& choice, const std::string& sentence) const {
     const std::string method = fmt::format("{}: ", choice.method->name);
-    // Most sentences begin with the method.
+    // Most sentences contain the name of the method.
     const bool named = sentence.find(method.substr(0, method.size() - 1)) != std::string::npos;
     scene::print_message(fmt::format("{}: {}{}", program_, named ? "" : method, sentence));
   }
-  /// What a tolerance did not hold; empty where it did, and where there was none.
+  /// Note on an error above most_tolerances; empty otherwise and for runs with a fixed step.
   [[nodiscard]] std::string note(const Choice& choice, const ivp::State& x) const;
 
   std::string_view program_;
@@ -275,8 +275,8 @@ std::vector<Choice> choices(const TypedOptions& typed, const UserProblem& proble
 
 namespace {
 
-/// Those of the problem, unless the solution comes to the zero of a root and goes on from there: a Taylor
-/// series follows the root to its other branch.
+/// Extended-precision candidates of the problem; none if the argument of a root reaches zero and the solution
+/// continues from there, because a Taylor series follows the root to its other branch.
 std::vector<Candidate> extended_candidates(const UserProblem& problem, const RunOptions& r,
                                            const WorkLimit& effort) {
   if (problem.domain && !problem.domain->arguments.empty()) {
@@ -297,7 +297,7 @@ Comparison comparison(const UserProblem& problem, const RunOptions& r, const std
                       std::string_view program) {
   const Stopwatch watch;
   const auto left = [&] { return r.limits.seconds - watch.seconds(); };
-  constexpr double work = 6;  // seconds, or so
+  constexpr double work = 6;  // about 6 s
   std::optional<scene::ProgressScope> doing("computing a reference");
   const WorkLimit effort{
       work, left() / 3, watchful_step(r.t0, r.t1, r.limits.largest_step), {}, problem.domain};

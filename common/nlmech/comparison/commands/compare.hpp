@@ -1,5 +1,5 @@
 /// @file
-/// `compare`: methods side by side on one problem.
+/// `compare`: several methods on one problem.
 #pragma once
 
 #include <string>
@@ -12,35 +12,35 @@
 
 namespace nlmech::comparison {
 
-/// A method with those of the settings that it has.
+/// A method with the settings that apply to it.
 struct Choice {
-  const ivp::MethodInfo* method;  ///< which
-  ivp::Settings settings;         ///< how
+  const ivp::MethodInfo* method;  ///< method
+  ivp::Settings settings;         ///< settings that apply to the method
 
   /// "step 0.5 nodes 7"
   [[nodiscard]] std::string setting() const;
 };
 
-/// The methods that were typed, or those that suit the problem: of ours, and of each kind of peers the best
-/// that this build has; with a step, those of ours that take one. Each with those of the settings that it
-/// has, and at each of the tolerances of a sweep.
-/// @throws InputError naming the option for a method that there is not, or twice, a tolerance that is none,
-/// and a setting that none of the methods has
+/// The methods of `--methods` or, without it, those that suit the problem: nlmech methods and the best peer
+/// of each kind in this build; with a step, nlmech methods with fixed steps. Each has the settings that apply
+/// to it, and occurs once for each tolerance of a sweep.
+/// @throws InputError naming the option for an unknown or repeated method, an invalid tolerance, or a setting
+/// that applies to none of the methods
 [[nodiscard]] std::vector<Choice> choices(const TypedOptions& typed, const UserProblem& problem,
                                           const RunOptions& options);
 
-/// Methods side by side.
+/// Results of several methods.
 struct Comparison {
   std::string rows;                      ///< CSV
-  std::vector<scene::MethodLine> lines;  ///< the same by method, for a picture
+  std::vector<scene::MethodLine> lines;  ///< the same results by method, for a figure
 };
 
-/// Rows `method,setting,status,digits,seconds,right_hand_sides,note`. Methods that fail, and those that are
-/// not for the problem or the settings, keep their row and say why, also on standard error after the name of
-/// the @p program. The digits are those of the end state, but no more than the reference knows. `note` is the
-/// sentence of a failure, or says of a run by a tolerance that its end is off by more than most_tolerances.
-/// Wall time is shared: each method gets its part of what those before it have left.
-/// @throws InputError naming `--methods` if none of the methods is for the problem and the settings
+/// Runs each method; rows are `method,setting,status,digits,seconds,right_hand_sides,note`. A method that
+/// fails or does not apply to the problem or the settings keeps its row; its reason is in `note` and on
+/// standard error after the name of the @p program. `digits` are those of the final state, at most those of
+/// the reference. `note` also reports a run at a tolerance whose error exceeds most_tolerances. Each method
+/// gets an equal share of the wall time that the methods before it have left.
+/// @throws InputError naming `--methods` if none of the methods applies to the problem and the settings
 [[nodiscard]] Comparison comparison(const UserProblem& problem, const RunOptions& options,
                                     const std::vector<Choice>& methods, std::string_view program);
 

@@ -1,6 +1,5 @@
 /// @file
-/// An example by which methods are judged: equations, initial state, times, and the solution to more digits
-/// than double holds.
+/// An initial value problem with a reference solution in extended precision, for the comparison of methods.
 #pragma once
 
 #include <functional>
@@ -10,17 +9,17 @@
 
 namespace nlmech::comparison {
 
-/// What is integrated, how long, and what should come out.
+/// An initial value problem with its reference solution.
 struct Example {
-  std::string name;      ///< begins the names of its runs: "duffing", "lorenz"
-  ivp::System system;    ///< with the parameters of the publication
+  std::string name;      ///< prefix of the names of its runs: "duffing", "lorenz"
+  ivp::System system;    ///< equations with the parameters of the publication
   ivp::State x0;         ///< initial state
-  double t0;             ///< begin
+  double t0;             ///< start
   double t1;             ///< end
-  ivp::State amplitude;  ///< greatest |x_i| of the response, the scale of errors where x_i is near zero
-  /// The solution at a time from t0 to t1, to some 18 digits.
+  ivp::State amplitude;  ///< greatest |x_i| of the solution, the scale of errors where x_i is near zero
+  /// Solution at a time from t0 to t1, to about 18 digits.
   std::function<ivp::LongState(double t)> reference;
-  /// How wrong a state is; empty: relative_error() with `amplitude`.
+  /// Error of a state; empty: relative_error() with `amplitude`.
   std::function<double(const ivp::State& found, const ivp::LongState& exact)> error = {};
 };
 

@@ -1,5 +1,5 @@
 /// @file
-/// An example made of a problem alone: its solution is a Taylor series of high order in extended precision.
+/// Examples of problems whose reference solution is a Taylor series of high order in extended precision.
 #pragma once
 
 #include <algorithm>
@@ -13,9 +13,9 @@
 
 namespace nlmech::comparison {
 
-/// A problem from @p x0 at @p t0 to @p end. Amplitudes: the greatest of 4000 samples.
-/// @tparam Real precision of the reference @param beyond how far the reference goes on after the end
-/// @throws Failure if the reference does not get there
+/// Example of a problem from @p x0 at @p t0 to @p end. Its amplitudes are the greatest of 4000 samples.
+/// @tparam Real precision of the reference @param beyond time by which the reference extends beyond the end
+/// @throws Failure if the reference does not reach its end
 template <class Real = long double>
 [[nodiscard]] Example example_of(const program::Problem& problem, const std::string& name,
                                  const ivp::State& x0, double t0, double end, double beyond = 0) {
@@ -39,7 +39,7 @@ template <class Real = long double>
           .reference = at};
 }
 
-/// A problem of the library from its own initial state to its own end.
+/// Example of a library problem with its own initial state and end.
 template <class Real = long double>
 [[nodiscard]] Example example_of(const problems::TextProblem& problem, double beyond = 0) {
   return example_of<Real>(problem, problem.name, problem.initial_state(), problem.initial_time,

@@ -17,7 +17,7 @@
 namespace nlmech::comparison {
 namespace {
 
-/// Above a picture: what was typed, if it fits.
+/// Heading of a figure: the problem, file or equation as typed, shortened to 60 characters.
 std::string heading_of(const TypedOptions& typed) {
   constexpr std::size_t most = 60;
   std::string text = typed.equation;
@@ -49,7 +49,7 @@ int integrate(const TypedOptions& typed, const std::string& program) {
   return 0;
 }
 
-/// A problem whose state changes by its equations alone.
+/// The typed problem. @throws InputError if its text has events, which @p command does not support
 UserProblem without_events(const TypedOptions& typed, std::string_view command) {
   UserProblem problem = problem_of(typed)({});
   if (!problem.event_lines.empty())
@@ -69,7 +69,7 @@ void compare(const TypedOptions& typed, const std::string& program) {
   if (picture.wanted()) picture.draw([&] { return comparison_figure(found.lines, heading_of(typed)); });
 }
 
-/// A command that runs the first of a choice.
+/// Command line that runs the first method of a ranking.
 std::vector<std::string> run_of(const TypedOptions& typed, double until, const Ranked& first,
                                 const std::string& program) {
   std::vector<std::string> all = {program, "integrate"};
@@ -97,7 +97,7 @@ void choose(const TypedOptions& typed, const std::string& program) {
   const RunOptions r = run_options(typed, problem, problem.initial_state(typed.initial));
   if (r.t0 == r.t1) throw input_error("--until {}: is where it begins; there is nothing to choose for", r.t1);
   ChoiceRequest q = choice_request(problem, r);
-  if (r.settings.absolute_tolerance)  // which does not depend on the digits
+  if (r.settings.absolute_tolerance)  // absolute error, independent of the digits
     q.absolute = *r.settings.absolute_tolerance * std::pow(10, typed.digits);
   const MethodChoice found = choose(q, typed.digits, examine(q));
   const std::string rows = choice_rows(found), remark = choice_remark(found);
@@ -106,7 +106,7 @@ void choose(const TypedOptions& typed, const std::string& program) {
   scene::print_message(shell_line(run_of(typed, r.t1, found.ranked.front(), program)));
 }
 
-/// @param many the option with which it may take as long as it takes, and ends may stand in a file; or empty
+/// @param many option of a file of many runs, which may have a column of end times; or empty
 void declare_problem(scene::Options& options, TypedOptions& typed, const std::string& many = {}) {
   options.add("--problem", typed.problem, "one of the problems below");
   options.add("--equation", typed.equation,
@@ -151,7 +151,7 @@ void declare_common(scene::Options& options, TypedOptions& typed, const std::str
   options.limit(typed.limit, many);
 }
 
-/// What some methods have and others have not.
+/// Declares the settings that only some methods have.
 void declare_settings(scene::Options& options, ivp::Settings& s) {
   for (const ivp::SettingInfo* setting : ivp::own_settings) {
     scene::Option& option = std::visit(

@@ -1,5 +1,5 @@
 /// @file
-/// The commands by which `integrators` takes a user's equations and numbers.
+/// Commands of `integrators` for a user's equations.
 #pragma once
 
 #include "nlmech/comparison/commands/user_problem.hpp"
@@ -7,8 +7,8 @@
 
 namespace nlmech::comparison {
 
-/// `integrate`: a problem from start to end as rows of CSV; `compare`: methods side by side; `choose`: which
-/// method for a problem, with the command that runs it.
+/// Adds `integrate`, which prints a solution as CSV, `compare`, which runs several methods, and `choose`,
+/// which ranks methods for a problem and prints the command that runs the first.
 void add_ivp_commands(scene::Commands& commands);
 
 }  // namespace nlmech::comparison

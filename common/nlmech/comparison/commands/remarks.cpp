@@ -13,14 +13,14 @@
 namespace nlmech::comparison {
 namespace {
 
-/// "a", and how many more.
+/// "a and 3 more times".
 std::string first_of(const std::string& first, std::size_t count) {
   if (count == 1) return first;
   return fmt::format("{} and {} more time{}", first, count - 1, count == 2 ? "" : "s");
 }
 
 std::string remark_on_pulses(const UserProblem& problem, double t0, double t1) {
-  constexpr double narrow = 0.1;  // of the run
+  constexpr double narrow = 0.1;  // share of the run
   const program::TimeFeatures features(problem.text.graph(), problem.text.slopes());
   const auto all = features.short_activities(t0, t1, narrow * (t1 - t0));
   if (all.empty()) return {};
@@ -36,7 +36,8 @@ std::string remark_on_jumps(const UserProblem& problem, double t0, double t1) {
                      first_of(fmt::format("{:.6g}", times.front()), times.size()));
 }
 
-/// Does a switching function that is zero at the start lead away on both sides, as x' = sign(x) from 0?
+/// Do solutions on both sides of a switching function that is zero at the start leave it, as x' = sign(x)
+/// from 0?
 bool leads_both_ways(const ivp::System& system, const RunOptions& r) {
   const auto count = static_cast<std::size_t>(system.switches());
   ivp::Mode mode(count, 1);
@@ -103,7 +104,7 @@ Wave fastest_wave(const UserProblem& problem, double t0, double t1) {
                          (n.function == program::Function::sin || n.function == program::Function::cos);
     if (!part[program::index(i)] || !is_wave) continue;
     const double frequency = std::abs(graph.drift(n.a));
-    if (frequency > fastest.frequency) fastest.frequency = frequency;  // not NaN
+    if (frequency > fastest.frequency) fastest.frequency = frequency;  // false for NaN
   }
   fastest.turns = fastest.frequency * std::abs(t1 - t0) / (2 * std::numbers::pi);
   return fastest;

@@ -21,27 +21,27 @@ std::string italic(const std::string& name) {
   return fmt::format("{{/:Italic {}}}", scene::without_markup(name));
 }
 
-/// Do they differ by more than what their rounding leaves?
+/// Do the values differ by more than rounding?
 bool varies(const Values& values) {
   const auto [low, high] = std::ranges::minmax(values);
   return high - low > 1e-12 * std::max(std::abs(low), std::abs(high));
 }
 
-/// gnuplot does not choose a range for what is constant.
+/// Sets the range of constant values, for which gnuplot chooses none.
 void give_range(const Values& values, scene::Panel& panel) {
   if (varies(values)) return;
   const double margin = values.front() == 0 ? 1 : std::abs(values.front()) / 2;
   panel.y_range(values.front() - margin, values.front() + margin);
 }
 
-/// Where a logarithmic axis of time begins, if most of the steps lie near the start of the run.
+/// Start of a logarithmic time axis, if most of the steps lie near the start of the run.
 std::optional<double> log_begin(const Values& times) {
   if (times.front() != 0 || !(times.back() > 0)) return {};
   if (times[times.size() / 2] > 1e-3 * times.back()) return {};
   return std::max(times[1 + times.size() / 100], 1e-16 * times.back());
 }
 
-/// The unknowns that there is room for.
+/// Indices of the first most_panels unknowns.
 std::vector<std::size_t> panels_of(const PlotSamples& run) {
   std::vector<std::size_t> shown;
   for (std::size_t i = 0; i < run.components.size(); ++i) {
@@ -60,7 +60,7 @@ void put_events(const PlotSamples& run, std::size_t component, scene::Panel& pan
   panel.curve("", t, x, {"points pointtype 7 pointsize 0.6", 5});
 }
 
-/// Panels of a grid: rows and columns, in the order of reading.
+/// Grid of panels, filled row by row.
 class Grid {
  public:
   Grid(std::size_t count, scene::Plot& plot)
@@ -78,7 +78,7 @@ class Grid {
     return panel.place((left + 110) / w, (left + share - 5) / w, 1 - (high + top + row_height - 26) / h,
                        1 - (high + top) / h);
   }
-  /// Does the last panel stand below all others of its column?
+  /// Is the last panel the lowest of its column?
   [[nodiscard]] bool lowest() const { return next_ + columns_ > count_; }
 
  private:
@@ -92,7 +92,7 @@ class Grid {
   scene::Plot& plot_;
 };
 
-/// Two components, the first of each pair the abscissa.
+/// Candidate pairs of components for a section, the abscissa first; unknowns with their derivatives lead.
 std::vector<std::pair<std::size_t, std::size_t>> pairs_of(const PlotSamples& run) {
   std::vector<std::pair<std::size_t, std::size_t>> pairs;
   const auto& all = run.components;
@@ -153,7 +153,7 @@ void SampledPath::halve() {
     }
     bins.resize((bins.size() + 1) / 2);
   }
-  stride_ *= 2;  // the last one, which had no partner, gets what follows
+  stride_ *= 2;
 }
 
 scene::Figure run_figure(const PlotSamples& run, const std::string& heading) {
@@ -201,7 +201,7 @@ scene::Figure section_figure(const PlotSamples& run, const std::string& heading)
     if (varies(x) && varies(y))
       return put(italic(run.components[i].name), x, italic(run.components[j].name), y);
   }
-  // All but one component are constant, or there is a single point.
+  // At most one component varies, or there is a single point.
   std::size_t moving = 0;
   while (moving + 1 < run.components.size() && !varies(values(moving))) ++moving;
   Values t;

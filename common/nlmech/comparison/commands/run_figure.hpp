@@ -1,5 +1,5 @@
 /// @file
-/// Pictures that a user asks for by `--plot`, and what they need of a run.
+/// Figures of `--plot`, and the samples of a run that they show.
 #pragma once
 
 #include <cstddef>
@@ -14,28 +14,28 @@
 
 namespace nlmech::comparison {
 
-/// The components of a run by time: places within each step, and of long runs the extremes of as many of them
-/// as fall together, so that a picture shows every peak whatever the number of steps.
+/// Samples of the components of a run within each step, in at most 4000 bins of consecutive samples. A bin
+/// keeps its minimum and maximum, so that a figure shows every peak whatever the number of steps.
 class SampledPath {
  public:
   /// For a run from @p t0 to @p t1.
   SampledPath(double t0, double t1) : t0_(t0), t1_(t1) {}
 
-  /// A state.
+  /// Adds a state.
   void add(double t, const Eigen::VectorXd& x);
-  /// States within a step and before @p end, where it or the run is over.
+  /// Adds 8 to 1000 states of a step up to @p end, the end of the step or of the run.
   void see(const ivp::Step& step, double end);
 
-  /// Is there none?
+  /// Are there no states?
   [[nodiscard]] bool empty() const { return bins_.empty(); }
-  /// Times and values of a component, in the order of time.
+  /// Times and values of a component, ordered by time.
   [[nodiscard]] std::pair<std::vector<double>, std::vector<double>> component(std::size_t i) const;
 
  private:
   struct Point {
     double t, x;
   };
-  /// The least and the greatest value of a few places that follow each other.
+  /// Minimum and maximum of a few consecutive samples.
   struct Bin {
     Point low, high;
     void include(const Bin& other) {
@@ -52,41 +52,41 @@ class SampledPath {
   std::size_t stride_ = 1, inside_ = 0;
 };
 
-/// A run as a picture shows it.
+/// Samples of a run for plotting.
 struct PlotSamples {
   /// A component of the state.
   struct Component {
     std::string name;           ///< "x"
-    bool unknown = true;        ///< and no derivative of another component
-    std::optional<int> rate{};  ///< the component that is its derivative
+    bool unknown = true;        ///< false for the derivative of another component
+    std::optional<int> rate{};  ///< index of the component that is its derivative
   };
-  /// A state by its time.
+  /// A time and the state there.
   struct Moment {
     double t;               ///< time
     std::vector<double> x;  ///< state
   };
-  std::vector<Component> components;  ///< of the state
-  SampledPath path{0, 0};             ///< for runs without section
-  std::vector<Moment> events;         ///< where they took place, points of the section among them
+  std::vector<Component> components;  ///< components of the state
+  SampledPath path{0, 0};             ///< samples of a run without section
+  std::vector<Moment> events;         ///< states at events, including the points of a section
 };
 
-/// The unknowns against time, a panel each and at most most_panels of them, with a point at each event. The
-/// time is logarithmic where most of the steps lie within the first thousandth of it.
-/// @param heading as it stands, without markup
-/// @throws Failure for a run of no length
+/// Figure of the unknowns against time, one panel each and at most most_panels, with a point at each event.
+/// The time axis is logarithmic if most of the steps lie within its first thousandth.
+/// @param heading plain text without markup
+/// @throws Failure for a run of length zero
 [[nodiscard]] scene::Figure run_figure(const PlotSamples& run, const std::string& heading);
 
-/// The points of a section: an unknown and its derivative, or two unknowns, the first pair of which neither
-/// is constant there.
-/// @throws Failure if there are none
+/// Figure of the points of a section in the plane of two components: the first pair of which neither is
+/// constant, pairs of an unknown and its derivative first; else a component against time.
+/// @throws Failure for fewer than two points to show
 [[nodiscard]] scene::Figure section_figure(const PlotSamples& run, const std::string& heading);
 
-/// Digits against run time and against right-hand sides.
+/// Figure of digits against run time and against right-hand sides.
 /// @throws Failure if no method has digits
 [[nodiscard]] scene::Figure comparison_figure(const std::vector<scene::MethodLine>& lines,
                                               const std::string& heading);
 
-/// Unknowns that a picture shows.
+/// Greatest number of unknowns in a figure.
 inline constexpr int most_panels = 12;
 
 }  // namespace nlmech::comparison

@@ -17,7 +17,7 @@
 namespace nlmech::comparison {
 namespace {
 
-/// A change at the start, of an event at a given time, is a part of the initial state.
+/// Applies changes of the state by events at the start, so that they are part of the initial state.
 void start_with_changes(RunOptions& r) {
   const auto changes = [](const WantedEvent& e) { return static_cast<bool>(e.event.change); };
   if (r.t1 < r.t0 && std::ranges::any_of(r.events, changes))
@@ -27,7 +27,7 @@ void start_with_changes(RunOptions& r) {
   }
 }
 
-/// As typed; nothing: not given.
+/// Value of an option; nothing if the option is not given.
 std::optional<double> time_of(const std::string& option, const std::string& typed,
                               const UserProblem& problem) {
   if (typed.empty()) return {};
@@ -39,7 +39,7 @@ std::optional<double> positive_of(const std::string& option, const std::string& 
   if (value && !(*value > 0)) throw input_error("{} {}: must be positive", option, quoted_input(typed));
   return value;
 }
-/// Ascending, each once.
+/// Times of `--at`, ascending and without repetitions.
 std::vector<double> times_of_rows(const std::string& typed, const UserProblem& problem) {
   std::vector<double> times;
   if (typed.empty()) return times;
@@ -82,7 +82,7 @@ MakeProblem problem_of(const TypedOptions& typed) {
     make = library_problem(typed.problem);
   }
   return [make, set](program::Settings values) {
-    values.insert(set.begin(), set.end());  // if they are not there
+    values.insert(set.begin(), set.end());  // keeps values that are there already
     return make(values);
   };
 }
@@ -117,7 +117,7 @@ RunOptions run_options(const TypedOptions& typed, const UserProblem& problem, iv
         r.t0);
   r.t1 = end.value_or(r.t0);
   r.at = times_of_rows(typed.at, problem);
-  if (typed.states.empty()) r.check_rows();  // else each run's
+  if (typed.states.empty()) r.check_rows();  // with --states each row is checked
   try {
     static_cast<void>(problem.system.discontinuities(r.t0, r.t1));
   } catch (const std::invalid_argument& error) {

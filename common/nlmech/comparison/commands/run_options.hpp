@@ -1,5 +1,5 @@
 /// @file
-/// What a user asks of runs: as typed, and as runs take it.
+/// Options of a run: as typed, and checked.
 #pragma once
 
 #include <chrono>
@@ -17,7 +17,7 @@
 
 namespace nlmech::comparison {
 
-/// What was typed after `integrate`, `compare` or `choose`.
+/// Options of `integrate`, `compare` and `choose` as typed.
 struct TypedOptions {
   std::string problem;                 ///< `--problem`
   std::string equation;                ///< `--equation`
@@ -31,7 +31,7 @@ struct TypedOptions {
   std::string every;                   ///< `--every`
   std::string at;                      ///< `--at`
   std::string step;                    ///< `--step`
-  ivp::Settings settings;              ///< `--tolerance` and what else methods have, without `--step`
+  ivp::Settings settings;              ///< `--tolerance` and the other settings of methods, without `--step`
   std::optional<double> limit;         ///< `--limit`, s
   std::optional<double> largest_step;  ///< `--largest-step`
   std::vector<std::string> set;        ///< `--set`, each
@@ -45,32 +45,32 @@ struct TypedOptions {
   int digits = 9;                      ///< `--digits`
 };
 
-/// A run of a problem. Made and checked once, of what was typed: what is behind it takes it as right.
+/// Checked options of a run. run_options() makes them; other functions do not check them again.
 struct RunOptions {
   ivp::State x0;                     ///< initial state
   double t0 = 0;                     ///< start
   double t1 = 0;                     ///< end
-  ivp::Settings settings;            ///< of the method
-  std::optional<double> every = {};  ///< distance of the rows in time; nothing: first and last alone
+  ivp::Settings settings;            ///< settings of the method
+  std::optional<double> every = {};  ///< time between rows; nothing: only first and last row
   std::vector<double> at = {};       ///< times of further rows, ascending
   std::pair<double, double> tables = {-std::numeric_limits<double>::infinity(),
-                                      std::numeric_limits<double>::infinity()};  ///< times that they have
-  std::vector<int> order = {};           ///< components as they are printed
-  Columns columns = {};                  ///< behind them
-  ivp::Limits limits;                    ///< when to give up, all in all
-  std::vector<WantedEvent> events = {};  ///< a row each time one takes place
-  bool section = false;                  ///< rows of events alone
+                                      std::numeric_limits<double>::infinity()};  ///< time span of the tables
+  std::vector<int> order = {};           ///< components in the order of printing
+  Columns columns = {};                  ///< columns after the components
+  ivp::Limits limits;                    ///< limits of the run with its verification
+  std::vector<WantedEvent> events = {};  ///< events; each occurrence makes a row
+  bool section = false;                  ///< print only the rows of events
   bool verify = false;                   ///< compare the run with a reference: for runs by a tolerance
-  bool draw = false;                     ///< keep what a picture shows
-  /// Of many runs: when all of them are to be over, their verifications too.
+  bool draw = false;                     ///< keep samples for a figure
+  /// Common deadline of many runs and their verifications.
   std::chrono::steady_clock::time_point deadline = std::chrono::steady_clock::time_point::max();
 
-  /// @throws InputError naming `--every` for more rows than anybody reads: ten million; naming `--at` for a
-  /// time that is not within the run
+  /// Checks the times of the rows. @throws InputError naming `--every` for more than ten million rows, `--at`
+  /// for a time outside the run, and `--until` for a run beyond the tables of the equations
   void check_rows() const;
 };
 
-/// Complaints about a method, under the name of the option that named it.
+/// Result of @p work. @throws InputError with the name of the option instead of a std::invalid_argument
 template <class Work>
 decltype(auto) about(const char* option, Work work) {
   try {
@@ -80,16 +80,16 @@ decltype(auto) about(const char* option, Work work) {
   }
 }
 
-/// The problem by name, or the equations that were typed or stand in a file, which is read once; with the
-/// parameters of `--set` for those that are not given.
+/// The library problem or the equations of `--equation` or of a file, which is read once. Parameters that the
+/// caller does not give have their values of `--set`.
 /// @throws InputError naming the option
 [[nodiscard]] MakeProblem problem_of(const TypedOptions& typed);
 
-/// @param x0 initial state @throws InputError naming the option that cannot be meant
+/// Checks the typed options. @param x0 initial state @throws InputError naming the invalid option
 [[nodiscard]] RunOptions run_options(const TypedOptions& typed, const UserProblem& problem, ivp::State x0);
 
-/// The method of one run, or of many with the same settings: the one that was typed, or else the usual one.
-/// @throws InputError naming the option that cannot be meant
+/// The method of one run or of many with the same settings: that of `--method`, else usual_method().
+/// @throws InputError naming the invalid option
 [[nodiscard]] const ivp::MethodInfo& method_of(const TypedOptions& typed, const UserProblem& problem,
                                                const RunOptions& options);
 

@@ -26,8 +26,8 @@
 namespace nlmech::comparison {
 namespace {
 
-/// What of a state a picture shows: unknowns and their derivatives, by their names ("x" and "x'") or, of a
-/// problem with accelerations, by their places.
+/// Components of the state for plotting. Derivatives belong to unknowns by their names ("x" and "x'") or, in
+/// a second-order problem, by their indices.
 std::vector<PlotSamples::Component> components_of(const UserProblem& problem) {
   const std::vector<std::string>& names = problem.state_names;
   const bool second_order = problem.system.second_order();
@@ -43,18 +43,17 @@ std::vector<PlotSamples::Component> components_of(const UserProblem& problem) {
   return all;
 }
 
-/// Some times the work of the run itself and one second.
-/// @param left wall time that is left of the command's limit, in seconds
+/// Work limit of a verification: about a second plus four times the work of the run.
+/// @param left seconds of wall time left of the limit
 WorkLimit effort_after(const Statistics& work, int components, double left) {
-  // 1e7 numbers of right-hand sides take a second or so.
+  // 1e7 components of right-hand sides take about a second.
   const double done =
       static_cast<double>(work.right_hand_sides + work.jacobians * components) * components / 1e7;
-  // The clock ends it only on a machine that is far slower than that, or busy.
+  // The time limit matters only on a much slower or busy machine.
   return {std::min(1 + 4 * done, 100.0), std::min(left, 10 + 20 * work.seconds)};
 }
 
-/// A method that shares nothing with @p method, at a tenth of its tolerances, but not below what doubles
-/// allow.
+/// A method independent of @p method at a tenth of its tolerances, at least 1e-13.
 ivp::NamedIntegrator other_method(const ivp::MethodInfo& method, const ivp::Settings& settings) {
   const auto finer = [](double tolerance) { return std::clamp(tolerance / 10, 1e-13, 1e-4); };
   const Tolerance tolerance = tolerance_of(settings);
@@ -62,11 +61,13 @@ ivp::NamedIntegrator other_method(const ivp::MethodInfo& method, const ivp::Sett
       .with({.tolerance = finer(tolerance.relative), .absolute_tolerance = finer(tolerance.absolute)});
 }
 
-constexpr double many_turns = 1000;  // of a force
+constexpr double many_turns = 1000;  // periods of a force
 
-/// Refuses a force that no method can follow within the limit: a turn takes some right-hand sides at least.
+/// Refuses a force that no method can resolve within the time limit: each period takes a few right-hand
+/// sides.
+/// @throws Failure with Outcome::time_limit
 void refuse_endless_turns(const UserProblem& problem, const RunOptions& r) {
-  constexpr double most_turns = 2e6;  // a second
+  constexpr double most_turns = 2e6;  // periods per second
   const Wave wave = fastest_wave(problem, r.t0, r.t1);
   const double seconds = wave.turns / most_turns;
   const bool may_end = std::ranges::any_of(r.events, [](const WantedEvent& e) { return e.event.ends > 0; });
@@ -78,12 +79,12 @@ void refuse_endless_turns(const UserProblem& problem, const RunOptions& r) {
       wave.text(), r.t0, r.t1, seconds, r.limits.seconds));
 }
 
-/// A run from its options to its rows: what its steps show at asked times and events, and its verification.
-/// Its parts refer to each other, so it stays where it is.
+/// A run from its options to its rows: output at requested times and events, and the verification. Members
+/// refer to each other, so it is neither copied nor moved.
 class Run {
  public:
-  /// All outlive it. @param one the method, for a single trajectory
-  /// @param other that suffices for its verification if it agrees; may be null
+  /// All arguments must outlive the run. @param one integrator of a single trajectory
+  /// @param other integrator whose agreement suffices as verification of one of many runs; may be null
   Run(const UserProblem& problem, const RunOptions& options, const ivp::MethodInfo& method,
       const ivp::NamedIntegrator& one, const ivp::NamedIntegrator* other = nullptr)
       : problem_(problem),
@@ -98,7 +99,7 @@ class Run {
                               options.events.empty() ? "" : ",event");
     found_.samples = {components_of(problem), SampledPath(options.t0, t1_), {}};
     if (options.t1 < options.t0) std::ranges::reverse(at_);
-    if (options.every) {  // all of exactly most_verified parts, whatever rounding makes of their number
+    if (options.every) {  // the margin keeps all rows if rounding puts their number above most_verified
       const double parts = std::abs(t1_ - options.t0) / *options.every * (1 - 1e-9);
       stride_ = std::max(std::int64_t{1}, static_cast<std::int64_t>(std::ceil(parts / most_verified)));
     }
@@ -108,7 +109,7 @@ class Run {
   Run(const Run&) = delete;
   Run& operator=(const Run&) = delete;
 
-  /// What is to be integrated. Refers to this.
+  /// Input of the integrator. Refers to this.
   [[nodiscard]] ivp::Start start() {
     ivp::Start start{&problem_.system, options_.x0,      options_.t0, options_.t1, {},
                      options_.limits,  options_.deadline};
@@ -116,22 +117,23 @@ class Run {
       start.observer = [this](const ivp::Step& step) { return see(step); };
     return start;
   }
-  /// Does an event change the state on its way?
+  /// Does an event change the state?
   [[nodiscard]] bool has_changes() const {
     return std::ranges::any_of(options_.events,
                                [](const WantedEvent& e) { return static_cast<bool>(e.event.change); });
   }
-  /// Must it be integrated alone, because its equations may end or its state changes on its way?
+  /// Must the run be integrated alone, because its equations have a watched domain or events change its
+  /// state?
   [[nodiscard]] bool goes_alone() const {
     return has_changes() || (problem_.domain && problem_.domain->watches());
   }
-  /// Integrates it, from change to change of the state.
+  /// Integrates the run, with a restart at each change of the state.
   [[nodiscard]] ivp::Solution integrate() {
     const ivp::Start s = start();
     return ivp::integrate_past_changes(one_, problem_.system, s.x0, s.t0, s.t1, finder_, s.observer,
                                        s.limits_from_now());
   }
-  /// Its rows, once it has been integrated. @throws Failure if it failed or is wrong
+  /// The result of a run that has been integrated. @throws Failure if the run failed or is wrong
   [[nodiscard]] Trajectory finish(ivp::Solution end);
 
  private:
@@ -145,7 +147,7 @@ class Run {
     for (const WantedEvent& e : options.events) events.push_back(e.event);
     return events;
   }
-  // Of runs by tolerances.
+  // Default accuracy for a fixed step.
   static ivp::StateAccuracy accuracy_of(const RunOptions& options) {
     if (options.settings.step) return {};
     const Tolerance tolerance = tolerance_of(options.settings);
@@ -160,7 +162,7 @@ class Run {
     if (!options_.events.empty()) fmt::format_to(out, ",{}", scene::csv_field(event));
     found_.rows += '\n';
   }
-  /// A row, kept for the verification.
+  /// Prints a row and keeps it for the verification.
   void add(double t, const ivp::State& x) {
     if (!options_.section) print(t, x, "");
     keep(t, x);
@@ -171,22 +173,22 @@ class Run {
     kept_.push_back({t, x});
     ++added_;
   }
-  /// Looks at a step; false if an event ends the run in it.
+  /// Observes a step; false if an event ends the run in it.
   [[nodiscard]] bool see(const ivp::Step& step);
-  /// Is it a single run, and not one of many? All steps of that are seen.
+  /// Is it a single run? All steps of a single run are observed.
   [[nodiscard]] bool alone() const { return other_ == nullptr; }
-  /// Components that stay below the absolute tolerance without being zero: no digit of them is determined.
+  /// Remark on nonzero components that stay below the absolute tolerance: none of their digits is determined.
   [[nodiscard]] std::string small_components() const;
-  /// The next row that is asked for, if there is one before the end.
+  /// Time of the next requested row before the end, if there is one.
   [[nodiscard]] std::optional<double> next_row() const;
-  /// The asked times within a step and up to @p end, by its dense output. @param at_event does an event take
-  /// place at the end? Its row stands for one that is asked for at its time
+  /// Adds the requested rows within a step up to @p end by dense output. @param at_event true if an event
+  /// occurs at the end; its row replaces a requested one at that time
   void add_before(double end, const ivp::Step& step, bool at_event = false);
   void show(const ivp::Hit& hit, const ivp::Step& step);
-  /// What is worth saying of events that touch zero, or may.
+  /// Remark on events whose function touches zero or cannot be distinguished from zero.
   [[nodiscard]] std::string remark_on_events() const;
-  /// Some of the rows, at most most_verified at equal distances and the last, and times between where these
-  /// are few.
+  /// Rows for the verification: about most_verified equally spaced ones and the last one, and times without
+  /// rows if these are few.
   [[nodiscard]] Verified verified() const;
   [[nodiscard]] Status with_turns(const Status& status) const;
   [[nodiscard]] double left_after(const ivp::Solution& end) const;
@@ -198,17 +200,17 @@ class Run {
   const RunOptions& options_;
   const ivp::MethodInfo& method_;
   const ivp::NamedIntegrator* other_;  // or null
-  double t1_;                          // to where it has come
-  ivp::StateAccuracy accuracy_;        // of its states
-  bool rests_ = false;                 // did it come to an end of the domain, and go on from there?
-  ivp::NamedIntegrator one_;           // the method, within the domain
+  double t1_;                          // end of the run
+  ivp::StateAccuracy accuracy_;        // accuracy of the states
+  bool rests_ = false;                 // did the solution reach the boundary of the domain and continue?
+  ivp::NamedIntegrator one_;           // integrator that respects the domain
   ivp::EventFinder finder_;
   Trajectory found_;
   std::int64_t rows_ = 1, stride_ = 1, added_ = 0;
-  std::vector<double> at_ = options_.at;  // in the direction of travel
+  std::vector<double> at_ = options_.at;  // in the direction of integration
   std::size_t next_at_ = 0;
   ivp::State largest_ = options_.x0.cwiseAbs();
-  std::vector<Kept> kept_;  // and always the latest row, in its last place
+  std::vector<Kept> kept_;  // rows for the verification; the last one is always the latest row
 };
 
 bool Run::see(const ivp::Step& step) {
@@ -230,7 +232,7 @@ void Run::show(const ivp::Hit& hit, const ivp::Step& step) {
   if (options_.draw) found_.samples.events.push_back({hit.t, {hit.x.begin(), hit.x.end()}});
 }
 
-// Rounding of k DT makes no second row of one of --at, and none of the end, which has its own.
+// A row at k DT that differs from a time of --at or from the end only by rounding is not repeated.
 std::optional<double> Run::next_row() const {
   const double way = t1_ - options_.t0, every = options_.every.value_or(0), near = 1e-9 * every;
   const auto is_after = [way](double a, double b) { return way > 0 ? a > b : a < b; };
@@ -301,7 +303,7 @@ Verified Run::verified() const {
   // The first row is the initial state.
   std::vector<Kept> all(std::next(kept_.begin()), kept_.end());
   const double way = t1_ - options_.t0, near = 1e-6 * std::abs(way);
-  // Where the state changes, rounding of the time decides which of both states is there.
+  // At a change of the state, rounding of the time decides between the states before and after it.
   const auto changes = [&](double t) {
     return std::ranges::any_of(
         finder_.hits(), [&](const ivp::Hit& h) { return h.after.size() > 0 && std::abs(h.t - t) <= near; });
@@ -326,7 +328,7 @@ Verified Run::verified() const {
   return run;
 }
 
-// What is left of the time for the verification of a run.
+// Seconds left for the verification of a run.
 double Run::left_after(const ivp::Solution& end) const {
   using std::chrono::steady_clock;
   const double own = options_.limits.seconds - end.statistics.seconds;
@@ -361,7 +363,7 @@ void Run::verify_by_integration(const ivp::Solution& end) {
   const ivp::System& system = problem_.system;
   effort.domain = problem_.domain;
   if (other_ != nullptr && agrees_with(*other_, run, effort, limits)) return;
-  // A Taylor series in extended precision follows a root through its zero to the other branch.
+  // A Taylor series in extended precision continues a root beyond its zero on the other branch.
   const auto extended =
       effort.changes.empty() && !rests_ ? problem_.extended(effort) : std::vector<Candidate>();
   const Reference reference =
@@ -375,13 +377,13 @@ void Run::verify_by_integration(const ivp::Solution& end) {
       return;
     }
   }
-  if (found_.is_open) static_cast<void>(left_after(end));  // if for want of time
+  if (found_.is_open) static_cast<void>(left_after(end));  // throws if the deadline has passed
   found_.remark = remark(v, reference, method_, options_.settings, problem_.state_names, t1_);
   if (const Wave wave = fastest_wave(problem_, options_.t0, t1_); found_.is_open && wave.turns > many_turns)
     found_.remark += "; " + wave.text();
 }
 
-// Where a limit has ended the run, a fast force may be the reason.
+// Adds a fast force to the message of a run that a limit has ended.
 Status Run::with_turns(const Status& status) const {
   const Outcome outcome = status.outcome();
   const Wave wave = fastest_wave(problem_, options_.t0, options_.t1);
@@ -390,7 +392,7 @@ Status Run::with_turns(const Status& status) const {
   return Status::failure(outcome, fmt::format("{}; {}", status.sentence(), wave.text()));
 }
 
-// A run that an event has ended is a success, and its last row is there.
+// A run ended by an event is a success with its last row at the event.
 Trajectory Run::finish(ivp::Solution end) {
   if (!finder_.status().ok()) {
     end.status = finder_.status();
@@ -401,7 +403,7 @@ Trajectory Run::finish(ivp::Solution end) {
   }
   if (!end.status.ok()) throw Failure(with_turns(end.status));
   t1_ = end.t;
-  // The row of an event there is the last one.
+  // The row of an event at the end is already printed.
   if (finder_.ended() || (!finder_.hits().empty() && finder_.hits().back().t == t1_))
     keep(t1_, end.x);
   else
@@ -413,8 +415,8 @@ Trajectory Run::finish(ivp::Solution end) {
   return std::move(found_);
 }
 
-/// Of the processors' time that many runs took together the share of each, by its right-hand sides: no clock
-/// is read within lanes. Verifications ask for it.
+/// Distributes the processor time of many runs in proportion to their right-hand sides, because runs in SIMD
+/// lanes have no times of their own. Time limits of verifications depend on it.
 void share_seconds(double all, std::vector<ivp::Solution>& ends) {
   double sum = 0;
   for (const ivp::Solution& end : ends) sum += static_cast<double>(end.statistics.right_hand_sides);
@@ -422,8 +424,8 @@ void share_seconds(double all, std::vector<ivp::Solution>& ends) {
     end.statistics.seconds = all * static_cast<double>(end.statistics.right_hand_sides) / std::max(sum, 1.0);
 }
 
-/// Each trajectory with the bits of @p one, which is method.with(settings): `series` that chooses its steps
-/// moves several of them in a register (see ivp::integrate_all()), all others go one by one, in threads.
+/// Solutions of all runs, identical bit by bit to those of single runs. Adaptive `series` integrates several
+/// runs in SIMD lanes (see ivp::integrate_all()); other methods integrate one run at a time per thread.
 std::vector<ivp::Solution> solutions_of(std::span<const std::unique_ptr<Run>> runs,
                                         const ivp::MethodInfo& method, const ivp::Settings& settings,
                                         int threads) {
@@ -442,7 +444,7 @@ std::vector<ivp::Solution> solutions_of(std::span<const std::unique_ptr<Run>> ru
   return solutions;
 }
 
-/// Has the method what is set besides step and tolerance?
+/// Does the method have all settings that are given besides step and tolerance?
 bool has_settings(const ivp::MethodInfo& method, const ivp::Settings& settings) {
   return std::ranges::none_of(
       ivp::own_settings, [&](const ivp::SettingInfo* s) { return s->value(settings) && !method.has(*s); });
@@ -473,7 +475,7 @@ const ivp::MethodInfo& usual_method(const UserProblem& problem, const RunOptions
     const ivp::MethodInfo& method = any_method(name);
     const bool exact_within = name == "series" || name == "adaptive-collocation";
     const bool within =
-        r.every || !r.at.empty() || !r.events.empty();  // not for a picture, which changes no number
+        r.every || !r.at.empty() || !r.events.empty();  // not for a figure, so that it changes no number
     if (has_settings(method, r.settings) && (exact_within || !within) && !method.fixed_step())
       q.methods.push_back(name);
   }
@@ -498,7 +500,9 @@ Trajectory usual_trajectory(const UserProblem& problem, const RunOptions& option
   } catch (const Failure& first) {
     if (!options.verify) throw;
     // Where two methods end the equations do: a third that goes on has stepped over the end.
-    const auto is_outside = [](const Failure& f) { return f.status().outcome() == Outcome::outside_validity; };
+    const auto is_outside = [](const Failure& f) {
+      return f.status().outcome() == Outcome::outside_validity;
+    };
     int outside = is_outside(first) ? 1 : 0;
     for (const std::string_view name :
          {"dop853", "series", "adaptive-collocation", "odeint-rosenbrock4", "cvode-bdf"}) {
@@ -510,7 +514,7 @@ Trajectory usual_trajectory(const UserProblem& problem, const RunOptions& option
       if (rest.limits.seconds <= 0 || outside > 1) break;
       try {
         if (Trajectory found = trajectory(problem, rest, other); !found.is_open) return found;
-      } catch (const Failure& failure) {  // that of the usual method says more
+      } catch (const Failure& failure) {  // the failure of the usual method is more informative
         if (is_outside(failure)) ++outside;
       }
     }

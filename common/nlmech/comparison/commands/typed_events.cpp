@@ -17,7 +17,7 @@
 namespace nlmech::comparison {
 namespace {
 
-/// Takes a word off the end of a text; false if it does not end with it.
+/// Removes a word from the end of a text; false if the text does not end with it.
 bool take_last(std::string& text, std::string_view word) {
   if (text.size() <= word.size() || !text.ends_with(word) || text[text.size() - word.size() - 1] != ' ')
     return false;
@@ -25,7 +25,7 @@ bool take_last(std::string& text, std::string_view word) {
   return true;
 }
 
-/// Takes "name:" off the start of a text; empty if there is none.
+/// Removes "name:" from the start of a text and returns the name; empty if there is none.
 std::string take_name(std::string& text) {
   const std::size_t colon = text.find(':');
   if (colon == std::string::npos || text.find('=') < colon) return "";
@@ -34,7 +34,8 @@ std::string take_name(std::string& text) {
   return name;
 }
 
-/// Takes "end" or "end after 3" off the end of a text: at which event the run ends; 0 if at none.
+/// Removes "end" or "end after 3" from the end of a text and returns the count of events after which the run
+/// ends; 0 if events do not end it.
 int take_end(const std::string& option, std::string& text) {
   if (take_last(text, "end")) return 1;
   const std::size_t after = text.rfind(" end after ");
@@ -48,7 +49,7 @@ int take_end(const std::string& option, std::string& text) {
   return static_cast<int>(count);
 }
 
-/// The times of "t = 0:24:240": first, distance, last; nothing if it is not written so.
+/// Times of "t = 0:24:240" (first, distance, last); empty for any other text.
 std::vector<double> times_of(const std::string& option, const std::string& text) {
   const std::size_t sign = text.find('=');
   if (sign == std::string::npos || text.find(':') == std::string::npos ||
@@ -72,12 +73,12 @@ std::vector<double> times_of(const std::string& option, const std::string& text)
         "say the first time, a positive distance and a last time that is not earlier, as t = 0:24:240");
   if ((last - first) / distance > most) throw refuse("more than 10000 times");
   std::vector<double> times;
-  // The last one by rounding of distances.
+  // The margin keeps the last time despite rounding.
   for (int k = 0; first + k * distance <= last + 1e-9 * distance; ++k) times.push_back(first + k * distance);
   return times;
 }
 
-/// "x -> 1, y -> atan2(x, y)" as "x = 1; y = atan2(x, y)".
+/// Rewrites "x -> 1, y -> atan2(x, y)" as "x = 1; y = atan2(x, y)".
 std::string assignments_of(std::string text) {
   int depth = 0;
   for (char& c : text) {

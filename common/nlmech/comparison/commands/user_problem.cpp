@@ -25,7 +25,7 @@ ivp::State state_of(const std::vector<double>& x) {
   return Eigen::Map<const Eigen::VectorXd>(x.data(), static_cast<Eigen::Index>(x.size()));
 }
 
-/// Is all of it a number, finite or not, and no expression?
+/// Is the text a single number, finite or not?
 bool is_numeric(const std::string& text) {
   char* end = nullptr;
   static_cast<void>(std::strtod(text.c_str(), &end));
@@ -123,8 +123,8 @@ UserProblem typed_problem(const program::SourceText& source, const program::Sett
   const program::Equations equations(source, settings, read_table);
   const program::Problem problem(equations);
   const auto extended = [problem](const WorkLimit& effort) {
-    // A Taylor series in extended precision does not see where an equation switches, and may round a known
-    // time of it otherwise.
+    // A Taylor series in extended precision does not detect switches, and may round their known times to
+    // other values than double precision.
     return problem.switches() > 0 || problem.has_rounded_times()
                ? std::vector<Candidate>()
                : taylor_candidates(problem, problem.size(), effort);

@@ -1,5 +1,6 @@
 /// @file
-/// How accurate a run is near its end: an error that lucky cancellation at a single time does not flatter.
+/// Accuracy of a run near its end: a median over several times, because the error at a single time may be
+/// small by cancellation.
 #pragma once
 
 #include <algorithm>
@@ -15,8 +16,8 @@
 
 namespace nlmech::comparison {
 
-/// The largest error of a component: relative to the component, or, where that is close to zero - below a
-/// thousandth of its size - relative to its size. Components that are zero throughout count absolutely.
+/// The largest error of a component, relative to the component or, if that is below a thousandth of its size,
+/// to its size; absolute for components that are always zero.
 [[nodiscard]] inline double relative_error(const ivp::State& found, const ivp::LongState& exact,
                                            const ivp::State& size) {
   double worst = 0;
@@ -31,13 +32,13 @@ namespace nlmech::comparison {
   return worst;
 }
 
-/// -log10 of an error, at most what double can hold.
+/// -log10 of an error, at most the digits of double.
 [[nodiscard]] inline double digits_of(double error) {
   return -std::log10(std::max(error, std::numeric_limits<double>::epsilon() / 2));
 }
 
-/// Ends of steps in the last tenth of the way: the first beyond each of 16 equidistant times, and the last 16
-/// of all, if that makes fewer, for methods of long steps. What 16 runs to these times would give.
+/// Ends of steps in the last tenth of the interval of integration: the first one after each of 16 equidistant
+/// times or, if these are fewer than 16 steps, the last 16 steps of the run. They replace 16 separate runs.
 class LastEnds {
  public:
   /// The end of a step.
@@ -48,7 +49,7 @@ class LastEnds {
   /// For a run from t0 to t1 > t0.
   LastEnds(double t0, double t1) : t0_(t0), t1_(t1) {}
 
-  /// An observer; true.
+  /// Observer of a run; returns true.
   bool see(const ivp::Step& step) {
     if (step.t1 >= target()) {
       spread_.push_back({step.t1, step.x1});
@@ -58,7 +59,7 @@ class LastEnds {
     if (last_.size() > count) last_.pop_front();
     return true;
   }
-  /// The ends, in the order of time.
+  /// The selected ends, ordered by time.
   [[nodiscard]] const std::deque<End>& get() const { return spread_.size() < count ? last_ : spread_; }
 
  private:
@@ -72,11 +73,11 @@ class LastEnds {
   std::deque<End> spread_, last_;
 };
 
-/// What a run came to.
+/// Error and cost of a run.
 struct Accuracy {
-  Status status;                ///< how it ended
-  std::optional<double> error;  ///< median of the example's error over LastEnds; nothing if it failed
-  Statistics work;              ///< what it cost
+  Status status;                ///< status of the run
+  std::optional<double> error;  ///< median of the example's error over LastEnds; nothing if the run failed
+  Statistics work;              ///< cost of the run
 };
 
 /// Runs an example to its end.

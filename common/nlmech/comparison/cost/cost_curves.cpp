@@ -26,7 +26,7 @@ scene::Attempt attempt_of(std::string setting, std::string status, std::optional
 }
 
 std::vector<scene::MethodGroup> method_groups(const std::string& own, const std::string& source) {
-  // In the order of Kind. No picture has both closed forms and collocation by polynomials.
+  // Closed form and polynomials share a colour: no figure has both.
   return {{source, 2},
           {own, 0},
           {"closed form", 7},

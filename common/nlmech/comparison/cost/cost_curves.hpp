@@ -20,26 +20,26 @@
 
 namespace nlmech::comparison {
 
-/// The line of a method or peer, without runs: its group is its kind, which method_groups() names.
-/// @param name of what is no method, too; it may go on: "rbf-coll, N = 35"
+/// Line of a method or peer without runs. Its group is the index of its kind in method_groups().
+/// @param name any label, also with settings or of no method: "rbf-coll, N = 35"
 [[nodiscard]] scene::MethodLine line_of(std::string name, Kind kind);
 
-/// Further columns of all attempts here.
+/// Names of the cost columns of attempt_of().
 [[nodiscard]] inline std::vector<std::string> work_columns() {
   return {"right-hand sides", "steps", "rejected"};
 }
 
-/// A run with these columns. @param error nothing if it failed
+/// A run with the columns of work_columns(). @param error nothing if the run failed
 [[nodiscard]] scene::Attempt attempt_of(std::string setting, std::string status, std::optional<double> error,
                                         const Statistics& work, const Timing& time);
 
-/// Steps of such an attempt.
+/// Number of steps of a result of attempt_of().
 [[nodiscard]] inline std::int64_t steps_of(const scene::Attempt& a) {
   return std::get<std::int64_t>(a.work.at(1));
 }
 
-/// One setting, ready to run. No clock calls it off, but 20 million steps do: it is to come out the same
-/// twice.
+/// Error and time of one setting. The limit is 20 million steps and no time, so that the result is
+/// reproducible.
 [[nodiscard]] inline scene::Attempt cost_of(const Example& c, const std::string& setting,
                                             const ivp::NamedIntegrator& run, bool quick) {
   const ivp::Limits limits{.steps = 20'000'000};
@@ -49,17 +49,16 @@ namespace nlmech::comparison {
                     repeated_timing(again, seen.work.seconds, quick));
 }
 
-/// No curve goes on after a run of more right-hand sides: those after it took most of the time of a
-/// comparison.
+/// A curve ends with its first run of more right-hand sides, to limit the time of a comparison.
 inline constexpr std::int64_t enough_right_hand_sides = 300'000;
-/// The same of a quick look.
+/// enough_right_hand_sides of a quick comparison.
 inline constexpr std::int64_t enough_for_a_look = 50'000;
 
-/// Fewer runs show no slope, so that a full comparison has them whatever they take.
+/// Least number of runs of a curve in a full comparison whatever their cost: fewer show no slope.
 inline constexpr std::size_t least_runs = 3;
 
-/// Every setting of every method, in the order given (coarse first), to enough_right_hand_sides.
-/// @param quick to enough_for_a_look, even without least_runs
+/// Runs every setting of every method in the given order (coarse first) up to enough_right_hand_sides.
+/// @param quick up to enough_for_a_look, even with fewer than least_runs
 [[nodiscard]] inline std::vector<scene::MethodLine> cost_curves(const Example& c,
                                                                 const std::vector<MethodSweep>& sweeps,
                                                                 bool quick) {
@@ -78,9 +77,10 @@ inline constexpr std::size_t least_runs = 3;
   return curves;
 }
 
-/// The condition of an example: greatest change of the end, in amplitudes, for a change of the start by one.
-/// By differences of runs whose error is far below them.
-/// @param change of each component of the start, in amplitudes; small enough for a linear answer
+/// Condition number of an example: greatest change of the final state over the change of one component of the
+/// initial state, both in amplitudes; by one-sided differences of runs.
+/// @param run method with errors far below @p change
+/// @param change of each component of the initial state, in amplitudes; small enough for a linear response
 /// @throws Failure if a run fails
 [[nodiscard]] inline double condition_of(const Example& c, const ivp::NamedIntegrator& run,
                                          double change = 1e-6) {
@@ -100,7 +100,8 @@ inline constexpr std::size_t least_runs = 3;
   return greatest;
 }
 
-/// What MethodLine::group numbers, in the order of Kind. @param own, source what methods of these kinds are
+/// Groups of methods in the order of Kind, indexed by MethodLine::group. @param own, source names of these
+/// kinds
 [[nodiscard]] std::vector<scene::MethodGroup> method_groups(
     const std::string& own = "adaptive collocation", const std::string& source = "the source's method");
 

@@ -10,13 +10,14 @@ namespace nlmech::comparison {
 
 namespace {
 
-/// Who is fastest, if the picture is wide enough to say it.
+/// Heading with the fastest methods, without them if it would be too long.
 std::string heading_of(const std::string& problem, const scene::ProblemLines& lines) {
   const std::string whole = problem + ": " + scene::who_leads(lines);
   return whole.size() <= 118 ? whole : problem + ": digits against cost";
 }
 
-/// Every setting of every method and peer, and the condition for two changes by a series at 1e-16.
+/// Runs every setting of every method and peer. The condition number for two changes is that of runs by
+/// `series` at the tolerance 1e-16.
 Costs costs_of(const WorkPrecisionStudy& study, bool quick) {
   if (study.measure) return study.measure(quick);
   const Example example = study.example();
@@ -49,7 +50,7 @@ scene::Scene work_precision_scene(WorkPrecisionStudy what) {
                   what.reading, enough_right_hand_sides, enough_for_a_look),
       [what](bool quick) { return costs_of(what, quick); });
   const auto put = [what](const Costs& all, scene::Show& show) {
-    const bool known = all.condition >= 10;  // less lies beyond the 15 digits of the picture
+    const bool known = all.condition >= 10;  // smaller ones have no effect on the 15 digits of the figure
     scene::show_work_precision({.heading = heading_of(what.problem, all.lines),
                                 .work = work_columns(),
                                 .work_label = "right-hand sides evaluated",

@@ -1,5 +1,5 @@
 /// @file
-/// A scene of digits against cost of integrators: one result, its work-precision diagram, its checks.
+/// A scene with the work-precision diagram of integrators on one problem.
 #pragma once
 
 #include <functional>
@@ -10,34 +10,34 @@
 
 namespace nlmech::comparison {
 
-/// What methods came to on an example, and how well it can be solved at all.
+/// Runs of methods on an example and its condition number.
 struct Costs {
-  scene::ProblemLines lines;  ///< a method each
-  double condition = 0;       ///< of the example, see condition_of(); 0: not known
-  double again = 0;           ///< the same for a hundred times the change; 0: not known
+  scene::ProblemLines lines;  ///< one line per method
+  double condition = 0;       ///< condition number of the example, see condition_of(); 0: unknown
+  double again = 0;           ///< condition number found with a hundred times the change; 0: unknown
 };
 
-/// The tightest tolerance that by_tolerances() gives, in full or quick.
+/// The tightest tolerance of by_tolerances().
 [[nodiscard]] constexpr double tightest_tolerance(bool quick) { return quick ? 1e-8 : 1e-13; }
 
-/// Checks the error of a method at its tightest tolerance: that tolerance in each step, all of one sign,
-/// times the condition.
+/// Checks the error of a method at its tightest tolerance against a bound: that tolerance in each step, all
+/// errors of one sign, times the condition number.
 void check_tightest(const Costs& costs, const std::string& method, scene::Show& show);
 
 /// Methods and peers on one problem, each over its sweep of tolerances or steps.
 struct WorkPrecisionStudy {
   std::string name;     ///< "duffing": scene `error-vs-time-duffing`, run `times-duffing`; may be empty
-  std::string problem;  ///< "Driven Duffing oscillator to t = 50"; the heading adds who is fastest
-  std::string reading;  ///< of the run: settings, and what else is particular
-  std::function<Example()> example = {};                             ///< the problem
-  std::function<std::vector<MethodSweep>(bool quick)> methods = {};  ///< in the picture; all peers follow
-  double change = 0;  ///< of the start, by which condition_of() finds the condition and that the answer to it
-                      ///< is linear; 0: the condition is not asked for
+  std::string problem;  ///< "Driven Duffing oscillator to t = 50"; the heading adds the fastest methods
+  std::string reading;  ///< text about the run: settings and particulars
+  std::function<Example()> example = {};                             ///< makes the problem
+  std::function<std::vector<MethodSweep>(bool quick)> methods = {};  ///< methods; all peers are appended
+  double change = 0;  ///< change of the initial state for condition_of(); a hundred times this change checks
+                      ///< that the response is linear; 0: no condition number
   std::function<Costs(bool quick)> measure = {};               ///< instead of example, methods and change
-  std::function<void(const Costs&, scene::Show&)> check = {};  ///< of the scene
+  std::function<void(const Costs&, scene::Show&)> check = {};  ///< checks of the scene
 };
 
-/// The scene. All of them judge by the median error over LastEnds, on one thread.
+/// Scene of a study: median error over LastEnds against cost, on one thread.
 [[nodiscard]] scene::Scene work_precision_scene(WorkPrecisionStudy study);
 
 }  // namespace nlmech::comparison

@@ -1,5 +1,5 @@
 /// @file
-/// Methods and peers, each with a sweep of steps or tolerances: what is set side by side, and what it costs.
+/// Methods and peers of a work-precision diagram, each with a sweep of step sizes or tolerances.
 #pragma once
 
 #include <optional>
@@ -11,54 +11,55 @@
 
 namespace nlmech::comparison {
 
-/// Which methods belong together in a picture.
+/// Groups of methods in a figure.
 enum class Kind {
-  source,         ///< the method of the page's source
-  own,            ///< what became of it: adaptive collocation, analytic continuation
-  closed_form,    ///< no integration at all
+  source,         ///< the method of the reproduced source
+  own,            ///< nlmech methods derived from it: adaptive collocation, analytic continuation
+  closed_form,    ///< closed form without integration
   series,         ///< Taylor series
-  polynomial,     ///< collocation and Picard iteration, steps by hand
-  classical,      ///< the other methods of fixed step, steps by hand
-  explicit_,      ///< Runge-Kutta and Nystrom methods with step control
-  extrapolation,  ///< explicit, with control of step and order
-  adams,          ///< multistep, not for stiff problems
-  implicit        ///< step control, for stiff problems
+  polynomial,     ///< collocation and Picard iteration with fixed steps
+  classical,      ///< other methods with fixed steps
+  explicit_,      ///< Runge-Kutta and Nystroem methods with step-size control
+  extrapolation,  ///< explicit extrapolation with control of step size and order
+  adams,          ///< multistep methods for non-stiff problems
+  implicit        ///< methods with step-size control for stiff problems
 };
 
-/// The kind of a method or peer, where no page has a source of its own.
+/// The kind of a method or peer by its family.
 [[nodiscard]] Kind kind_of(const ivp::MethodInfo& method);
 
 /// One setting of a method.
 struct Setting {
-  std::string text;        ///< "step 0.5", "tolerance 1e-06"
-  ivp::Settings settings;  ///< the same
+  std::string text;        ///< label: "step 0.5", "tolerance 1e-06"
+  ivp::Settings settings;  ///< the settings themselves
 };
 
-/// One method with its sweep, or a peer that this build lacks: no settings.
+/// One method with its sweep; no settings for a peer that this build lacks.
 struct MethodSweep {
-  std::string name;                          ///< of the method or peer: "rbf-coll"
-  std::optional<int> nodes;                  ///< of a collocation
-  Kind kind;                                 ///< for its colour
+  std::string name;                          ///< name of the method or peer: "rbf-coll"
+  std::optional<int> nodes;                  ///< nodes of a collocation
+  Kind kind;                                 ///< kind, which determines the colour
   std::vector<Setting> settings;             ///< cheapest first
-  std::optional<int> points = std::nullopt;  ///< of mtl
+  std::optional<int> points = std::nullopt;  ///< points of `mtl`
 
   /// "rbf-coll, N = 35", "mtl, p = 3"
   [[nodiscard]] std::string label() const;
 };
 
-/// A sweep of steps: @p factors times @p scale. @param shape c times the step, of radial functions
-/// @param quick every other step
+/// A sweep of step sizes @p factors times @p scale. @param shape shape parameter of radial functions times
+/// the step size; 0: none
+/// @param quick every other step size
 [[nodiscard]] MethodSweep by_steps(const std::string& name, std::optional<int> nodes, Kind kind, double scale,
                                    std::span<const double> factors, bool quick, double shape = 0);
 
-/// The sweep of tolerances that all methods with step control share: 1e-4, 1e-5, ..., 1e-13.
-/// @param quick 1e-4 and 1e-8 alone
+/// The common sweep of tolerances of methods with step-size control: 1e-4, 1e-5, ..., 1e-13.
+/// @param quick only 1e-4 and 1e-8
 [[nodiscard]] MethodSweep by_tolerances(const std::string& name, Kind kind, bool quick);
 
-/// All peers with that sweep, explicit ones first.
+/// All peers with the sweep of by_tolerances(), explicit ones first.
 [[nodiscard]] std::vector<MethodSweep> all_peers(bool quick);
 
-/// Ready to run.
+/// Integrator of one setting of a sweep.
 [[nodiscard]] ivp::NamedIntegrator integrator(const MethodSweep& sweep, const Setting& setting);
 
 }  // namespace nlmech::comparison

@@ -16,10 +16,10 @@
 namespace nlmech::comparison {
 namespace {
 
-/// Two computations that differ by more than this share know nothing.
+/// Relative difference of two computations above which they are no reference.
 constexpr double worthless = 1e-2;
 
-/// A computation that arrived.
+/// A computation that reached the end.
 struct Arrived {
   Candidate by;
   StatesAt states;
@@ -29,17 +29,19 @@ Eigen::VectorXd size_of(const StatesAt& states) {
   return states.cwiseAbs().rowwise().maxCoeff().cast<double>();
 }
 
-/// |x|, or a thousandth of the component's size where that is greater; 1 for what is zero throughout.
+/// |x|, or a thousandth of the component's size if that is greater; 1 for a component that is always zero.
 double magnitude(double x, double size) {
   const double most = std::max(std::abs(x), 1e-3 * size);
   return most > 0 ? most : 1;
 }
 
-/// How far two computations are apart.
+/// Difference of two computations.
 struct Distance {
-  double in_needs = std::numeric_limits<double>::infinity();  ///< greatest difference by what is needed
-  double relative = std::numeric_limits<double>::infinity();  ///< greatest one by the size of its component
-  std::size_t first = 0, second = 0;                          ///< which two
+  double in_needs =
+      std::numeric_limits<double>::infinity();  ///< greatest difference over the needed accuracy
+  double relative =
+      std::numeric_limits<double>::infinity();  ///< greatest difference over the component's size
+  std::size_t first = 0, second = 0;            ///< indices of the two computations
 };
 
 Distance distance(const std::vector<Arrived>& arrived, std::size_t first, std::size_t second,
@@ -58,14 +60,14 @@ Distance distance(const std::vector<Arrived>& arrived, std::size_t first, std::s
   return most;
 }
 
-/// A computation that did not arrive.
+/// A computation that failed.
 struct Failed {
   std::string name;
   bool extended;
   Outcome outcome;
 };
 
-/// No two agree.
+/// The failure if no two computations agree, with its reason.
 Reference none_of(const std::vector<Arrived>& arrived, const Distance& best,
                   const std::vector<Failed>& failed) {
   std::string why = "no two methods arrived within the work allowed";
@@ -77,7 +79,7 @@ Reference none_of(const std::vector<Arrived>& arrived, const Distance& best,
     why += fmt::format("{}{} ({})", separator, f.name, to_string(f.outcome));
     separator = ", ";
   }
-  // Steps shrink to nothing at a singularity, and in extended precision not for rounding.
+  // In extended precision step sizes shrink to zero because of a singularity and not because of rounding.
   const auto shrinks = [](const Failed& f) { return f.outcome == Outcome::step_underflow; };
   Reference none;
   none.status = Status::failure(Outcome::not_converged, why);
@@ -87,11 +89,11 @@ Reference none_of(const std::vector<Arrived>& arrived, const Distance& best,
   return none;
 }
 
-/// One of the methods that references are made of.
+/// A method for references in double precision.
 struct ReferenceMethod {
   std::string_view name;
-  double least_tolerance;   ///< below which it gains nothing
-  std::int64_t most_steps;  ///< in some fifth of a second
+  double least_tolerance;   ///< smaller tolerances do not reduce the error
+  std::int64_t most_steps;  ///< number of steps that take about 0.2 s
 };
 
 constexpr std::array reference_methods = {ReferenceMethod{"series", 1e-16, 50'000},
@@ -102,7 +104,7 @@ constexpr std::array reference_methods = {ReferenceMethod{"series", 1e-16, 50'00
                                           ReferenceMethod{"gsl-rk8pd", 1e-13, 150'000},
                                           ReferenceMethod{"laier", 1e-12, 60'000}};
 
-/// By absolute tolerances for components that decay, then by those needed.
+/// Runs @p by with an absolute tolerance for components that decay; if that fails, with the needed one.
 Status by_reference_method(const ReferenceMethod& by, const ivp::System& system, const Tolerance& needed,
                            const WorkLimit& effort, const ReferenceRequest& way, double seconds,
                            StatesAt& states) {
@@ -118,7 +120,7 @@ Status by_reference_method(const ReferenceMethod& by, const ivp::System& system,
     try {
       const ivp::Settings settings{.tolerance = relative, .absolute_tolerance = absolute};
       StepBudget pace(way.t0, way.times.back(), static_cast<double>(steps));
-      ivp::Observer observer;  // empty for methods whose steps may yet grow, once the stiffness has shown
+      ivp::Observer observer;  // empty for implicit methods: their steps may grow late, after a transient
       if (method.family == ivp::Family::series || method.family == ivp::Family::runge_kutta)
         observer = [&pace](const ivp::Step& step) { return pace.suffices(step.t1); };
       const ivp::Limits limits{
@@ -127,7 +129,7 @@ Status by_reference_method(const ReferenceMethod& by, const ivp::System& system,
       const auto run = ivp::with_changes(ivp::within_domain(method.with(settings), effort.domain, accuracy),
                                          effort.changes, accuracy);
       status = states_by(run, system, way, observer, limits, states);
-    } catch (const std::invalid_argument& error) {  // the problem is not for it, or the tolerance
+    } catch (const std::invalid_argument& error) {  // the method rejects the problem or the tolerance
       status = Status::failure(Outcome::outside_validity, error.what());
     }
     if (status.ok() || status.outcome() == Outcome::time_limit) break;
@@ -172,7 +174,7 @@ Reference agree(const std::vector<Candidate>& candidates, const ReferenceRequest
       if (d.in_needs < best.in_needs) best = d;
     }
     if (best.in_needs <= 1) break;
-    // Two that work in extended precision and part: no method in double precision knows better.
+    // If computations in extended precision disagree, double precision cannot be more accurate.
     if (c.extended && arrived.size() >= 2 && best.relative > worthless) break;
   }
   if (best.in_needs > 1 && !(best.relative <= worthless)) return none_of(arrived, best, failed);

@@ -1,11 +1,10 @@
 /// @file
-/// What runs are judged by: the states of a solution by two independent computations, and how far these
-/// agree.
+/// References for the verification of runs: states of a solution from two independent computations, whose
+/// difference is the uncertainty.
 ///
-/// Where the Taylor series in extended precision arrives within bounded work, two of different order are
-/// taken. Elsewhere, for stiff and for long problems, methods of ours and peers run at tolerances far below
-/// those asked until two agree. What they agree to is what the reference knows, and no more is concluded from
-/// it.
+/// Two Taylor series of different order in extended precision are used if they reach the end within bounded
+/// work. Otherwise, for stiff and for long problems, nlmech methods and peers run at tolerances far below the
+/// requested ones until two of them agree.
 #pragma once
 
 #include <Eigen/Core>
@@ -25,45 +24,45 @@
 
 namespace nlmech::comparison {
 
-/// States at several times, one a column, in extended precision.
+/// States in extended precision, one column per time.
 using StatesAt = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
 
-/// A relative and an absolute tolerance: those of a run, or how finely a reference should know a component x:
-/// to absolute + relative |x|, with |x| at least a thousandth of the component's greatest value. A reference
-/// that knows less is given all the same, and says so.
+/// A relative and an absolute tolerance of a run, or the requested accuracy absolute + relative |x| of a
+/// component x of a reference, with |x| at least a thousandth of the component's greatest value. A less
+/// accurate reference is returned, too; see Reference::difference.
 struct Tolerance {
   double relative = 1e-13;  ///< positive
   double absolute = 1e-13;  ///< positive
 
-  /// A finer one.
+  /// Both tolerances divided by @p times.
   [[nodiscard]] Tolerance operator/(double times) const { return {relative / times, absolute / times}; }
 };
 
 /// Bounds on the work for a reference.
 struct WorkLimit {
-  /// In steps and evaluations, so that a result does not depend on the speed of the machine: 1 is about a
-  /// second.
+  /// Scale of the numbers of steps, so that a result does not depend on the speed of the machine: 1 is about
+  /// a second.
   double work = 1;
-  double seconds = std::numeric_limits<double>::infinity();  ///< wall time besides
-  /// Longest step of each computation.
+  double seconds = std::numeric_limits<double>::infinity();  ///< further limit, of the wall time
+  /// Greatest step size of each computation.
   double largest_step = std::numeric_limits<double>::infinity();
-  std::vector<ivp::Event> changes = {};            ///< of the state on the way, as of the run that is judged
-  std::shared_ptr<const ivp::Domain> domain = {};  ///< of the equations; may be null
+  std::vector<ivp::Event> changes = {};            ///< events that change the state of the verified run
+  std::shared_ptr<const ivp::Domain> domain = {};  ///< domain of the equations; may be null
 };
 
-/// The longest step of computations from @p t0 to @p t1 that are to miss nothing: at most that of the run
-/// that is judged, and a 128th of the way, so that a pulse of some such parts after a long rest is seen.
+/// Greatest step size of reference computations from @p t0 to @p t1: that of the verified run, but at most
+/// 1/128 of the interval, so that no pulse of a few such lengths is stepped over after a long rest.
 [[nodiscard]] inline double watchful_step(double t0, double t1, double largest_step) {
   return std::min(largest_step, std::abs(t1 - t0) / 128);
 }
 
-/// Ends a computation that is too slow to arrive: one that, after a twentieth of its steps, has made less
-/// than a twentieth of the way that they would have to.
+/// Step budget that ends slow computations early. A computation continues while, from a twentieth of its
+/// steps on, it has covered at least 1/20 of the interval that uniform progress would have covered.
 class StepBudget {
  public:
-  /// @param most steps from t0 to t1
+  /// @param most number of steps allowed from t0 to t1
   StepBudget(double t0, double t1, double most) : t0_(t0), way_(t1 - t0), most_(most) {}
-  /// After a step to @p t: may it go on?
+  /// Counts a step to @p t; false if the computation is too slow.
   [[nodiscard]] bool suffices(double t) {
     ++steps_;
     return steps_ < most_ / 20 || 20 * std::abs(t - t0_) >= std::abs(way_) * steps_ / most_;
@@ -76,71 +75,70 @@ class StepBudget {
 /// A state in extended precision.
 using ExtendedState = Eigen::Matrix<long double, Eigen::Dynamic, 1>;
 
-/// Where a solution begins and where it is wanted.
+/// Initial state and output times of a reference.
 struct ReferenceRequest {
-  ExtendedState x0;  ///< initial state
-  double t0 = 0;     ///< begin
-  std::vector<double>
-      times;  ///< in the direction of travel from t0, each other than the one before; the last is the end
+  ExtendedState x0;           ///< initial state
+  double t0 = 0;              ///< initial time
+  std::vector<double> times;  ///< output times, strictly monotonic from t0; the last is the end
 };
 
-/// One way to compute the states of a solution.
+/// A computation that can yield the states of a reference.
 struct Candidate {
   std::string name;       ///< "adaptive-collocation"
-  bool extended = false;  ///< works in extended precision; if one of these fails, no other is tried
-  /// Fills the states at the asked times, within that wall time in seconds.
+  bool extended = false;  ///< works in extended precision; if it fails, no other such one is tried
+  /// Computes the states at the output times within a wall time in seconds.
   std::function<Status(const ReferenceRequest&, double seconds, StatesAt&)> compute;
 };
 
-/// A solution at several times, as far as it is known.
+/// Reference states of a solution with their uncertainty.
 struct Reference {
-  Status status;               ///< success, or why there is none
-  bool undetermined = false;   ///< none, because two computations in extended precision part: their rounding
-                               ///< is multiplied to the size of the solution
-  bool ends = false;           ///< none, because the solution seems to end on the way: the steps of two
-                               ///< computations, one of them in extended precision, shrink to nothing
-  Candidate first;             ///< of the two computations that agree best the one whose states are given
-  Candidate second;            ///< the other one
-  StatesAt states;             ///< of the first of them
-  Eigen::MatrixXd difference;  ///< |difference| of the two, for each component and time
+  Status status;               ///< success, or why there is no reference
+  bool undetermined = false;   ///< failure: two computations in extended precision disagree, because rounding
+                               ///< errors grow to the size of the solution
+  bool ends = false;           ///< failure: the solution seems to end before t1; the step sizes of two
+                               ///< computations, one of them in extended precision, shrink to zero
+  Candidate first;             ///< of the two computations that agree best: the one that gives the states
+  Candidate second;            ///< of the two computations that agree best: the other one
+  StatesAt states;             ///< states of the first computation
+  Eigen::MatrixXd difference;  ///< |difference| of both computations for each component and time
   Eigen::VectorXd size;        ///< greatest |x_i| at these times
 
-  /// How wrong the last state may be: the greatest difference of a component there, relative to the component
-  /// or, where that is below a thousandth of its size, to its size.
+  /// Uncertainty of the last state: the greatest difference of a component, relative to the component or, if
+  /// that is below a thousandth of its size, to its size.
   [[nodiscard]] double uncertainty() const;
-  /// "adaptive-collocation and cvode-bdf agree to 11.2 digits", or why there is none.
+  /// "adaptive-collocation and cvode-bdf agree to 11.2 digits", or why there is no reference.
   [[nodiscard]] std::string text() const;
 };
 
-/// Runs the candidates in turn until two agree as finely as needed; else the two are taken that agree best,
-/// if they agree to two digits at all times.
-/// @param seconds wall time for all of them
+/// Runs the candidates in turn until two agree within @p needed. If none do, uses the two that agree best,
+/// provided that they agree to two digits at all times.
+/// @param seconds limit of the wall time of all candidates
 [[nodiscard]] Reference agree(const std::vector<Candidate>& candidates, const ReferenceRequest& way,
                               const Tolerance& needed, double seconds);
 
-/// The states of a problem at @p times, by the first two that agree of @p extended, computations in extended
-/// precision, and then of methods that share nothing but the problem, cheap ones first: Taylor series in
-/// double precision, collocation, Rosenbrock, Runge-Kutta, differentiation formulas, Hermitian operators;
-/// peers as far as this build has them. Each of these is begun anew at every time, so that no dense output
-/// has a part in the states. Tolerances are a tenth of what is needed, but not below 1e-13 (differentiation
-/// formulas and Rosenbrock: 1e-12); absolute ones are a millionth of that first, for components that decay,
-/// and if the method fails so, as coarse as needed.
+/// Reference states of a problem at @p times, from the first two computations that agree: first those of
+/// @p extended in extended precision, then independent methods, cheap ones first: Taylor series in double
+/// precision, collocation, Rosenbrock, Runge-Kutta, differentiation formulas, Hermitian operators; peers only
+/// if this build has them. Each method restarts at every output time, so that the states do not depend on
+/// dense output. The relative tolerance is a tenth of @p needed, but at least 1e-13 (differentiation
+/// formulas, Rosenbrock and Hermitian operators: 1e-12; series: 1e-16). The absolute one is first a millionth
+/// of that, for components that decay, and after a failure a tenth of @p needed.
 /// @param x0 state at t0, finite
-/// @param times in the direction of travel from t0, each other than the one before; at least one
-/// @param needed how finely
-/// @param effort when to give up
+/// @param times output times, strictly monotonic from t0; at least one
+/// @param needed requested accuracy
+/// @param effort limits of the work
 [[nodiscard]] Reference reference_of(std::vector<Candidate> extended, const ivp::System& system,
                                      const ivp::State& x0, double t0, const std::vector<double>& times,
                                      const Tolerance& needed, const WorkLimit& effort);
 
-/// The states at all times by a method that is begun anew at each.
-/// @param observer of all segments; may be empty
+/// States at all output times by a method that restarts at each of them.
+/// @param observer receives the steps of all segments; may be empty
 [[nodiscard]] Status states_by(const ivp::NamedIntegrator& run, const ivp::System& system,
                                const ReferenceRequest& way, const ivp::Observer& observer,
                                const ivp::Limits& limits, StatesAt& states);
 
-/// The times at which a way from @p t0 to @p t1 is looked at: @p count equidistant ones, the last of them the
-/// end.
+/// Equidistant output times from @p t0 (excluded) to @p t1 (included); @p count, or fewer if rounding makes
+/// some of them equal.
 [[nodiscard]] std::vector<double> look_at(double t0, double t1, int count);
 
 }  // namespace nlmech::comparison

@@ -1,5 +1,5 @@
 /// @file
-/// The reference of a problem: its Taylor series in extended precision, else methods by name.
+/// Reference of a problem: Taylor series in extended precision, else methods in double precision.
 #pragma once
 
 #include <cmath>
@@ -19,14 +19,14 @@ namespace nlmech::comparison {
 
 namespace detail {
 
-/// A problem run backwards: dx/ds = -f(-s, x).
+/// A problem in reversed time s = -t: dx/ds = -f(-s, x).
 template <class Problem>
 struct Backwards {
-  static constexpr int dimension = Problem::dimension;  ///< the problem's
-  Problem problem;                                      ///< as it is
+  static constexpr int dimension = Problem::dimension;  ///< dimension of the problem
+  Problem problem;                                      ///< the problem in time t
 
-  /// dx/ds. At a discontinuity f is the limit from the right, and here the one from the left is needed: f is
-  /// asked for at the time just before, by an error of time far below that of double.
+  /// dx/ds. At a discontinuity f is the limit from the right, but the limit from the left is needed here.
+  /// Hence f is evaluated at the preceding floating-point number.
   template <class T>
   void operator()(const T& s, const Vector<T, dimension>& x, Vector<T, dimension>& dxds) const {
     using std::nextafter;
@@ -35,7 +35,7 @@ struct Backwards {
     problem(t, x, dxds);
     dxds = (-dxds).eval();
   }
-  /// The problem's, seen backwards.
+  /// Discontinuities of the problem in reversed time.
   [[nodiscard]] std::vector<double> discontinuities(double from, double to) const {
     std::vector<double> times;
     if constexpr (problems::HasDiscontinuities<Problem>) times = problem.discontinuities(-from, -to);
@@ -44,7 +44,7 @@ struct Backwards {
   }
 };
 
-/// The states at ascending times by one Taylor series.
+/// States at ascending times by one Taylor series.
 template <class Problem>
 Status taylor_states(const Problem& problem, const ReferenceRequest& way,
                      const problems::ReferenceOptions& options, double most_steps, double seconds,
@@ -67,7 +67,7 @@ Status taylor_states(const Problem& problem, const ReferenceRequest& way,
     }
     if (next == times.size()) return;
     const bool late = watch.seconds() > seconds;
-    if (late || !pace.suffices(static_cast<double>(end)))  // ends the walk from within
+    if (late || !pace.suffices(static_cast<double>(end)))  // the exception ends the integration
       throw Failure(Status::failure(late ? Outcome::time_limit : Outcome::step_limit,
                                     "the Taylor series in extended precision takes too many steps"));
   };
@@ -79,7 +79,7 @@ Status taylor_states(const Problem& problem, const ReferenceRequest& way,
   }
 }
 
-/// The same in the direction of travel.
+/// taylor_states() forwards or backwards in time.
 template <class Problem>
 Status taylor_either_way(const Problem& problem, const ReferenceRequest& way,
                          const problems::ReferenceOptions& options, double most_steps, double seconds,
@@ -92,12 +92,12 @@ Status taylor_either_way(const Problem& problem, const ReferenceRequest& way,
 
 }  // namespace detail
 
-/// Two Taylor series in extended precision, of the orders 22 and 28.
-/// @param size components of the state
+/// Two Taylor series in extended precision, of orders 22 and 28.
+/// @param size number of components of the state
 template <class Problem>
 [[nodiscard]] std::vector<Candidate> taylor_candidates(const Problem& problem, int size,
                                                        const WorkLimit& effort) {
-  // A step takes 15 microseconds for two components, 600 for the 24 of four bodies, which attract each other.
+  // A step takes 15 microseconds for 2 components, 600 microseconds for the 24 of a four-body problem.
   const double most_steps = effort.work * 1e5 / size;
   std::vector<Candidate> all;
   for (const int order : {22, 28}) {
@@ -113,7 +113,7 @@ template <class Problem>
   return all;
 }
 
-/// The reference of a problem: these series, else methods by name. See reference.hpp.
+/// Reference of a problem by taylor_candidates(), else by methods in double precision. See reference.hpp.
 template <class Problem>
 [[nodiscard]] Reference reference_of(const Problem& problem, const problems::StateOf<double, Problem>& x0,
                                      double t0, const std::vector<double>& times, const Tolerance& needed,

@@ -14,11 +14,11 @@
 namespace nlmech::comparison {
 namespace {
 
-constexpr int rounding = 16;  // roundings of a state that steps leave, about the square root of some hundred
+constexpr int rounding = 16;  // units of eps: the square root of a few hundred steps
 
-/// The weights of the components at several times: what one tolerance comes to, absolute + relative |x|, and
-/// what rounding leaves of x and of the time.
-/// @param size greatest |x_i| on the way
+/// Weights of the components at several times: absolute + relative |x|, plus the rounding of x and of the
+/// time.
+/// @param size greatest |x_i| of the solution
 Eigen::MatrixXd weights(const ivp::System& system, const std::vector<double>& times, const StatesAt& states,
                         const Eigen::VectorXd& size, const Tolerance& tolerance) {
   Eigen::MatrixXd all(states.rows(), states.cols());
@@ -33,8 +33,8 @@ Eigen::MatrixXd weights(const ivp::System& system, const std::vector<double>& ti
   return all;
 }
 
-/// d x(t1) / d x(t0) along the reference, by moving each component by @p by to both sides: errors in these
-/// matrices multiply in their products, and one-sided differences would not do.
+/// d x(t1) / d x(t0) along the reference by central differences with the step @p by. One-sided differences
+/// are too inaccurate, because the errors of these matrices multiply in their products.
 Status derivative(const Candidate& run, const ExtendedState& x, double t0, double t1,
                   const Eigen::VectorXd& by, const std::function<double()>& seconds, Eigen::MatrixXd& d) {
   d.resize(x.size(), x.size());
@@ -43,7 +43,7 @@ Status derivative(const Candidate& run, const ExtendedState& x, double t0, doubl
   for (Eigen::Index j = 0; j < x.size(); ++j) {
     long double begins[2];
     for (const int side : {0, 1}) {
-      // A double, for methods that know no more.
+      // Rounded to double, for methods in double precision.
       begins[side] = static_cast<double>(side == 0 ? x[j] - by[j] : x[j] + by[j]);
       way.x0[j] = begins[side];
       if (Status s = run.compute(way, seconds(), ends[side]); !s.ok()) return s;
@@ -56,9 +56,9 @@ Status derivative(const Candidate& run, const ExtendedState& x, double t0, doubl
 
 using Verdict = Verification::Verdict;
 
-/// A run beside its reference.
+/// Errors of a run against its reference.
 struct Comparison {
-  /// @param one what one tolerance comes to @param relative_to of digits
+  /// @param one weights, see weights() @param relative_to scales of digits, see scales()
   Comparison(const Verified& r, const Reference& reference, Eigen::MatrixXd one, Eigen::MatrixXd relative_to)
       : run(r),
         scale(std::move(relative_to)),
@@ -75,19 +75,19 @@ struct Comparison {
   }
 
   const Verified& run;
-  Eigen::MatrixXd scale;        ///< what digits are relative to
+  Eigen::MatrixXd scale;        ///< scale of the digits
   Eigen::MatrixXd error;        ///< |difference|; zero where the run has no state
-  Eigen::MatrixXd uncertainty;  ///< of the reference; zero likewise
+  Eigen::MatrixXd uncertainty;  ///< uncertainty of the reference; zero where the run has no state
   Eigen::MatrixXd weight;       ///< one tolerance
-  Eigen::MatrixXd moved;        ///< what the problem makes of one tolerance
+  Eigen::MatrixXd moved;        ///< effect of one earlier error of one tolerance, see amplification()
 
-  /// Where the error is greatest, compared with @p unit.
+  /// Verification at the greatest ratio of error to @p unit.
   [[nodiscard]] Verification worst(Verdict verdict, const Eigen::MatrixXd& unit) const {
     Eigen::Index row = 0, column = 0;
     (void)(error.array() / unit.array()).maxCoeff(&row, &column);
     return at(verdict, row, column);
   }
-  /// Where the run has the fewest digits, of the places at which it may be off by more than most_tolerances.
+  /// Verification at the fewest digits, of the places where the error may exceed most_tolerances.
   [[nodiscard]] Verification fewest_digits() const {
     const Eigen::ArrayXXd most = (error + uncertainty).array();
     const auto counts = (most > most_tolerances * weight.array()).cast<double>();
@@ -95,11 +95,11 @@ struct Comparison {
     (void)(counts * most / scale.array()).maxCoeff(&row, &column);
     return at(Verdict::inexact, row, column);
   }
-  /// Are the run and the reference good enough?
+  /// Are error and uncertainty within @p bound?
   [[nodiscard]] bool within(const Eigen::MatrixXd& bound) const {
     return (error.array() <= bound.array()).all() && (uncertainty.array() <= bound.array()).all();
   }
-  /// Is the run off by more than most_tolerances, however far off the reference may be?
+  /// Does the error exceed most_tolerances by more than the uncertainty?
   [[nodiscard]] bool surely_beyond() const {
     return ((error - uncertainty).array() > most_tolerances * weight.array()).any();
   }
@@ -119,7 +119,7 @@ struct Comparison {
   }
 };
 
-/// What digits are relative to: see Verification::digits.
+/// Scales of the digits: see Verification::digits.
 Eigen::MatrixXd scales(const StatesAt& states, const Eigen::VectorXd& size, const Tolerance& tolerance) {
   Eigen::MatrixXd all(states.rows(), states.cols());
   for (Eigen::Index i = 0; i < all.rows(); ++i) {
@@ -133,16 +133,14 @@ Eigen::MatrixXd scales(const StatesAt& states, const Eigen::VectorXd& size, cons
   return all;
 }
 
-/// The verdict on a run that is not right to enough digits, or of which the reference does not tell.
+/// Verdict on a run with fewer than enough_digits(), or with a reference that may be too inaccurate.
 Verification with_condition(const Comparison& all, const Reference& reference, const Eigen::VectorXd& size) {
   const Eigen::MatrixXd bound = (most_tolerances * all.weight).cwiseMax(most_amplified * all.moved);
   Verification v = all.worst(Verdict::wrong, bound);
   const double extent = size[v.component] > 0 ? size[v.component] : 1;
   const double allowed = v.allowed * v.error / std::max(v.tolerances, 1e-300);
-  const double sure =
-      v.error - v.uncertainty;  // the reference may be off by its uncertainty, and the run by less then
-  const bool is_amplified =
-      v.allowed > most_tolerances;  // else the tolerance is coarse, and no more to blame
+  const double sure = v.error - v.uncertainty;            // lower bound of the error
+  const bool is_amplified = v.allowed > most_tolerances;  // otherwise only the tolerance is coarse
   if (v.error >= 0.1 * extent && allowed >= 0.1 * extent && is_amplified) {
     v.verdict = Verdict::undetermined;
     return v;
@@ -154,7 +152,7 @@ Verification with_condition(const Comparison& all, const Reference& reference, c
                           reference.text(), v.error)};
 }
 
-/// "take --tolerance 1e-12 or another method": a tolerance that should suffice, if there is one.
+/// "take --tolerance 1e-12 or another method", with a tolerance that should suffice if there is one.
 std::string advice(const Verification& found, double tolerance) {
   const double excess = std::max(1.0, found.tolerances / found.allowed);
   const double smaller = std::pow(10, std::floor(std::log10(tolerance / excess / 3)));
@@ -176,10 +174,10 @@ Status amplification(const ReferenceRequest& way, const Reference& reference,
                      Eigen::MatrixXd& moved) {
   const Stopwatch watch;
   const std::function<double()> left = [&] { return seconds - watch.seconds(); };
-  // Far above the errors of the run that made the reference, and small against the solution.
+  // Relative perturbation: far above the errors of the reference, small against the solution.
   const double share = reference.first.extended ? 1e-7 : 1e-6;
   const Eigen::VectorXd size = reference.size.cwiseMax(way.x0.cwiseAbs().cast<double>());
-  std::vector<Eigen::MatrixXd> made;  // what errors of all earlier times have become
+  std::vector<Eigen::MatrixXd> made;  // effects of the errors of each earlier time
   moved = weight;
   Eigen::VectorXd w = first_weight;
   ExtendedState x = way.x0;
@@ -188,7 +186,7 @@ Status amplification(const ReferenceRequest& way, const Reference& reference,
   for (std::size_t k = 0; k < way.times.size(); ++k) {
     Eigen::VectorXd by = share * x.cwiseAbs().cast<double>().cwiseMax(1e-3 * size);
     for (Eigen::Index i = 0; i < by.size(); ++i) {
-      if (!(by[i] > 0)) by[i] = share;  // zero throughout
+      if (!(by[i] > 0)) by[i] = share;  // the component is always zero
     }
     if (Status s = derivative(reference.first, x, t, way.times[k], by, left, d); !s.ok()) return s;
     for (Eigen::MatrixXd& error : made) error = (d * error).eval();
@@ -273,7 +271,7 @@ std::string remark(const Verification& found, const Reference& reference, const 
                               enough_digits(tolerance), what_a_tolerance_holds, advice(found, tolerance),
                               reference.text()));
   if (found.verdict == Verdict::right) return "";
-  const double digits = std::floor(10 * std::max(found.digits, 0.0)) / 10;  // no more than there are
+  const double digits = std::floor(10 * std::max(found.digits, 0.0)) / 10;  // rounded down
   const std::string growth =
       found.growth > 0 ? fmt::format("; the problem multiplies errors by up to {:.3g}", found.growth) : "";
   return fmt::format("verified: {:.1f} digits at {}; {} is off by {:.2g} there, {:.3g} tolerances{}", digits,

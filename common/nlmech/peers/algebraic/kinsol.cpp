@@ -19,7 +19,7 @@ using Eigen::VectorXd;
 void free_kinsol(void* memory) { KINFree(&memory); }
 using Memory = SundialsObject<void*, &free_kinsol>;
 
-/// The user data of the callbacks.
+/// User data of the callbacks.
 struct Calls {
   Calls(algebraic::Equations& of, const algebraic::Observer& by)
       : equations(of), observer(by), x(of.size()), f(of.size()), b(of.size(), of.size()) {}
@@ -101,7 +101,7 @@ class Session {
     KINSetUserData(m, &calls);
     KINSetLinearSolver(m, solver_.get(), matrix_.get());
     KINSetJacFn(m, &Calls::call_matrix);
-    KINSetMaxSetupCalls(m, 1);  // a new matrix for every step
+    KINSetMaxSetupCalls(m, 1);  // a new Jacobian for every step
     KINSetFuncNormTol(m, method.tolerance);
     KINSetScaledStepTol(m, method.step_tolerance);
     KINSetNumMaxIters(m, static_cast<long>(method.iterations));
@@ -176,10 +176,10 @@ Report find_root(const Kinsol& method, algebraic::Equations& equations, VectorXd
   const int flag = session.solve(method, x);
   if (calls.exception) std::rethrow_exception(calls.exception);
   session.count(calls.report.statistics);
-  equations.residual(x, calls.f);  // a check, not counted
+  equations.residual(x, calls.f);  // final check, not counted
   const double norm = calls.f.norm(), greatest = calls.f.lpNorm<Eigen::Infinity>();
   calls.report.last = norm;
-  // The greatest component of a vector with a NaN may be any of the others.
+  // lpNorm may ignore a NaN component.
   const bool is_done = std::isfinite(norm) && x.allFinite() && greatest <= method.tolerance;
   if (!(flag == KIN_SUCCESS || flag == KIN_INITIAL_GUESS_OK) || !is_done) {
     const Ending end = ending(flag, calls);

@@ -1,5 +1,5 @@
 /// @file
-/// KINSOL of SUNDIALS behind our interface, if this build has it.
+/// KINSOL of SUNDIALS as a peer; optional.
 #pragma once
 
 #include <cstdint>
@@ -10,20 +10,19 @@
 namespace nlmech::peers {
 
 /// KINSOL (A. C. Hindmarsh and others, SUNDIALS, ACM Trans. Math. Softw. 31 (2005) 363-396): Newton's method
-/// with the exact derivative, dense and factorised anew at every iteration, and no bound on the step's
-/// length.
+/// with the exact Jacobian, a dense factorisation at every iteration, and no bound on the step.
 struct Kinsol {
-  /// How a step is taken.
+  /// Globalisation strategies.
   enum class Strategy : std::uint8_t {
     none,        ///< KIN_NONE: Newton's full step
-    line_search  ///< KIN_LINESEARCH: shortened until |F|^2 falls enough, by Goldstein and Armijo
+    line_search  ///< KIN_LINESEARCH: step shortened until |F|^2 decreases enough (Goldstein and Armijo)
   };
-  Strategy strategy = Strategy::line_search;  ///< which
-  /// Done when max |F_i| is no greater (KINSOL's own measure); positive.
+  Strategy strategy = Strategy::line_search;  ///< strategy
+  /// Converged if max |F_i| is at most this (KINSOL's own measure); positive.
   double tolerance = 1e-10;
-  /// Ends where steps are shorter, relative to x; positive. KINSOL's own default is 3.7e-11.
+  /// Least step relative to x; positive. KINSOL's default is 3.7e-11.
   double step_tolerance = 1e-15;
-  std::int64_t iterations = 200;  ///< at most so many; at least 1
+  std::int64_t iterations = 200;  ///< limit of the number of iterations; at least 1
 
   /// "kinsol" with a line search, else "kinsol-none".
   [[nodiscard]] std::string_view name() const {
@@ -31,12 +30,12 @@ struct Kinsol {
   }
 };
 
-/// Was the library found when this program was built?
+/// Does this build have KINSOL?
 [[nodiscard]] bool kinsol_available() noexcept;
 
-/// Solves by KINSOL. The observer sees every evaluation of F, trial points too, and so do `first`, `least`
-/// and `last`. Outcomes besides success: `not_converged` where the line search or the steps end above the
-/// tolerance, as in a minimum of |F| that is no root; `singular_matrix`; `non_finite`; `step_limit`;
+/// Solves by KINSOL. The observer and `first`, `least` and `last` include every evaluation of F, also at
+/// trial points. Outcomes besides success: `not_converged` if the line search or the steps end above the
+/// tolerance, as at a minimum of |F| that is no root; `singular_matrix`; `non_finite`; `step_limit`;
 /// `interrupted`.
 /// @throws std::logic_error if the build has no KINSOL or the equations have no matrix
 /// @throws std::invalid_argument if an option is out of range or x has another size than the equations

@@ -15,7 +15,8 @@ using Eigen::VectorXd;
 using Ipopt::Index;
 using Ipopt::Number;
 
-/// The program: variables x_0, u_0, x_1, u_1, ..., x_M, u_M; constraints x_{k+1} - x_k - h/2 (g_k + g_{k+1}).
+/// The nonlinear program: variables x_0, u_0, x_1, u_1, ..., x_M, u_M; constraints x_{k+1} - x_k - h/2 (g_k +
+/// g_{k+1}).
 class Program final : public Ipopt::TNLP {
  public:
   Program(const bvp::ExtremalProblem& problem, const bvp::ControlGuess& guess, int pieces)
@@ -33,8 +34,8 @@ class Program final : public Ipopt::TNLP {
 
   MatrixXd z;                                         ///< result: states and controls, one node a column
   MatrixXd y;                                         ///< result: multipliers, one interval a column
-  double cost = 0;                                    ///< result
-  Ipopt::SolverReturn ended = Ipopt::INTERNAL_ERROR;  ///< as Ipopt says
+  double cost = 0;                                    ///< result: cost
+  Ipopt::SolverReturn ended = Ipopt::INTERNAL_ERROR;  ///< return code of Ipopt
 
   [[nodiscard]] const MatrixXd& start() const { return start_; }
 
@@ -48,7 +49,7 @@ class Program final : public Ipopt::TNLP {
   }
 
   bool get_bounds_info(Index n, Number* low, Number* high, Index m, Number* g_low, Number* g_high) override {
-    constexpr double infinite = 2e19;  // beyond what Ipopt takes for infinite
+    constexpr double infinite = 2e19;  // exceeds Ipopt's threshold of infinity
     std::fill(low, low + n, -infinite);
     std::fill(high, high + n, infinite);
     std::fill(g_low, g_low + m, 0.0);
@@ -210,7 +211,7 @@ class Program final : public Ipopt::TNLP {
     return both;
   }
 
-  /// Second derivatives of the Lagrangian by the variables of one node.
+  /// Second derivatives of the Lagrangian with respect to the variables of one node.
   MatrixXd node_hessian(const Number* x, int k, double factor, const Number* lambda) const {
     const Eigen::Map<const MatrixXd> at(x, block(), m_ + 1), multipliers(lambda, n_, m_);
     VectorXd nu = VectorXd::Zero(n_);
@@ -236,7 +237,7 @@ class Program final : public Ipopt::TNLP {
       model_.dynamics(time(k), x, u, task_.mu, g);
       model_.dynamics(time(k) + h_ / 2, x + h_ / 2 * g, u, task_.mu, half);
       x += h_ * half;
-      if (!x.allFinite() || x.norm() > 1e6) x.setZero();  // any finite start will do
+      if (!x.allFinite() || x.norm() > 1e6) x.setZero();  // any finite initial guess suffices
     }
   }
 
@@ -297,7 +298,7 @@ bvp::DirectResult ipopt_start(const bvp::ExtremalProblem& problem, const bvp::Co
   MatrixXd table(2 * n, m + 1);
   table.topRows(n) = program->z.topRows(n);
   for (int k = 1; k < m; ++k) table.col(k).tail(n) = -(program->y.col(k - 1) + program->y.col(k)) / 2;
-  // At the ends by the line through the two next to them.
+  // At the ends: linear extrapolation from the two nearest intervals.
   table.col(0).tail(n) = -(3 * program->y.col(0) - program->y.col(1)) / 2;
   table.col(m).tail(n) = -(3 * program->y.col(m - 1) - program->y.col(m - 2)) / 2;
   const double t0 = problem.task().begin_time, h = (problem.task().final_time - t0) / m;

@@ -1,5 +1,5 @@
 /// @file
-/// GeographicLib's reverse transformation behind our interface, if this build has it.
+/// GeographicLib's reverse transformation as a peer; optional.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace nlmech::peers::geodesy {
 
-/// Was the library found when this program was built?
+/// Does this build have GeographicLib?
 [[nodiscard]] bool geographiclib_available() noexcept;
 
 /// GeographicLib::Geocentric::Reverse (C. F. F. Karney, Geodesics on an ellipsoid of revolution, 2011,
@@ -18,7 +18,8 @@ namespace nlmech::peers::geodesy {
 [[nodiscard]] nlmech::geodesy::Geodetic geographiclib_reverse(const nlmech::geodesy::Ellipsoid& ellipsoid,
                                                               const nlmech::geodesy::Cartesian& point);
 
-/// The same over columns, in degrees as the library gives them: nothing is added to its own time.
+/// Transforms columns of points. Angles are in degrees as returned by the library, so that no conversion adds
+/// to its time.
 /// @throws std::logic_error if the build has no GeographicLib
 void geographiclib_reverse_degrees(const nlmech::geodesy::Ellipsoid& ellipsoid, std::span<const double> x,
                                    std::span<const double> y, std::span<const double> z,

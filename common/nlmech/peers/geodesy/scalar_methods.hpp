@@ -1,11 +1,11 @@
 /// @file
-/// Published methods for the reverse geodetic transformation, each as its paper gives it, to be set beside
-/// ours.
+/// Published methods for the reverse geodetic transformation, each as in its paper, for comparison with
+/// nlmech methods.
 ///
-/// All are function objects of an ellipsoid that take a Cartesian point to latitude, longitude and height.
-/// They hold for oblate ellipsoids and outside the region around the centre that each one's paper excludes.
-/// Heights of the iterative methods come from Bowring's projection (1985), which is the most accurate of the
-/// formulas in use.
+/// All are function objects of an ellipsoid that convert a Cartesian point to latitude, longitude and height.
+/// They are valid for oblate ellipsoids outside the region around the centre that each paper excludes.
+/// Heights of the iterative methods use Bowring's projection (1985), the most accurate of the formulas in
+/// use.
 #pragma once
 
 #include <cmath>
@@ -19,9 +19,9 @@ using nlmech::geodesy::Cartesian;
 using nlmech::geodesy::Ellipsoid;
 using nlmech::geodesy::Geodetic;
 
-/// What every method needs of the ellipsoid.
+/// Constants of the ellipsoid for all methods.
 struct EllipsoidConstants {
-  /// All of them.
+  /// Computes all constants.
   explicit EllipsoidConstants(const Ellipsoid& e)
       : a(e.a()), b(e.b()), e2(e.e2()), e4(e2 * e2), one_minus_e2(1 - e2), second_e2(e2 / (1 - e2)) {}
   double a;             ///< equatorial radius, m
@@ -32,7 +32,7 @@ struct EllipsoidConstants {
   double second_e2;     ///< second eccentricity squared, e2/(1 - e2)
 };
 
-/// From S : C = sin phi : cos phi to the position, phi in the first quadrant.
+/// Position from S : C = sin phi : cos phi, phi in the first quadrant.
 /// h = r cos phi + |z| sin phi - a sqrt(1 - e^2 sin^2 phi) (Bowring 1985).
 inline Geodetic position(double S, double C, double r, const Cartesian& p, const EllipsoidConstants& k) {
   const double H2 = C * C + S * S, inverse = 1 / std::sqrt(H2);
@@ -61,7 +61,7 @@ Geodetic bowring(double sin_beta, double cos_beta, double r, const Cartesian& p,
 template <int iterations>
 class Bowring1976 {
  public:
-  /// Prepares what depends on the ellipsoid alone.
+  /// Computes the constants of the ellipsoid.
   explicit Bowring1976(const Ellipsoid& e) : k_(e) {}
   /// The position in radians and metres.
   Geodetic operator()(const Cartesian& p) const {
@@ -78,7 +78,7 @@ class Bowring1976 {
 template <int iterations>
 class Bowring1985 {
  public:
-  /// Prepares what depends on the ellipsoid alone.
+  /// Computes the constants of the ellipsoid.
   explicit Bowring1985(const Ellipsoid& e) : k_(e) {}
   /// The position in radians and metres.
   Geodetic operator()(const Cartesian& p) const {
@@ -91,12 +91,11 @@ class Bowring1985 {
 };
 
 /// T. Fukushima, Transformation from Cartesian to geodetic coordinates accelerated by Halley's method,
-/// Journal of Geodesy 79 (2006) 689-693. S and C vanish together on the axis, which is therefore a case of
-/// its own.
+/// Journal of Geodesy 79 (2006) 689-693. The axis is a special case, because S and C vanish together there.
 template <int iterations>
 class Fukushima2006 {
  public:
-  /// Prepares what depends on the ellipsoid alone.
+  /// Computes the constants of the ellipsoid.
   explicit Fukushima2006(const Ellipsoid& e) : k_(e), b_over_a_(std::sqrt(k_.one_minus_e2)) {}
   /// The position in radians and metres.
   Geodetic operator()(const Cartesian& p) const {
@@ -125,7 +124,7 @@ class Fukushima2006 {
 /// Geodesy 76 (2002) 451-454. Outside the evolute only.
 class Vermeille2002 {
  public:
-  /// Prepares what depends on the ellipsoid alone.
+  /// Computes the constants of the ellipsoid.
   explicit Vermeille2002(const Ellipsoid& e) : k_(e) {}
   /// The position in radians and metres.
   Geodetic operator()(const Cartesian& c) const {
@@ -147,7 +146,7 @@ class Vermeille2002 {
 /// 85 (2011) 105-117. Everywhere, the inside of the evolute and the disc included.
 class Vermeille2011 {
  public:
-  /// Prepares what depends on the ellipsoid alone.
+  /// Computes the constants of the ellipsoid.
   explicit Vermeille2011(const Ellipsoid& e) : k_(e) {}
   /// The position in radians and metres.
   Geodetic operator()(const Cartesian& c) const {
@@ -183,7 +182,7 @@ class Vermeille2011 {
 /// on Aerospace and Electronic Systems 32 (1996) 473-476. At least 100 km from the centre.
 class Olson1996 {
  public:
-  /// Prepares what depends on the ellipsoid alone.
+  /// Computes the constants of the ellipsoid.
   explicit Olson1996(const Ellipsoid& e)
       : k_(e), a1_(k_.a * k_.e2), a2_(a1_ * a1_), a3_(a1_ * k_.e2 / 2), a4_(2.5 * a2_), a5_(a1_ + a3_) {}
   /// The position in radians and metres.
@@ -219,7 +218,7 @@ class Olson1996 {
 /// Aerospace and Electronic Systems 30 (1994) 957-961. Outside the evolute only.
 class Heikkinen1982 {
  public:
-  /// Prepares what depends on the ellipsoid alone.
+  /// Computes the constants of the ellipsoid.
   explicit Heikkinen1982(const Ellipsoid& e) : k_(e) {}
   /// The position in radians and metres.
   Geodetic operator()(const Cartesian& p) const {
@@ -245,7 +244,7 @@ class Heikkinen1982 {
 template <int iterations>
 class LinWang1995 {
  public:
-  /// Prepares what depends on the ellipsoid alone.
+  /// Computes the constants of the ellipsoid.
   explicit LinWang1995(const Ellipsoid& e) : k_(e) {}
   /// The position in radians and metres.
   Geodetic operator()(const Cartesian& c) const {

@@ -1,8 +1,8 @@
 /// @file
-/// The peers that vectorise, written with the lanes and the arctangent of our own kernel, so that a
-/// comparison measures the methods and nothing else. Each is in the form that is best for vectors:
-/// homogeneous in the sine and cosine of the angle that is iterated, hence without a division until the last
-/// one, and without a special case at the poles where the method allows it. Lengths are in units of a.
+/// Vectorised peers, with the SIMD lanes and the arctangent of the nlmech kernel, so that a comparison
+/// measures only the methods. Each is homogeneous in the sine and cosine of the iterated angle, and hence has
+/// no division before the last one and, if the method permits, no special case at the poles. Lengths are in
+/// units of a.
 #pragma once
 
 #include "nlmech/geodesy/kernels/reverse_kernel.hpp"
@@ -23,7 +23,7 @@ template <class V>
   return {square_root(r2) * unit, magnitude(z) * unit, r2, z * z};
 }
 
-/// From S : C = sin phi : cos phi to height: h = (r C + z S - W)/H, W^2 = C^2 + (1 - e^2) S^2, H^2 = C^2 +
+/// Height from S : C = sin phi : cos phi: h = (r C + z S - W)/H, W^2 = C^2 + (1 - e^2) S^2, H^2 = C^2 +
 /// S^2 (Bowring 1985).
 template <class V>
 [[gnu::always_inline]] inline Meridian<V> finish(V S, V C, const Projected<V>& p, const UnitEllipsoid& k) {
@@ -42,7 +42,7 @@ template <class V>
   s = S;
 }
 
-/// Bowring's iteration from a start s : c.
+/// Bowring's iteration from an initial s : c.
 template <int iterations, class V>
 [[gnu::always_inline]] inline Meridian<V> bowring(V s, V c, const Projected<V>& p, const UnitEllipsoid& k) {
   bowring_step(s, c, p, k);
@@ -115,7 +115,7 @@ void simd_batch(const UnitEllipsoid& k, const SimdArrays& p) noexcept {
   }
 }
 
-/// In the order of SimdMethod.
+/// Table of the methods in the order of SimdMethod.
 template <class V>
 inline constexpr SimdTable simd_table = {
     simd_batch<TwoArctangents, V>,      simd_batch<SimdBowring1976<1>, V>,

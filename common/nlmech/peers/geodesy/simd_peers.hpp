@@ -1,5 +1,5 @@
 /// @file
-/// Batches of the peers that vectorise, for every instruction set that our own kernel has.
+/// Batches of the vectorised peers, for every instruction set of the nlmech kernel.
 #pragma once
 
 #include <array>
@@ -12,8 +12,8 @@
 
 namespace nlmech::peers::geodesy {
 
-/// `two_arctangents` is no method but the floor of all: load, the two arctangents that every method needs,
-/// store.
+/// Vectorised methods. `two_arctangents` is a lower limit of the cost of all methods: load, the two
+/// arctangents that every method needs, store.
 enum class SimdMethod {
   two_arctangents,
   bowring1976_1,
@@ -23,10 +23,10 @@ enum class SimdMethod {
   fukushima2006_1,
   fukushima2006_2
 };
-/// How many there are.
+/// Number of methods.
 inline constexpr std::size_t simd_method_count = 7;
 
-/// In words: "Bowring 1976, 2 iterations".
+/// Name of a method: "Bowring 1976, 2 iterations".
 [[nodiscard]] std::string_view to_string(SimdMethod method) noexcept;
 
 /// Columns of points and of results.
@@ -54,7 +54,7 @@ using SimdBatch = void (*)(const UnitEllipsoid&, const SimdArrays&) noexcept;
 /// All methods of one instruction set, in the order of SimdMethod.
 using SimdTable = std::array<SimdBatch, simd_method_count>;
 
-/// For each instruction set that the library is built with.
+/// Tables for each instruction set of the build.
 /// @{
 extern const SimdTable baseline_peers;
 extern const SimdTable avx2_peers;

@@ -11,22 +11,22 @@
 namespace nlmech::peers {
 namespace {
 
-/// Was the step so short that rounding of t changed its length? Then the state and its time have parted:
-/// libraries go on all the same, and arrive somewhere else. The last step of a segment may be as short as the
-/// way that was left, but it may not be called longer than it was.
+/// Did rounding of t change the size of a very short step? Then the state no longer belongs to its time, but
+/// libraries continue and return a wrong result. The last step of a segment may be as short as the remaining
+/// interval, but this must not exceed the reported step size by more than an eighth.
 bool is_lost_in_rounding(double t, const Attempt& attempt, double end) {
   const double length = std::abs(attempt.step);
   if (attempt.t == end) return std::abs(end - t) > 1.125 * length;
   return length < 16 * ivp::spacing(t);
 }
 
-/// The walk over one smooth segment, to @p end.
+/// Integrates one smooth segment to @p end.
 Status walk_segment(std::string_view method, PeerStepper& stepper, Run& run, double end,
                     const Stopwatch& watch, std::vector<double>& next) {
   const int size = run.equations.size();
   Statistics& done = run.statistics;
-  // Steps that halve their way towards a place where f is not finite end because they become too short. The
-  // place is the reason: the latest of these steps met it.
+  // Near a time where f is not finite, steps are halved until they underflow. Hence a recent NaN or infinity
+  // is reported as the reason of an underflow.
   std::int64_t last_non_finite = -1;
   const auto is_recent = [&] { return last_non_finite >= 0 && done.steps - last_non_finite <= 100; };
   if (Status status = stepper.begin(run.t, run.x, end); !status.ok()) return status;
@@ -87,7 +87,7 @@ double initial_step(double t, const double* x, const double* f, int size, double
     rate = std::max(rate, std::abs(f[i]) / scale);
   }
   double length = state < 1e-5 || rate < 1e-5 ? 1e-6 : 0.01 * (state / rate);
-  // A step must move t; how short it may become after that is for the library to find out.
+  // The initial step must advance t; the library limits the later ones.
   length = std::max(length, 16 * ivp::spacing(t));
   return std::copysign(std::min(length, std::abs(end - t)), end - t);
 }

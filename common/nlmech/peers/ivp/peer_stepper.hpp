@@ -1,6 +1,6 @@
 /// @file
-/// The common walk of all peers: a library makes the steps, and everything that it could do wrong in silence
-/// is watched here.
+/// Common integration loop of all peers: the library takes the steps, and the loop checks for silent
+/// failures.
 #pragma once
 
 #include <Eigen/Core>
@@ -19,20 +19,20 @@
 
 namespace nlmech::peers {
 
-/// Is there no NaN and no infinity among the @p size numbers at @p x?
+/// Are the @p size numbers at @p x finite?
 [[nodiscard]] inline bool all_finite(const double* x, int size) {
   bool finite = true;
   for (int i = 0; i < size; ++i) finite = finite && std::isfinite(x[i]);
   return finite;
 }
 
-/// dx/dt = f(t, x) on arrays. Every evaluation is counted here, so that the numbers of all peers mean the
-/// same. f is asked for within the segment that enter() names, at its later end one double before: libraries
-/// evaluate at the end of a step, some of them a rounding error beyond it, and a step that ends on a jump
-/// must not see its other side.
+/// dx/dt = f(t, x) on arrays. Evaluations are counted here, so that the counts of all peers are comparable. f
+/// is evaluated only within the segment of enter(), at its later end one double earlier: libraries evaluate
+/// at the end of a step or a rounding error beyond it, and a step that ends at a jump must not use the other
+/// side.
 class Equations {
  public:
-  /// Of @p size components.
+  /// @param size number of components
   explicit Equations(int size) : size_(size) {}
   Equations(const Equations&) = delete;
   Equations& operator=(const Equations&) = delete;
@@ -44,25 +44,26 @@ class Equations {
   virtual void rhs(double t, const double* x, double* f) = 0;
   /// df/dx into @p j, by columns.
   virtual void jacobian(double t, const double* x, double* j) = 0;
-  /// df/dt at fixed x into @p dfdt: exact to rounding by dual numbers. For a problem that is written for
-  /// double alone it is a difference over twice 6e-6 max(1, |t|), within the segment: central, of an error of
-  /// some 1e-10, but one-sided, some 1e-6, near the ends. Its two evaluations of f count.
+  /// df/dt at fixed x into @p dfdt, exact to rounding by dual numbers. For a problem written for double alone
+  /// it is a difference over twice 6e-6 max(1, |t|) within the segment: central with an error of about 1e-10,
+  /// one-sided near the ends with about 1e-6. Its two evaluations of f count.
   virtual void time_derivative(double t, const double* x, double* dfdt) = 0;
-  /// Times strictly between @p t0 and @p t1, in the direction of travel, at which f or a derivative jumps.
+  /// Times strictly between @p t0 and @p t1, in the direction of integration, at which f or a derivative
+  /// jumps.
   [[nodiscard]] virtual std::vector<double> discontinuities(double t0, double t1) const = 0;
 
-  /// From now on f is asked for between @p begin and @p end alone, in either order.
+  /// Restricts evaluations of f to times between @p begin and @p end, in either order.
   void enter(double begin, double end) {
     earliest_ = std::min(begin, end);
     segment_ = ivp::SmoothSegment(begin, end);
   }
-  /// Is a state or slope finite? Remembers if it is not.
+  /// Is a state or slope finite? Records if it is not.
   [[nodiscard]] bool check(const double* x) {
     const bool finite = all_finite(x, size_);
     if (!finite) met_non_finite_ = true;
     return finite;
   }
-  /// Did check() meet a NaN or an infinity since this was asked last?
+  /// Did check() find a NaN or an infinity since the last call?
   [[nodiscard]] bool met_non_finite() { return std::exchange(met_non_finite_, false); }
   /// Evaluations of f so far.
   [[nodiscard]] std::int64_t right_hand_sides() const { return right_hand_sides_; }
@@ -71,7 +72,7 @@ class Equations {
 
  protected:
   friend class Uncounted;
-  /// The time within the segment that stands for @p t.
+  /// @p t limited to the segment.
   [[nodiscard]] double inside(double t) const { return segment_(std::max(t, earliest_)); }
   std::int64_t right_hand_sides_ = 0;  ///< counted by rhs()
   std::int64_t jacobians_ = 0;         ///< counted by jacobian()
@@ -83,16 +84,16 @@ class Equations {
   ivp::SmoothSegment segment_;
 };
 
-/// While one lives, evaluations do not count: those of dense output, which an integration without an observer
-/// would not make.
+/// Scope without counting of evaluations, for dense output, which an integration without an observer does not
+/// need.
 class Uncounted {
  public:
-  /// Notes the counts.
+  /// Stores the counts.
   explicit Uncounted(Equations& equations)
       : equations_(equations),
         right_hand_sides_(equations.right_hand_sides_),
         jacobians_(equations.jacobians_) {}
-  /// Sets them back.
+  /// Restores the counts.
   ~Uncounted() {
     equations_.right_hand_sides_ = right_hand_sides_;
     equations_.jacobians_ = jacobians_;
@@ -105,14 +106,13 @@ class Uncounted {
   std::int64_t right_hand_sides_, jacobians_;
 };
 
-/// The equations of a System, or of a Direct. Final, so that code that knows the type calls without
-/// indirection.
+/// Equations of a System or a Direct. Final, so that calls with the static type need no indirection.
 template <ivp::SystemLike S>
 class EquationsOf final : public Equations {
  public:
-  using State = typename S::State;  ///< of the system
+  using State = typename S::State;  ///< state of the system
 
-  /// @param system outlives this object
+  /// @param system must outlive this object
   explicit EquationsOf(const S& system)
       : Equations(system.size()),
         system_(system),
@@ -120,7 +120,7 @@ class EquationsOf final : public Equations {
         f_(system.size()),
         j_(system.size(), system.size()) {}
 
-  /// f(t, x) without a copy, for libraries that take the state's own type.
+  /// f(t, x) without a copy, for libraries that use the type of the state.
   void rhs(double t, const State& x, State& f) {
     ++right_hand_sides_;
     system_.rhs(inside(t), x, f);
@@ -157,10 +157,11 @@ class EquationsOf final : public Equations {
   typename S::Jacobian j_;
 };
 
-/// Carries an exception past a C library: kept in the callback, thrown again once the library has returned.
+/// Carries an exception through a C library: the callback stores it, and the caller rethrows it after the
+/// library has returned.
 class Rethrower {
  public:
-  /// Calls @p work; gives its result, or @p failure if it throws.
+  /// Calls @p work; returns its result, or @p failure if it throws.
   template <class Work>
   [[nodiscard]] int keep(int failure, Work&& work) noexcept {
     try {
@@ -170,7 +171,7 @@ class Rethrower {
       return failure;
     }
   }
-  /// Throws what was kept, if anything was.
+  /// Throws the stored exception, if there is one.
   void rethrow() {
     if (kept_) std::rethrow_exception(std::exchange(kept_, nullptr));
   }
@@ -179,21 +180,21 @@ class Rethrower {
   std::exception_ptr kept_;
 };
 
-/// What became of one try of a step.
+/// Result of a trial step.
 struct Attempt {
-  /// How a try ends.
+  /// Outcomes of a trial step.
   enum class Result {
-    accepted,  ///< the state has moved
-    rejected,  ///< a shorter step will be tried
+    accepted,  ///< the state has advanced
+    rejected,  ///< a shorter step follows
     failed     ///< the library gives up: see failure
   };
-  Result result = Result::accepted;  ///< how it ended
-  double t = 0;                      ///< accepted: time reached
-  double step = 0;                   ///< signed length that was tried
-  Status failure;                    ///< failed: why
+  Result result = Result::accepted;  ///< outcome
+  double t = 0;                      ///< time reached, if accepted
+  double step = 0;                   ///< signed step size of the trial
+  Status failure;                    ///< reason, if failed
 };
 
-/// One integrator of a library on one system.
+/// Integrator of a library for one system.
 class PeerStepper {
  public:
   PeerStepper() = default;
@@ -201,27 +202,27 @@ class PeerStepper {
   PeerStepper& operator=(const PeerStepper&) = delete;
   virtual ~PeerStepper() = default;
 
-  /// Starts at (t, x) without memory of earlier steps. Steps will not pass @p end and will meet it exactly.
+  /// Starts at (t, x) without information from earlier steps. Steps do not pass @p end and meet it exactly.
   [[nodiscard]] virtual Status begin(double t, const double* x, double end) = 0;
-  /// Tries a step from where the latest accepted one ended. Libraries that repeat rejected steps themselves
+  /// Tries a step from the end of the latest accepted one. Libraries that repeat rejected steps themselves
   /// add them to statistics.rejected.
   [[nodiscard]] virtual Attempt attempt(double* x, Statistics& statistics) = 0;
-  /// State at @p t within the latest accepted step; what cannot be computed is a failure of dense_output().
+  /// State at @p t within the latest accepted step; a failure is recorded in dense_output().
   virtual void at(double t, double* x) = 0;
-  /// Did at() compute every state that it was asked for?
+  /// Status of all calls of at().
   [[nodiscard]] const Status& dense_output() const { return dense_output_; }
   /// Adds the library's counters of the work since begin().
   virtual void add_counters(Statistics& statistics) const = 0;
 
  protected:
-  /// Notes that at() did not compute the state at @p t within the step from @p t0 to @p t1.
+  /// Records that at() failed at @p t within the step from @p t0 to @p t1.
   void miss(std::string_view method, double t, double t0, double t1);
 
  private:
   Status dense_output_;
 };
 
-/// What an observer of a peer sees.
+/// Observer of the steps of a peer on arrays.
 class ArrayObserver {
  public:
   ArrayObserver() = default;
@@ -233,38 +234,39 @@ class ArrayObserver {
                     PeerStepper& stepper) = 0;
 };
 
-/// One integration by a peer: what is asked, and what has been reached.
+/// One integration by a peer: its input and its current state.
 struct Run {
   Equations& equations;       ///< dx/dt = f(t, x)
-  double t;                   ///< begin; then the time reached
-  double t1;                  ///< end, another time than the start
+  double t;                   ///< start, then the time reached
+  double t1;                  ///< end, different from the start
   double* x;                  ///< state at t
-  const ivp::Limits& limits;  ///< bounds on the work
+  const ivp::Limits& limits;  ///< limits of the work
   ArrayObserver* observer;    ///< may be null
-  Statistics statistics;      ///< what it cost; seconds are not filled
+  Statistics statistics;      ///< cost without seconds
 };
 
-/// Relative and absolute tolerance of one step's error, in the norm that the library uses.
+/// Tolerances of the error of one step, in the norm of the library.
 struct Tolerances {
-  double relative;  ///< of each component
-  double absolute;  ///< added to it
+  double relative;  ///< relative tolerance of each component
+  double absolute;  ///< absolute tolerance
 };
 
-/// @throws std::invalid_argument unless relative >= 0 and absolute > 0, both finite
+/// Checks tolerances. @throws std::invalid_argument unless relative >= 0 and absolute > 0, both finite
 void require_tolerances(std::string_view method, const Tolerances& tolerances);
 
-/// A first step for libraries that ask for one: a hundredth of the time in which the state would change by
-/// itself (E. Hairer, S. P. Norsett, G. Wanner, Solving Ordinary Differential Equations I, 1993, II.4), at
-/// most the way to @p end. Signed. @param f f(t, x)
+/// Signed initial step size for libraries that need one: a hundredth of the time in which the state changes
+/// by its own size (E. Hairer, S. P. Norsett, G. Wanner, Solving Ordinary Differential Equations I, 1993,
+/// II.4), at most up to
+/// @p end. @param f f(t, x)
 [[nodiscard]] double initial_step(double t, const double* x, const double* f, int size, double end,
                                   const Tolerances& tolerances);
 
-/// Failure: f has a NaN or an infinity within the step of the length @p step from @p t.
+/// Failure status for a NaN or infinity of f within the step of size @p step from @p t.
 [[nodiscard]] Status non_finite_rhs(std::string_view method, double t, double step);
 
-/// Walks from run.t to run.t1: restarts at discontinuities, ends exactly, calls the observer, keeps the
-/// limits. Any state that is not finite, any step that does not move the time ends the walk with the status
-/// that says so; run keeps the last good step.
+/// Integrates from run.t to run.t1: restarts at discontinuities, ends exactly at run.t1, calls the observer
+/// and checks the limits. A state that is not finite or a step that does not advance the time ends the
+/// integration with a failure; run keeps the last valid step.
 [[nodiscard]] Status walk(std::string_view method, PeerStepper& stepper, Run& run);
 
 }  // namespace nlmech::peers

@@ -15,7 +15,7 @@
 namespace nlmech::peers {
 namespace {
 
-/// A peer by one of its formulas.
+/// Registry entry of one formula of a library.
 template <class Method, typename Method::Formula formula>
 ivp::MethodInfo row(std::string_view library, ivp::Family family, bool (*is_built)() noexcept,
                     bool estimate_misses_time = false) {

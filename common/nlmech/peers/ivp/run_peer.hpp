@@ -1,5 +1,5 @@
 /// @file
-/// From a task on a system to a run on arrays, and back to a solution.
+/// Conversion of an initial value problem to a run on arrays, and of its result to a solution.
 #pragma once
 
 #include <algorithm>
@@ -11,11 +11,11 @@
 
 namespace nlmech::peers {
 
-/// Shows the steps of a peer to an observer of states.
+/// Passes the steps of a peer to an observer of states.
 template <ivp::SystemLike S>
 class StateObserver final : public ArrayObserver {
  public:
-  /// @param observer outlives this object; may be empty, then step() must not be called
+  /// @param observer must outlive this object; if it is empty, step() must not be called
   StateObserver(const ivp::ObserverOf<S>& observer, int size)
       : observer_(observer), x0_(size), x1_(size), states_(size, 1) {}
 
@@ -50,7 +50,7 @@ class StateObserver final : public ArrayObserver {
   std::array<double, 1> times_{};
 };
 
-/// Lets @p integrate, a callable `Status(EquationsOf<S>&, Run&)`, solve the problem.
+/// Solves the problem by @p integrate, a callable `Status(EquationsOf<S>&, Run&)`.
 template <ivp::SystemLike S, class Integrate>
 [[nodiscard]] ivp::SolutionOf<S> run_peer(const ivp::InitialValueProblemOf<S>& problem,
                                           Integrate&& integrate) {
@@ -66,13 +66,13 @@ template <ivp::SystemLike S, class Integrate>
   return solution;
 }
 
-/// A method that a library runs on arrays.
+/// A method of a library that works on arrays.
 template <class Method>
 concept RunsOnArrays = requires(Run& run, const Method& method) {
   { integrate_by(run, method) } -> std::same_as<Status>;
 };
 
-/// Such a method as one of integrate().
+/// Makes such a method available to integrate().
 template <RunsOnArrays Method>
 [[nodiscard]] ivp::Solution run(const ivp::InitialValueProblem& problem, const Method& method) {
   return run_peer(problem, [&](auto& /*equations*/, Run& run) { return integrate_by(run, method); });

@@ -18,7 +18,7 @@
 namespace nlmech::scene {
 namespace {
 
-/// A line longer than this is none of a table.
+/// Greatest length of a line; a longer one cannot belong to a table.
 constexpr std::size_t longest_line = std::size_t{1} << 20U;
 
 std::vector<std::string> joined(std::vector<std::string> first, const std::vector<std::string>& second) {
@@ -128,7 +128,7 @@ CatalogueRows Catalogue::next(const Portion& portion) {
 
 void print_catalogue(Catalogue& catalogue, const CatalogueOutput& output) {
   const std::string of = catalogue.rows() ? fmt::format(" of {}", *catalogue.rows()) : std::string();
-  // The header waits for the first rows: if they turn out to be a mistake, nothing was printed.
+  // The header is printed with the first rows, so that nothing is printed if they contain a mistake.
   std::string header = output.header + '\n';
   for (;;) {
     const CatalogueRows rows = catalogue.next(output.portion);

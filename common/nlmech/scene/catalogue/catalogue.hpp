@@ -1,6 +1,6 @@
 /// @file
-/// A catalogue: CSV with a header and a task a row, read some rows at a time, so that memory does not grow
-/// with the file. Every complaint names file, line, column and value.
+/// Catalogues: CSV with a header and one task per row, read in portions, so that memory does not grow with
+/// the file. Every error message names file, line, column and value.
 #pragma once
 
 #include <cstddef>
@@ -17,53 +17,54 @@
 
 namespace nlmech::scene {
 
-/// Some consecutive rows.
+/// Some consecutive rows of a catalogue.
 struct CatalogueRows {
-  std::int64_t first = 1;         ///< number of the first one, from 1
-  std::vector<std::size_t> line;  ///< of the file, from 1, by row
+  std::int64_t first = 1;         ///< number of the first row, from 1
+  std::vector<std::size_t> line;  ///< line of each row in the file, from 1
   std::vector<std::vector<double>>
-      numbers;                    ///< by row, then as the columns are known; NaN without the column
-  std::vector<std::string> rest;  ///< by row: the other cells as they stand, a comma before each
+      numbers;                    ///< numbers by row, then by known column; NaN for missing columns
+  std::vector<std::string> rest;  ///< other cells of each row, unchanged, each after a comma
 };
 
-/// What is wrong with the numbers of a row, as "x,y,z = 0,0,0: is the centre"; empty if nothing is.
+/// Error message for the numbers of a row, as "x,y,z = 0,0,0: is the centre"; empty for a valid row.
 using RowCheck = std::function<std::string(const std::vector<double>& numbers)>;
 
-/// What a row counts for in a portion, as the lines that its output has.
+/// Weight of a row in a portion, for example its number of output lines.
 using RowWeight = std::function<double(const std::vector<double>& numbers)>;
 
-/// How many rows at a time: until they weigh `weight` and are `rows`, or, being fewer, weigh `most`.
+/// Size of a portion: it ends when it has both `weight` and `rows`, or with fewer rows the weight `most`.
 struct Portion {
-  double weight = 1;     ///< that is enough, if there are rows enough
-  std::size_t rows = 1;  ///< that are enough, if they weigh enough
-  double most = 0;       ///< weight that is enough whatever the rows
+  double weight = 1;     ///< least weight
+  std::size_t rows = 1;  ///< least number of rows
+  double most = 0;       ///< weight that suffices for any number of rows
 };
 
-/// Reads one catalogue from its first row to its last, as CsvColumns reads lines.
+/// Reads one catalogue row by row by CsvColumns.
 ///
-/// A file is read twice. The first time it is only checked, so that a mistake in any row is reported before
-/// the work begins. Standard input is read once, and a mistake is reported when its row is reached.
+/// A file is read twice. The first pass only checks it, so that a mistake in any row is reported before the
+/// work begins. Standard input is read once, and a mistake is reported when its row is reached.
 class Catalogue {
  public:
-  /// @param path "-" is standard input
-  /// @param required columns that must be there  @param optional columns that may be
+  /// @param path file; "-" is standard input
+  /// @param required names of the required columns  @param optional names of the optional ones
+  /// @param check check of each row
   /// @throws InputError naming the file, and line, column and value
   Catalogue(std::string path, const std::vector<std::string>& required,
             const std::vector<std::string>& optional, RowCheck check, NameCase fits = NameCase::any);
 
-  /// Its columns, and the names of those that are handed on.
+  /// The columns, and the names of those passed through.
   [[nodiscard]] const CsvColumns& columns() const { return columns_; }
-  /// Is this one of its columns?
+  /// Does the catalogue have this column?
   [[nodiscard]] bool has(std::string_view column) const { return columns_.has(column); }
-  /// Its path, as messages give it.
+  /// The path for messages.
   [[nodiscard]] const std::string& name() const { return name_; }
-  /// How many rows it has; not known of standard input.
+  /// Number of rows; unknown for standard input.
   [[nodiscard]] std::optional<std::int64_t> rows() const { return rows_; }
 
-  /// Rows are counted by their weight from now on, not by their number.
+  /// Sets the weight of rows for next(); by default each row has the weight 1.
   void weigh_by(RowWeight weight) { weight_ = std::move(weight); }
-  /// The next rows, a portion or fewer; none at the end.
-  /// @throws InputError as above
+  /// The next portion of rows, the rest if there are fewer, none at the end.
+  /// @throws InputError as the constructor
   [[nodiscard]] CatalogueRows next(const Portion& portion);
 
  private:
@@ -91,27 +92,27 @@ class Catalogue {
   std::optional<std::int64_t> rows_;
 };
 
-/// The lines that are made of a catalogue.
+/// Output for a catalogue.
 struct CatalogueOutput {
-  std::string header;  ///< without the end of the line
-  Portion portion;     ///< rows at a time
-  /// The lines of some rows.
+  std::string header;  ///< header without the line end
+  Portion portion;     ///< size of the portions
+  /// Computes the output lines of some rows.
   std::function<std::string(const CatalogueRows&)> work;
 };
 
-/// Works on the rows of a catalogue in portions and prints the lines in the order of the rows, each portion
-/// as soon as it is done.
-/// @throws InputError as the catalogue does
+/// Processes the rows of a catalogue in portions and prints their lines in order, each portion when it is
+/// done.
+/// @throws InputError as Catalogue::next()
 void print_catalogue(Catalogue& catalogue, const CatalogueOutput& output);
 
-/// Rows that make @p lines lines or more and fill the lanes of all threads, but at most a quarter of a
-/// million lines a thread, because the lines of a portion are held in memory.
-/// @param threads 0: one a processor
+/// Portion of at least @p lines output lines that occupies the SIMD lanes of all threads, but of at most a
+/// quarter of a million lines per thread, because the lines of a portion are held in memory.
+/// @param threads number of threads; 0: one per processor
 [[nodiscard]] Portion portion_for(double lines, int threads);
 
-/// The lines of @p count tasks, made by several threads and joined in order. @p add appends those of one
-/// task.
-/// @param threads 0: one a processor
+/// Output lines of @p count tasks, computed by several threads and joined in order. @p add appends those of
+/// one task.
+/// @param threads number of threads; 0: one per processor
 [[nodiscard]] std::string lines_in_threads(
     std::size_t count, int threads, const std::function<void(std::size_t task, std::string& lines)>& add);
 

@@ -12,7 +12,7 @@
 namespace nlmech::scene {
 namespace {
 
-/// Neighbours that touch: they share their mean.
+/// Block of equal neighbours of the isotonic regression; its value is the mean.
 struct Pool {
   double sum;
   std::size_t count;
@@ -28,7 +28,8 @@ std::vector<double> spread(const std::vector<double>& wanted, double gap, double
   std::vector<std::size_t> order(n);
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::stable_sort(order, {}, [&](std::size_t i) { return wanted[i]; });
-  // Less the gaps below them, places must not fall: that is isotonic regression, by pooling what falls.
+  // Without the gaps below them, positions must not decrease: isotonic regression by pooling adjacent
+  // violators.
   std::vector<Pool> pools;
   for (std::size_t k = 0; k < n; ++k) {
     pools.push_back({wanted[order[k]] - gap * static_cast<double>(k), 1});
@@ -51,20 +52,20 @@ std::vector<double> spread(const std::vector<double>& wanted, double gap, double
 namespace {
 
 constexpr const char* small_font = "font sprintf(\"%s,%d\", font_family, font_size - 3)";
-constexpr double letter = 6.1;  // pixels, of the small font, on average
+constexpr double letter = 6.1;  // average width in pixels of the small font
 
 std::size_t letters(const std::string& text) {
-  const auto begins = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; };  // of UTF-8
+  const auto begins = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; };  // in UTF-8
   return static_cast<std::size_t>(std::ranges::count_if(text, begins));
 }
 
 constexpr std::size_t time_column = 5, work_column = 13;
 
-/// A problem over a column of the data, and where it stands, in pixels from the picture's upper left corner.
+/// Axes of a problem against a column of the data; positions in pixels from the upper left corner.
 struct Axes {
   std::size_t problem, column;
   std::string label;
-  bool named;  // at the ends of curves
+  bool named;  // are the curves named at their ends?
   double left, right, top, bottom;
 };
 
@@ -73,13 +74,13 @@ struct Layout {
   std::vector<Axes> axes;
 };
 
-/// Names to the right of the axes, who is fastest below them.
+/// Layout with names to the right of the axes and strips of the fastest methods below.
 Layout layout_of(const Diagram& d) {
   std::size_t longest = 0;
   for (const InColour& c : d.chosen)
     longest = std::max(longest, letters(d.problems.front().lines[c.line].method));
   const double names = 34 + letter * static_cast<double>(longest);
-  constexpr double strip = 150;  // and tics, label
+  constexpr double strip = 150;  // strips with tics and label
   if (d.problems.size() == 1) {
     const bool work = !d.what.work_label.empty();
     const double width = work ? 1000 : 820, bottom = work ? 400 : 420;
@@ -104,14 +105,14 @@ Layout layout_of(const Diagram& d) {
   return l;
 }
 
-/// A number of the data, whole or real; 0 if it is none.
+/// Number in a cell; 0 if there is none.
 double number_in(const Cell& cell) {
   const auto* real = std::get_if<double>(&cell);
   const auto* whole = std::get_if<std::int64_t>(&cell);
   return real != nullptr ? *real : whole != nullptr ? static_cast<double>(*whole) : 0;
 }
 
-/// Least and greatest of what is drawn for a problem, with some room.
+/// Range of a problem's drawn points in a column, with a margin.
 std::pair<double, double> range_of(const Table& table, std::size_t problem, std::size_t column) {
   double low = HUGE_VAL, high = 0;
   for (const auto& row : table.rows()) {
@@ -122,12 +123,12 @@ std::pair<double, double> range_of(const Table& table, std::size_t problem, std:
     high = std::max(high, x);
   }
   if (high == 0) return {0.1, 1};
-  if (high < 30 * low)  // two tics at least
+  if (high < 30 * low)  // whole decades, for at least two tics
     return {std::pow(10, std::floor(std::log10(low))), std::pow(10, std::ceil(std::log10(high)))};
   return {low / 1.8, high * 1.5};
 }
 
-/// The curves of a problem: grey ones, then those in colour, the most important last.
+/// Draws the curves of a problem: grey ones, then coloured ones with the most important last.
 void put_curves(const Diagram& d, const Axes& axes, Panel& panel) {
   const std::vector<MethodLine>& lines = d.problems[axes.problem].lines;
   bool empty = true;
@@ -141,7 +142,7 @@ void put_curves(const Diagram& d, const Axes& axes, Panel& panel) {
   };
   for (std::size_t i = 0; i < lines.size(); ++i) {
     if (d.colour_of(i) != nullptr) continue;
-    const bool alone = lines[i].attempts.size() == 1;  // a point, and no line that shows it
+    const bool alone = lines[i].attempts.size() == 1;  // a single point without a line
     put(i, fmt::format("linecolor rgb '#bdbdbd' linewidth 0.8 dashtype solid pointtype 7 pointsize {}",
                        alone ? 0.45 : 0.2));
   }
@@ -152,10 +153,10 @@ void put_curves(const Diagram& d, const Axes& axes, Panel& panel) {
                             method_looks[c.colour].colour, side == Side::peer ? 1.6 : 2.4,
                             side == Side::peer ? "6" : "solid", method_looks[c.colour].symbol));
   }
-  if (empty) panel.also("NaN notitle");  // the axes alone
+  if (empty) panel.also("NaN notitle");  // draws only the axes
 }
 
-/// Names beside the axes, each joined to the end of its curve.
+/// Draws the names to the right of the axes, each joined to the end of its curve.
 void put_names(const Diagram& d, const Axes& axes, Panel& panel) {
   const std::vector<MethodLine>& lines = d.problems[axes.problem].lines;
   std::vector<const InColour*> named;
@@ -182,7 +183,7 @@ void put_names(const Diagram& d, const Axes& axes, Panel& panel) {
   }
 }
 
-/// Who is fastest at how many digits, in rows below the axes.
+/// Draws the fastest method at each number of digits, in rows below the axes.
 void put_leads(const Diagram& d, const Axes& axes, const Layout& layout, Panel& panel) {
   const ProblemLines& problem = d.problems[axes.problem];
   const auto rankings = rankings_of(problem);
@@ -208,8 +209,8 @@ void put_leads(const Diagram& d, const Axes& axes, const Layout& layout, Panel& 
   }
 }
 
-/// How many digits one rounding of the data leaves, in words above the level's left end or, if a point is
-/// there, its right one.
+/// Draws the level of digits that one rounding of the data permits. Its text is above the left end or, if a
+/// point is there, above the right end.
 void put_rounding(const Diagram& d, const Axes& axes, double low, double high, Panel& panel) {
   const double level = -std::log10(d.what.rounding), end = low * std::pow(high / low, 0.4);
   const auto in_the_way = [&](const std::vector<Cell>& row) {
@@ -224,7 +225,7 @@ void put_rounding(const Diagram& d, const Axes& axes, double low, double high, P
       right ? 0.99 : 0.01, level, right ? "right" : "left", small_font));
 }
 
-/// Curves of no colour.
+/// Number of grey curves.
 std::size_t grey_of(const Diagram& d) {
   std::size_t count = 0;
   for (std::size_t i = 0; i < d.problems.front().lines.size(); ++i) {
@@ -234,7 +235,7 @@ std::size_t grey_of(const Diagram& d) {
   return count;
 }
 
-/// What the looks of curves and the level say.
+/// Legend of colours, line styles and the level.
 std::string explanation(const Diagram& d) {
   const auto has = [&](Side side) {
     return std::ranges::any_of(
@@ -271,7 +272,7 @@ Figure drawn(Diagram d) {
         .set("ytics 3");
     panel.place(axes.left / layout.width, axes.right / layout.width, 1 - axes.bottom / layout.height,
                 1 - axes.top / layout.height);
-    if (layout.axes.size() == 1) panel.set("title offset 0,-0.5");  // else it touches the edge
+    if (layout.axes.size() == 1) panel.set("title offset 0,-0.5");  // otherwise it touches the edge
     panel.caption(d.problems[axes.problem].problem);
     if (what.rounding > 0) put_rounding(d, axes, low, high, panel);
     if (what.least_time && over_time) panel.mark(what.least_time->first, what.least_time->second);

@@ -42,7 +42,7 @@ Front::Front(const MethodLine& line) {
     if (digits && a.time.median > 0 && std::isfinite(a.time.median))
       runs_.emplace_back(*digits, a.time.median);
   }
-  // From the most digits down, a run stays if it is cheaper than all that have more.
+  // In the order of decreasing digits a run stays if it is cheaper than all runs with more digits.
   std::ranges::sort(runs_, [](const auto& a, const auto& b) {
     return a.first != b.first ? a.first > b.first : a.second < b.second;
   });
@@ -54,7 +54,8 @@ Front::Front(const MethodLine& line) {
 }
 
 std::optional<double> Front::time(double digits) const {
-  constexpr double rounding = 1e-9;  // an error of 1e-9 has nine digits, whatever its logarithm is rounded to
+  constexpr double rounding =
+      1e-9;  // an error of 1e-9 counts as nine digits although its logarithm is rounded
   const auto above =
       std::ranges::find_if(runs_, [&](const auto& run) { return run.first >= digits - rounding; });
   if (above == runs_.end()) return {};
@@ -74,7 +75,7 @@ std::vector<Front> fronts_of(const ProblemLines& problem) {
   return fronts;
 }
 
-/// The line of least time among those allowed.
+/// The fastest line among the allowed ones.
 template <class Allowed>
 std::optional<std::pair<std::size_t, double>> fastest(const std::vector<Front>& fronts, double digits,
                                                       const Allowed& allowed) {
@@ -87,14 +88,14 @@ std::optional<std::pair<std::size_t, double>> fastest(const std::vector<Front>& 
   return found;
 }
 
-/// What lines come to on all problems together.
+/// Comparison of lines over all problems.
 class Standings {
  public:
   Standings(const std::vector<ProblemLines>& problems, double least) : problems_(problems), least_(least) {
     for (const ProblemLines& p : problems) fronts_.push_back(fronts_of(p));
   }
 
-  /// How often each of these lines is the fastest of them, at each whole number of digits.
+  /// Number of problems and whole numbers of digits at which each of these lines is the fastest of them.
   [[nodiscard]] std::map<std::size_t, int> wins(const Lines& of) const {
     std::map<std::size_t, int> wins;
     for (const auto& fronts : fronts_) {
@@ -107,7 +108,7 @@ class Standings {
     return wins;
   }
 
-  /// The best of these lines; nothing if none has a point.
+  /// The best of these lines, see foreground(); nothing if none has a point.
   [[nodiscard]] std::optional<std::size_t> best(const Lines& of) const {
     const auto won = wins(of);
     std::optional<std::size_t> best;
@@ -120,7 +121,7 @@ class Standings {
     return best;
   }
 
-  /// Has the line a point?
+  /// Does the line have a point?
   [[nodiscard]] bool drawn(std::size_t line) const {
     return std::ranges::any_of(problems_, [&](const auto& p) { return p.lines[line].best() != nullptr; });
   }
@@ -153,7 +154,7 @@ Lines lines_where(const std::vector<MethodLine>& lines,
   return found;
 }
 
-/// The lines, the most important ones first.
+/// The lines of foreground() in their order, without a limit of their number.
 Lines ranked(const std::vector<MethodGroup>& groups, const std::vector<ProblemLines>& problems,
              double least) {
   const std::vector<MethodLine>& lines = problems.front().lines;
@@ -179,7 +180,7 @@ Lines ranked(const std::vector<MethodGroup>& groups, const std::vector<ProblemLi
   const Lines all = lines_where(
       lines, [&](const auto& l) { return standings.drawn(static_cast<std::size_t>(&l - lines.data())); });
   if (all.size() > method_looks.size()) return chosen;
-  for (const std::size_t line : all) choose(line);  // few enough for no grey
+  for (const std::size_t line : all) choose(line);  // the colours suffice for all lines
   return chosen;
 }
 
@@ -240,7 +241,7 @@ std::vector<InColour> foreground(const std::vector<MethodGroup>& groups,
     taken[colour] = true;
     chosen.push_back({line, colour});
   };
-  // The colours of groups first: what has another one must not take them away.
+  // Groups get their colours first, so that other lines cannot take them.
   Lines best = ranked(groups, problems, least);
   best.resize(std::min(best.size(), method_looks.size()));
   for (const std::size_t line : best) {

@@ -18,15 +18,16 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Times on unknown machines, and what the sources leave out, need no measurement.
+/// Does a value need a measurement? Not times on unknown machines and values that the source leaves
+/// undetermined.
 bool needs_measurement(const PublishedValue& value) {
   return value.expected != Verdict::context && value.expected != Verdict::not_stated;
 }
 
-/// What a check of the chapter's scenes left behind: numbers measured beside what they show, and what failed.
+/// Results of a chapter's scenes: reproduced values of printed numbers, and the first failure.
 struct Measurements {
   std::map<std::string, Measured> by_name;
-  std::string failure;  ///< of the first scene that failed; empty if none did
+  std::string failure;  ///< message of the first failed scene; empty if none failed
 };
 
 Checked check_value(const PublishedValue& value, const Chapter& chapter, const Measurements& measured) {
@@ -65,7 +66,7 @@ bool ChapterCheck::passes() const {
 
 namespace {
 
-/// A scene that fails, or cannot be drawn, leaves one quantity that no number passes.
+/// Quantities of a scene; a scene that fails or cannot be drawn yields one quantity that never passes.
 std::vector<CheckedQuantity> check_scene(const Chapter& chapter, const Scene& scene, Results& results,
                                          const std::optional<Publishing>& how, Measurements& measured) {
   std::vector<CheckedQuantity> quantities;

@@ -1,6 +1,6 @@
 /// @file
-/// Published beside reproduced: a chapter's check. `scripts/tables` makes the pages over all sources of what
-/// it leaves.
+/// Check of a chapter: published against reproduced values. `scripts/tables` makes pages over all sources
+/// from its files.
 #pragma once
 
 #include <filesystem>
@@ -14,48 +14,47 @@
 
 namespace nlmech::scene {
 
-/// A published value with what we measured for it and the verdict.
+/// A published value with the reproduced one and the verdict.
 struct Checked {
-  PublishedValue value;  ///< as printed
-  std::string chapter;   ///< that owns it
-  Measured measured;     ///< ours
-  Judgement judgement;   ///< by the evidence
-  std::string failure;   ///< why nothing could be measured; empty otherwise
+  PublishedValue value;  ///< published value
+  std::string chapter;   ///< chapter that owns it
+  Measured measured;     ///< reproduced values
+  Judgement judgement;   ///< verdict by the evidence
+  std::string failure;   ///< reason of a failed run; empty otherwise
 };
 
 /// A quantity of a scene.
 struct CheckedQuantity {
-  std::string scene;  ///< its name
-  Quantity quantity;  ///< with its range
+  std::string scene;  ///< name of the scene
+  Quantity quantity;  ///< quantity with its range
 };
 
-/// All that is checked of a chapter.
+/// Result of the check of a chapter.
 struct ChapterCheck {
-  std::vector<Checked> values;              ///< in the order of the files
-  std::vector<CheckedQuantity> quantities;  ///< in the order of the scenes
-  /// Do all of them pass?
+  std::vector<Checked> values;              ///< published values in the order of the files
+  std::vector<CheckedQuantity> quantities;  ///< quantities in the order of the scenes
+  /// Do all values and quantities pass?
   [[nodiscard]] bool passes() const;
 };
 
-/// Measures every published value that belongs to the chapter and every quantity of its scenes. A run that
-/// ends in a Failure costs its own values and scenes and no others: they fail, with the sentence
-/// of the failure.
-/// @param how where every scene is put on disk as well, computed once for both; nothing: nowhere
+/// Computes and checks every published value of the chapter and every quantity of its scenes. After a Failure
+/// of a run only the values and scenes that need it fail, with its message.
+/// @param how also publishes every scene, computed once for both; nothing: no files
 /// @throws std::logic_error if a judged value has no measurement, or a measurement no value
 [[nodiscard]] ChapterCheck check(const Chapter& chapter, const std::filesystem::path& data_folder, bool quick,
                                  const std::optional<Publishing>& how = {});
 
-/// `results/<chapter>/check.csv`: one row a value, with its verdict.
+/// Writes `results/<chapter>/check.csv`, one row per value with its verdict.
 void write_check(const ChapterCheck& check, const std::string& chapter, const std::filesystem::path& out);
 
-/// The verdict in words, with the expected one where it is another.
+/// The verdict as text, with the expected one if it differs.
 [[nodiscard]] std::string verdict_text(const Checked& checked);
 
-/// The setting that ran and how the text was understood, with the evidence for it: "at the ends of steps; the
-/// other norm (2 tried; explains 2 of 2 rows)".
+/// Setting and reading of a value with the evidence: "at the ends of steps; the other norm (2 tried; explains
+/// 2 of 2 rows)".
 [[nodiscard]] std::string reading_text(const Checked& checked);
 
-/// Values as lines of plain text, for a terminal; misses are marked.
+/// Values as lines of plain text for a terminal; failed ones are marked.
 [[nodiscard]] std::string reproduction_text(const std::vector<Checked>& values);
 
 }  // namespace nlmech::scene

@@ -31,9 +31,8 @@ struct Range {
   double low, high;
 };
 
-/// The number or range "1.1e-6..1.3e-6" that a text begins with, up to a blank or semicolon; nothing if it
-/// begins otherwise
-/// ("2-cycle", "6-7 its").
+/// The number or range "1.1e-6..1.3e-6" at the start of a text, up to a blank or semicolon; nothing for any
+/// other start ("2-cycle", "6-7 its").
 std::optional<Range> leading_range(std::string_view text) {
   const std::string_view first = text.substr(0, text.find_first_of(" ;"));
   const auto dots = first.find("..");
@@ -56,13 +55,13 @@ bool close_to(const Tolerance& tolerance, double ours, const std::optional<Range
   return reference && tolerance.allows(ours, reference->low, reference->high);
 }
 
-/// Is what was found before, by the words of the file, found again: within the tolerance, or nearly?
+/// Does @p ours agree with an earlier result, given by @p words of the file, within the tolerance or nearly?
 bool found_again(const Tolerance& tolerance, double ours, std::string_view words) {
   const auto found = leading_range(words);
   return !found || close_to(tolerance, ours, found) || close_to(Tolerance("0.05"), ours, found);
 }
 
-/// Has the number digits that could agree?
+/// Does the number have digits to compare?
 bool has_digits(const PublishedValue& p) {
   return p.kind != "rounding" && p.kind != "bound" && p.kind != "claim";
 }
@@ -80,13 +79,13 @@ bool supports(Verdict verdict, const PublishedValue& p, const Measured& m) {
   if (verdict == Verdict::not_stated || verdict == Verdict::context) return true;
   if (verdict == Verdict::input) return m.nominal && *m.nominal == p.value;
   const Tolerance tolerance(p.tolerance, p.printed);
-  // A text that cannot be run as printed leaves the inferred number alone.
+  // A text that cannot be run as printed has only an inferred number.
   const std::optional<double>& ours = m.nominal ? m.nominal : m.inferred;
   switch (verdict) {
     case Verdict::reproduced: return matches(p, tolerance, m.nominal);
     case Verdict::reproduced_inferred: return matches(p, tolerance, m.inferred);
     case Verdict::same_rounding:
-      // Noise under a reading is noise; the table shows it as inferred.
+      // Noise under an inferred reading counts, too; the table shows it as inferred.
       return same_noise(p, tolerance, m.nominal) || same_noise(p, tolerance, m.inferred);
     case Verdict::better:
       return (p.kind == "bound" || p.kind == "rounding") && m.nominal &&
@@ -102,13 +101,12 @@ bool supports(Verdict verdict, const PublishedValue& p, const Measured& m) {
   }
 }
 
-/// For numbers that miss their expected verdict, where the file's own `nominal` says nothing about the new
-/// one.
+/// Verdict on a number that misses its expected one. The earlier results in the file do not count for it.
 Verdict fallback(const PublishedValue& p, const Measured& m) {
   PublishedValue bare = p;
   bare.nominal.clear();
   bare.inferred.clear();
-  if (bare.tolerance.empty()) bare.tolerance = "digits";  // of a parameter
+  if (bare.tolerance.empty()) bare.tolerance = "digits";  // for a parameter
   for (const Verdict v : {Verdict::reproduced, Verdict::reproduced_inferred, Verdict::same_rounding,
                           Verdict::better, Verdict::holds}) {
     if (supports(v, bare, m)) return v;
@@ -125,7 +123,7 @@ void refuse(bool wrong, const std::string& where, const std::string& what) {
   if (wrong) throw input_error("{}: {}", where, what);
 }
 
-/// "5 of 6"?
+/// Does the text have the form "5 of 6"?
 bool is_share(std::string_view text) {
   const auto at = text.find(" of ");
   double rows = 0, of = 0;
@@ -133,7 +131,7 @@ bool is_share(std::string_view text) {
          parse_number(text.substr(at + 4), of) && rows >= 1 && rows <= of;
 }
 
-/// What belongs together: a comparison and a tolerance with its reason, a reading and the evidence for it.
+/// Checks that a comparison has a tolerance with its reason, and a reading its evidence.
 void check_evidence(const PublishedValue& p, const std::string& where) {
   const bool is_inferred = p.expected == Verdict::reproduced_inferred;
   refuse(compares(p.expected) && p.tolerance.empty(), where, "a verdict that compares, and no tolerance");
@@ -141,7 +139,7 @@ void check_evidence(const PublishedValue& p, const std::string& where) {
          fmt::format("a misprint ({}) cannot be reproduced", quoted_input(p.erratum)));
   refuse(!p.tolerance.empty() && p.tolerance != "digits" && p.because.empty(), where,
          fmt::format("no reason for the tolerance '{}'", quoted_input(p.tolerance)));
-  // A search that finds nothing that explains the number is evidence, too.
+  // A search without a reading that explains the number is evidence, too.
   const bool has_search = p.tried > 0 || !p.explains.empty();
   refuse((p.tried > 0) == p.explains.empty() || is_inferred > has_search ||
              (has_search && !is_inferred && p.expected != Verdict::not_stated),
@@ -195,7 +193,7 @@ std::string_view to_string(Verdict verdict) {
 
 namespace {
 
-/// One of the last printed digit: 0.01e-4 for "1.18e-4".
+/// Unit of the last printed digit: 0.01e-4 for "1.18e-4".
 double last_unit(std::string_view printed) {
   const auto e = printed.find('e');
   const std::string_view digits = printed.substr(0, e);
@@ -215,7 +213,7 @@ Tolerance::Tolerance(std::string_view words, std::string_view printed) {
     amount_ = std::sqrt(10.0);
     return;
   }
-  // A number that ends on the edge is within.
+  // A number on the edge is within, despite rounding.
   constexpr double edge = 1 + 1e-12;
   if (words == "digits") {
     kind_ = Kind::digits;

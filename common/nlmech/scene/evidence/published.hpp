@@ -1,5 +1,5 @@
 /// @file
-/// Numbers that the sources print: read, looked up by name, and the verdict on each of them.
+/// Numbers printed in the sources: reader, look-up by name, and the verdict on each of them.
 #pragma once
 
 #include <filesystem>
@@ -11,40 +11,42 @@
 
 namespace nlmech::scene {
 
-/// What the evidence says about a printed number.
+/// Verdict on a printed number by the evidence.
 enum class Verdict {
-  reproduced,           ///< the text as it stands gives the printed number
-  reproduced_inferred,  ///< a reading that evidence points to gives it
-  same_rounding,        ///< rounding noise, theirs and ours, of the same level: no digit is compared
-  better,               ///< a printed bound or rounding noise of the same procedure, and ours lies below
-  differs,              ///< with the cause, or "cause unknown"
-  not_stated,           ///< the source leaves out what is needed, or one setting was fitted to it
-  holds,                ///< a claim, as the text stands
-  does_not_hold,        ///< a claim
-  context,              ///< run times on unknown machines
-  input                 ///< a parameter, used as printed
+  reproduced,           ///< the text as printed gives the printed number
+  reproduced_inferred,  ///< a reading inferred from evidence gives the printed number
+  same_rounding,        ///< printed and reproduced rounding noise have the same level; no digit is compared
+  better,               ///< the reproduced number is below a printed bound or rounding noise of the procedure
+  differs,              ///< the numbers differ, with the cause or "cause unknown"
+  not_stated,           ///< the source omits what is needed, or one setting was fitted to the number
+  holds,                ///< the claim holds for the text as printed
+  does_not_hold,        ///< the claim does not hold
+  context,              ///< run time on an unknown machine
+  input                 ///< parameter, used as printed
 };
 
-/// As it stands in files: "reproduced, inferred reading".
+/// Text of a verdict in files: "reproduced, inferred reading".
 [[nodiscard]] std::string_view to_string(Verdict verdict);
 
-/// How far apart two numbers may be. Built from the words of the file:
-///   - "digits": ours, rounded to the printed digits or cut off after them, is the printed number: its
+/// Permitted difference of two numbers, from the words of the file:
+///   - "digits": the reproduced number, rounded or truncated to the printed digits, is the printed one: its
 ///     magnitude is at most half a unit of the last digit less and one unit more;
-///   - "3 units": by three units of the last digit, to either side;
-///   - a number: relative; "factor 5"; "order of magnitude": a factor of sqrt(10), of what is printed as a
-///     power of ten;
-///   - "at least 100" and "below 1e-15", of ours alone.
+///   - "3 units": at most three units of the last digit on either side;
+///   - a number: relative difference; "factor 5": ratio; "order of magnitude": a factor of sqrt(10), for
+///   numbers
+///     printed as powers of ten;
+///   - "at least 100" and "below 1e-15": bounds on the reproduced number alone.
 class Tolerance {
  public:
+  /// @param words tolerance in one of these forms
   /// @param printed the number as printed, for its last digit
-  /// @throws InputError if the words are not of these forms
+  /// @throws InputError for words of another form
   explicit Tolerance(std::string_view words, std::string_view printed = "1");
-  /// Is @p ours as close to @p theirs as allowed? Never true for NaN.
+  /// Is @p ours within the tolerance of @p theirs? False for NaN.
   [[nodiscard]] bool allows(double ours, double theirs) const;
-  /// The same for a range: true if it is for a number of the range.
+  /// Is @p ours within the tolerance of some number of a range?
   [[nodiscard]] bool allows(double ours, double low, double high) const;
-  /// Does it bound ours and say nothing of its distance from theirs?
+  /// Is it a bound on the reproduced number alone?
   [[nodiscard]] bool is_bound() const { return kind_ == Kind::at_least || kind_ == Kind::below; }
 
  private:
@@ -52,26 +54,26 @@ class Tolerance {
   double amount_ = 0;
 };
 
-/// One printed number. The columns of `tables/published/<source>.csv`, which its README explains.
+/// One printed number, a row of `tables/published/<source>.csv`; the README there explains the columns.
 struct PublishedValue {
   std::string source;    ///< name of the file: "elgohary"
   std::string place;     ///< "table-4.2"
   std::string row;       ///< the method or case, in the source's words
-  std::string quantity;  ///< what is printed
-  std::string printed;   ///< as printed
-  double value = 0;      ///< the same as a number
+  std::string quantity;  ///< printed quantity
+  std::string printed;   ///< number as printed
+  double value = 0;      ///< value of the number
   std::string unit;      ///< "1" if it has none
   std::string
       kind;  ///< "error", "rounding" (noise), "bound", "count", "time", "value", "claim" or "parameter"
-  std::string nominal;   ///< what was found before from the text as it stands, number or words: "2.4e-11"
-  std::string inferred;  ///< the same under a reading, in words: "1.1e-6..1.3e-6 with c = 2.5"
-  Verdict expected = Verdict::not_stated;  ///< which verdict the findings support
-  std::string tolerance;                   ///< see Tolerance
-  std::string because;                     ///< why that tolerance; "digits" needs no reason
-  int tried = 0;         ///< readings that were tried, where one is inferred or none was found
-  std::string explains;  ///< "5 of 6": of the rows that such a reading bears on
-  std::string erratum;   ///< id of the misprint that it is, if it is one
-  std::string reading;   ///< how the text was understood, or the cause of a difference
+  std::string nominal;   ///< earlier result by the text as printed, number or words: "2.4e-11"
+  std::string inferred;  ///< earlier result under an inferred reading: "1.1e-6..1.3e-6 with c = 2.5"
+  Verdict expected = Verdict::not_stated;  ///< verdict that the findings support
+  std::string tolerance;                   ///< words of a Tolerance
+  std::string because;                     ///< reason for the tolerance; "digits" needs none
+  int tried = 0;                           ///< number of readings tried, if one is inferred or none was found
+  std::string explains;  ///< "5 of 6": rows that the reading explains, of those that it affects
+  std::string erratum;   ///< id of the misprint, if the number is one
+  std::string reading;   ///< interpretation of the text, or the cause of a difference
 
   /// "elgohary/claim-2.4/order 4/height error, order of magnitude"
   [[nodiscard]] std::string name() const;
@@ -82,10 +84,10 @@ struct PublishedValue {
 struct Place {
   std::string source;   ///< "elgohary"
   std::string name;     ///< "fig-2.23"
-  std::string chapter;  ///< that owns it
+  std::string chapter;  ///< chapter that owns it
   std::string kind;     ///< "figure", "table", "algorithm", "claim" or "equation"
-  std::string subject;  ///< what it is about
-  /// That show it: those of its own name, or where one source repeats another, the other's.
+  std::string subject;  ///< subject
+  /// Scenes that show it: those of its name or, if it repeats another source, those of the other source.
   std::vector<std::string> scenes;
 };
 
@@ -93,7 +95,8 @@ struct Place {
 /// @throws InputError naming file, line and cell
 [[nodiscard]] std::vector<PublishedValue> read_published(const std::filesystem::path& data_folder);
 
-/// The values of one such file. @param source its name without the ending @param file what complaints call it
+/// The values of one such file. @param source name of the file without extension @param file its name in
+/// messages
 /// @throws InputError naming file, line and cell
 [[nodiscard]] std::vector<PublishedValue> parse_published(std::string_view text, const std::string& source,
                                                           const std::string& file);
@@ -107,43 +110,46 @@ struct Place {
 /// The chapter that owns a published value. @throws InputError if `places.csv` does not list its place
 [[nodiscard]] const std::string& owner(const PublishedValue& value, const std::vector<Place>& places);
 
-/// What our own computation gives for a printed number under the nominal and under an inferred reading.
+/// Reproduced values of a printed number.
 struct Measured {
-  std::optional<double> nominal;   ///< from the text as it stands
-  std::optional<double> inferred;  ///< under a reading that evidence points to
-  std::string setting = {};        ///< of the runs behind both, in words; empty: the file's `reading` says it
+  std::optional<double> nominal;   ///< value by the text as printed
+  std::optional<double> inferred;  ///< value under an inferred reading
+  std::string setting = {};        ///< setting of both runs as text; empty: see PublishedValue::reading
 };
 
 /// A verdict, and whether it is the expected one.
 struct Judgement {
-  Verdict verdict = Verdict::not_stated;  ///< by the evidence
+  Verdict verdict = Verdict::not_stated;  ///< verdict by the evidence
   bool passes = false;                    ///< is it the expected one?
 };
 
-/// Judges by the evidence: the expected verdict if @p measured supports it, else the verdict that it does
-/// support.
-///  - `reproduced` needs the nominal number within the tolerance of the printed one, and a number that means
-///    something: no rounding noise and no bound;
+/// Verdict by the evidence: the expected verdict if @p measured supports it, else the one that it supports.
+///  - `reproduced` needs the nominal number within the tolerance of the printed one, and a significant
+///  number: no
+///    rounding noise and no bound;
 ///  - `reproduced, inferred reading` needs the same of the inferred number;
-///  - `same rounding level` needs noise by name (kind "rounding"), and the nominal or the inferred number
-///    within a factor of the printed one or both below a bound;
-///  - `better` needs a bound or noise by name, and a nominal number smaller than the printed one and within
-///  the
-///    tolerance of `nominal`;
-///  - `differs` needs a number outside the tolerance of the printed one, and within it, or 5 %, of what the
-///    file has found before; the inferred number counts where there is no nominal one;
-///  - `holds` and `does not hold` need a claim by name, and the nominal number within its tolerance or
-///  outside;
+///  - `same rounding level` needs the kind "rounding", and the nominal or the inferred number within a factor
+///  of
+///    the printed one or both below a bound;
+///  - `better` needs the kind "bound" or "rounding", and a nominal number smaller than the printed one and
+///  within
+///    the tolerance of `nominal`;
+///  - `differs` needs a number outside the tolerance of the printed one, and within it, or 5 %, of the
+///  earlier
+///    result in the file; the inferred number counts if there is no nominal one;
+///  - `holds` and `does not hold` need the kind "claim", and the nominal number within or outside its
+///  tolerance;
 ///  - `input` needs the printed number itself.
-/// `context` and `not stated` judge nothing.
+/// `context` and `not stated` have no conditions.
 [[nodiscard]] Judgement judge(const PublishedValue& value, const Measured& measured);
 
 /// All numbers that the sources print.
 class Printed {
  public:
-  /// Reads them. @throws InputError naming file, line and cell
+  /// Reads all files. @throws InputError naming file, line and cell
   Printed();
-  /// @param name as PublishedValue::name() @throws std::logic_error if no source prints it
+  /// The value of a number. @param name as PublishedValue::name() @throws std::logic_error if no source
+  /// prints it
   [[nodiscard]] double operator[](const std::string& name) const;
 
  private:

@@ -24,7 +24,7 @@ const std::vector<double>& find(const std::string& name, const std::vector<Bench
   throw std::invalid_argument("judge_claim: no timings of " + name);
 }
 
-/// Where times were taken.
+/// Machine and build of the timings.
 Json origin() {
   const BuildInfo& build = build_info();
   return {{"processor", processor_name()},
@@ -76,7 +76,7 @@ void write_bench(const std::string& name, const std::vector<BenchSeries>& series
 
 namespace {
 
-/// Between the two values next to the rank.
+/// Quantile of sorted values, interpolated between the two next to the rank.
 double quantile(const std::vector<double>& sorted, double share) {
   const double rank = share * static_cast<double>(sorted.size() - 1);
   const auto below = static_cast<std::size_t>(rank);

@@ -26,10 +26,10 @@ namespace {
 
 constexpr const char* limit_name = "--limit";
 
-/// Seconds beyond the limit for commands that heed it by themselves.
+/// Seconds beyond the limit for commands that heed it themselves.
 constexpr double usual_grace = 0.5;
 
-/// A command in the parser, and what was typed after each of its options.
+/// A command in the parser and the typed texts of its options.
 struct Parsed {
   const Commands::Command* command;
   CLI::App* app;
@@ -37,7 +37,7 @@ struct Parsed {
     const Option* option;
     CLI::Option* parsed;
     std::vector<std::string> texts;
-    bool is_given = false;  ///< of a flag
+    bool is_given = false;  ///< was the flag given?
   };
   std::list<Typed> typed;  // the parser keeps pointers to its elements
   std::string limit_text;
@@ -50,7 +50,7 @@ struct Parsed {
   }
   void add(const Option& option);
   void add_limit();
-  /// All options to their places. @throws InputError
+  /// Stores the values of all options. @throws InputError
   void understand() const;
   [[nodiscard]] TimeLimit::Command watched(const std::string& program) const;
 };
@@ -65,7 +65,7 @@ void Parsed::add(const Option& option) {
     t.parsed->type_name(std::string(option.kind()));
     if (!option.takes_several()) t.parsed->expected(1)->allow_extra_args(false);
   }
-  // What is given twice is most often given by mistake: nothing is ignored in silence.
+  // An option given twice is usually a mistake, and neither value is ignored silently.
   if (!option.takes_several()) t.parsed->multi_option_policy(CLI::MultiOptionPolicy::Throw);
   t.parsed->required(option.is_required());
 }
@@ -81,7 +81,7 @@ void Parsed::add_limit() {
 }
 
 void Parsed::understand() const {
-  // An empty text would be taken for an option that is not there.
+  // An empty text would count as an option that is not given.
   for (const CLI::Option* option : app->get_options()) {
     if (std::ranges::any_of(option->results(), &std::string::empty))
       throw input_error("{}: an empty text", option->get_name());
@@ -105,7 +105,7 @@ TimeLimit::Command Parsed::watched(const std::string& program) const {
   return watched;
 }
 
-/// Does a command that was named take equations and has none, and is this one, typed without the option?
+/// Is the argument an equation without `--equation`, of a command that takes one and has none?
 bool is_equation(const CLI::App& app, const std::string& argument) {
   return argument.find('\'') < argument.find('=') &&
          std::ranges::any_of(app.get_subcommands(), [](const CLI::App* command) {
@@ -114,7 +114,7 @@ bool is_equation(const CLI::App& app, const std::string& argument) {
          });
 }
 
-/// As CLI11 says it, but short, and with what was likely meant.
+/// Message of unexpected arguments as of CLI11, but short and with a suggestion.
 std::string unexpected(const CLI::App& app, const std::vector<std::string>& arguments) {
   constexpr std::size_t most = 6;
   std::string words;
@@ -128,7 +128,7 @@ std::string unexpected(const CLI::App& app, const std::vector<std::string>& argu
                      equation ? "An equation follows --equation.\n" : "");
 }
 
-/// Help and version go where results go, complaints to standard error.
+/// Prints help and version to standard output and errors to standard error; returns the exit code.
 int end_of_parsing(const CLI::App& app, const CLI::ParseError& error) {
   std::ostringstream help, complaint;
   if (app.exit(error, help, complaint) == 0) {
@@ -141,7 +141,7 @@ int end_of_parsing(const CLI::App& app, const CLI::ParseError& error) {
   return ExitCode::wrong_usage;
 }
 
-/// The command that was named, its options understood and its time begun.
+/// Parses the options of the named command, starts its time limit and runs it.
 int run(CLI::App& app, const std::list<Parsed>& all, int argc, const char* const* argv,
         std::optional<TimeLimit>& limit) {
   try {
@@ -152,8 +152,7 @@ int run(CLI::App& app, const std::list<Parsed>& all, int argc, const char* const
   const auto chosen = std::ranges::find_if(all, [](const Parsed& p) { return p.app->parsed(); });
   const TimeLimit::Command watched = chosen->watched(app.get_name());
   chosen->understand();
-  (void)best_instruction_set();  // refuses a wrong NLMECH_INSTRUCTION_SET, whether or not the command has
-                                 // kernels
+  (void)best_instruction_set();  // refuses a wrong NLMECH_INSTRUCTION_SET also for commands without kernels
   limit.emplace(watched);
   const Answer answer = chosen->command->work();
   if (const auto* const result = std::get_if<std::string>(&answer)) print_last_result(*result);
@@ -165,7 +164,7 @@ int run(CLI::App& app, const std::list<Parsed>& all, int argc, const char* const
 int run_command(const Commands& commands, const std::string& title, int argc, const char* const* argv) {
   CLI::App app(title, commands.program());
   app.set_version_flag("--version", "nlmech " + build_info().version);
-  // Both end as the version does: printed where results go with a line break behind, exit code 0.
+  // Both print to standard output with a final line break and end with exit code 0, as the version does.
   const auto prints = [&app](const char* name, const char* help, const std::function<std::string()>& text) {
     app.add_flag_callback(
         name,
@@ -184,7 +183,7 @@ int run_command(const Commands& commands, const std::string& title, int argc, co
   std::list<Parsed> all;
   for (const Commands::Command& command : commands.all()) all.emplace_back(app, command);
   std::optional<TimeLimit> limit;
-  // Nobody speaks but who has found the error: the watch ends first.
+  // The time limit ends first, so that it prints no second message.
   const auto end = [&](int exit_code, std::string_view sentence) {
     limit.reset();
     print_message(fmt::format("{}: {}", app.get_name(), sentence));

@@ -19,12 +19,12 @@
 namespace nlmech::scene {
 namespace {
 
-/// What `list` is told.
+/// Options of `list`.
 struct Listing {
   bool csv = false;
 };
 
-/// What `run` and `check` are told.
+/// Options of `run` and `check`.
 struct Work {
   std::vector<std::string> scenes;
   bool all = false, quick = false, no_plots = false, png = false, draw = false, quiet = false;
@@ -58,7 +58,7 @@ std::vector<const Scene*> chosen(const Chapter& chapter, const Work& options) {
   return scenes;
 }
 
-/// On a terminal one line a scene; silence in a pipe.
+/// Prints one line per scene if standard error is a terminal.
 void tell_progress(std::size_t done, std::size_t all, const std::string& scene, double seconds) {
   if (::isatty(STDERR_FILENO) == 1)
     print_message(fmt::format("[{}/{}] {} {:.1f} s", done, all, scene, seconds));
@@ -70,14 +70,14 @@ void report_failing(const std::string& scene, const Quantity& q) {
                             format_number(q.high, 6), q.reason));
 }
 
-/// A line a file, as seen from the folder that gets them all.
+/// One line per file, relative to the output folder.
 std::string lines_of(const std::vector<std::filesystem::path>& files) {
   std::string lines;
   for (const std::filesystem::path& file : files) lines += file.string() + '\n';
   return lines;
 }
 
-/// Goes on after a scene that failed or could not be drawn: the others are not to suffer from it.
+/// Runs scenes, and continues after a scene that failed or could not be drawn.
 int run(const Chapter& chapter, const Work& options) {
   if (options.no_plots && options.png)
     throw InputError("run: --png draws what --no-plots leaves out; give one of them");

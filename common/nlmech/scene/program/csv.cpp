@@ -29,7 +29,7 @@ std::string_view trim(std::string_view text) {
   return text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
-/// Cuts the next line off @p rest; the line end is dropped.
+/// Removes the next line from @p rest and returns it without its line end.
 std::string_view next_line(std::string_view& rest) {
   const auto end = rest.find('\n');
   const std::string_view line = rest.substr(0, end);
@@ -37,8 +37,8 @@ std::string_view next_line(std::string_view& rest) {
   return line;
 }
 
-/// Cuts the next cell off @p rest, with its quotes; @p more says whether a comma followed. False: a quote is
-/// open.
+/// Removes the next cell, with its quotes, from @p rest. @param more true if a comma followed @returns false
+/// for an unclosed quote
 bool next_cell(std::string_view& rest, std::string_view& cell, bool& more) {
   bool quoted = false;
   std::size_t i = 0;
@@ -67,7 +67,7 @@ bool same_but_for_case(std::string_view a, std::string_view b) {
                     [&](char c, char d) { return lower(c) == lower(d); });
 }
 
-/// What may be wrong with a whole line that was not understood.
+/// Hint at the likely mistake of a line that could not be parsed.
 const char* hint(std::string_view line) {
   if (line.starts_with('#')) return "; comments stand before the header";
   if (line.find('\r') != std::string_view::npos) return "; lines end with LF or CR LF, not with CR";
@@ -91,7 +91,7 @@ std::string number_fault(std::string_view text) {
 bool parse_number(std::string_view text, double& value) {
   text = trim(text);
   if (text.size() > 1 && text[0] == '+' && text[1] != '-')
-    text.remove_prefix(1);  // std::from_chars knows no plus sign
+    text.remove_prefix(1);  // std::from_chars accepts no plus sign
   double parsed = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), parsed);
   if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(parsed)) return false;

@@ -48,7 +48,8 @@ std::string read_to_end(std::FILE* in, const std::string& name) {
   return text;
 }
 
-/// A file beside the one that is to be written: gone with this, however the process ends, unless renamed.
+/// A temporary file in the folder of the final one. Unless renamed, it is removed by the destructor or at an
+/// early end of the process.
 class TemporaryFile {
  public:
   explicit TemporaryFile(fs::path path) : path_(std::move(path)) {
@@ -64,14 +65,14 @@ class TemporaryFile {
     trace_->gone(act);
     ::unlink(path_.c_str());
   }
-  /// All of the text on the disk. @returns false with errno set if it is not
+  /// Writes the text to the disk. @returns false with errno set on failure
   bool write(std::string_view text) {
     if (!file_) return false;
     if (std::fwrite(text.data(), 1, text.size(), file_.get()) != text.size()) return false;
     if (std::fflush(file_.get()) != 0 || ::fsync(::fileno(file_.get())) != 0) return false;
     return std::fclose(file_.release()) == 0;
   }
-  /// @returns false with errno set if it stays where it is
+  /// Renames the file. @returns false with errno set on failure
   bool rename_to(const fs::path& path) {
     const CriticalSection act;
     if (std::rename(path_.c_str(), path.c_str()) != 0) return false;

@@ -1,6 +1,6 @@
 /// @file
-/// Whole files: read at once, written under a temporary name and renamed, so that nobody ever sees half of
-/// one.
+/// Reading and writing of whole files. A file is written under a temporary name and renamed, so that no
+/// partial file is visible.
 #pragma once
 
 #include <filesystem>
@@ -14,8 +14,9 @@ namespace nlmech::scene {
 /// @throws InputError naming the file and the system's reason
 [[nodiscard]] std::string read_whole(const std::filesystem::path& path);
 
-/// Creates missing folders, writes @p text to a temporary name beside @p path and renames it. A process
-/// killed at any moment leaves the old file or the new one. An unchanged file is left alone, date included.
+/// Creates missing folders, writes @p text to a temporary file in the folder of @p path and renames it. A
+/// process killed at any moment leaves the old file or the new one. A file with the same content keeps its
+/// date.
 /// @throws Failure naming the file and the system's reason; the temporary file is removed
 void write_whole(const std::filesystem::path& path, std::string_view text);
 
@@ -25,9 +26,9 @@ void write_whole(const std::filesystem::path& path, std::string_view text);
                                                             std::string_view extension);
 
 /// Folder that holds `figures/templates`, `figures/style.gp`, `tables/published`: the environment variable
-/// NLMECH_DATA, else `share/nlmech` of the installation that the running program belongs to, else the source
-/// tree it was built from.
-/// @throws Failure saying where was looked
+/// NLMECH_DATA, else `share/nlmech` of the installation of the running program, else the source tree of its
+/// build.
+/// @throws Failure listing the folders that were tried
 [[nodiscard]] std::filesystem::path data_folder();
 
 }  // namespace nlmech::scene

@@ -27,7 +27,7 @@ bool lock(int file, int byte, short kind, int command) {
   return result == 0;
 }
 
-/// Byte 0 is held by who waits next, byte k by who has processor k.
+/// Byte 0 is locked by the next program in the queue, byte k by the program that holds processor k.
 constexpr int queue = 0;
 
 }  // namespace
@@ -46,7 +46,8 @@ Machine::~Machine() {
   if (file_ >= 0) ::close(file_);
 }
 
-// Only the first of the queue looks for a processor: who gives one back and wants it again comes after him.
+// Only the first program of the queue looks for a processor, so that one which releases its processor and
+// waits again comes later.
 Machine::Processor::Processor(Machine& machine) : machine_(machine) {
   if (machine.file_ < 0 || !lock(machine.file_, queue, F_WRLCK, F_SETLKW)) return;
   while (number_ == 0) {

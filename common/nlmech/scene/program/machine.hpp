@@ -1,25 +1,26 @@
 /// @file
-/// The processors of the machine, shared by the programs of this suite.
+/// Sharing of the machine's processors by the programs of this suite.
 #pragma once
 
 namespace nlmech::scene {
 
-/// The machine as the programs of one user share it: no more of them compute at once than it has processors,
-/// in turn, so that a run whose time is taken has a processor to itself. By locks on a file in the system's
-/// folder for temporary files; a program that ends, however it does, gives back what it holds. Where no such
-/// file can be made, nobody waits.
+/// Queue of one user's programs for the processors of the machine: at most one program per processor
+/// computes, so that a timed run has a processor of its own. It uses locks on a file in the system's
+/// temporary folder, which the end of a program always releases. If the file cannot be created, no program
+/// waits.
 class Machine {
  public:
-  /// @param processors how many compute at once, >= 1; by default as many as the system lets this one use
+  /// @param processors number of programs that compute at once, >= 1; 0: the processors available to this
+  /// process
   explicit Machine(int processors = 0);
   Machine(const Machine&) = delete;
   Machine& operator=(const Machine&) = delete;
   ~Machine();
 
-  /// One processor, for as long as this lives. A program asks for one at a time.
+  /// One processor, held until the destructor. A program holds at most one at a time.
   class Processor {
    public:
-    /// Waits until one is free and those who came before have theirs.
+    /// Waits until a processor is free and all earlier programs have theirs.
     explicit Processor(Machine& machine);
     Processor(const Processor&) = delete;
     Processor& operator=(const Processor&) = delete;

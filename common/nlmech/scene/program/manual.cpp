@@ -11,10 +11,10 @@ namespace {
 
 constexpr const char* limit_option = "--limit";
 
-/// A text of any lines as roff shows it literally: no escape, no request, and a hyphen that can be copied.
+/// Escapes a text for roff: no escapes, no requests, and hyphens that can be copied.
 std::string roff(const std::string& text) {
   std::string safe;
-  bool begins = true;  // of a line, where a dot or an apostrophe would be a request
+  bool begins = true;  // start of a line, where a dot or an apostrophe would be a request
   for (const char c : text) {
     if (begins && (c == '.' || c == '\'')) safe += "\\&";
     if (c == '\\')
@@ -70,7 +70,7 @@ std::string quoted(const std::string& text) {
   return safe + "'";
 }
 
-/// The branch of a command: what may stand after it, and after an option that has a list of values.
+/// The bash branch of a command: its options, and the values of options with a list.
 std::string branch(const Commands::Command& command) {
   std::vector<std::string> names = {"--help"};
   std::string values;
@@ -87,7 +87,7 @@ std::string branch(const Commands::Command& command) {
   }
   if (!command.options.heeds_limit()) names.emplace_back(limit_option);
   std::string words = quoted(fmt::format("{}", fmt::join(names, " ")));
-  // In a pipe the list is a table of Markdown.
+  // In a pipe `list` prints a Markdown table.
   if (scenes)
     words += R"sh(" $("$1" list 2>/dev/null | sed -n '/^| :/,$ s/^| \([a-z0-9][^ ]*\) .*/\1/p')")sh";
   return fmt::format("    {})\n      case $3 in\n{}        *) words={} ;;\n      esac\n      ;;\n",

@@ -13,7 +13,7 @@
 namespace nlmech::scene {
 namespace {
 
-/// One function for all kinds of destination.
+/// Visitor of all kinds of destination.
 template <class... Functions>
 struct Overloaded : Functions... {
   using Functions::operator()...;

@@ -21,7 +21,7 @@
 namespace nlmech::scene {
 namespace {
 
-/// Both ends of a pipe; whatever is still open is closed at the end.
+/// Both ends of a pipe; the destructor closes the open ones.
 struct Pipe {
   Pipe() {
     if (::pipe2(end.data(), O_CLOEXEC) != 0)
@@ -57,7 +57,7 @@ std::vector<char*> c_strings(const std::vector<std::string>& texts) {
   return pointers;
 }
 
-/// Our environment with some settings put in place of those of the same name.
+/// Environment of this process with some variables replaced.
 std::vector<std::string> environment_with(const std::vector<std::string>& settings) {
   std::vector<std::string> all = settings;
   for (char** variable = ::environ; *variable != nullptr; ++variable) {
@@ -88,7 +88,7 @@ pid_t start(const std::vector<std::string>& arguments, const std::filesystem::pa
   return child;
 }
 
-/// A program at work, which is ended if this process is.
+/// A running child process, killed at an early end of this process.
 class Child {
  public:
   Child(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
@@ -102,9 +102,9 @@ class Child {
   ~Child() {
     if (trace_) static_cast<void>(wait());
   }
-  /// Waits for its end. @returns its status, or none with errno set if the system has thrown that away
+  /// Waits for its end. @returns its status, or none with errno set if the system has discarded it
   std::optional<int> wait() {
-    siginfo_t ended{};  // its number is not given to another one before the trace is gone
+    siginfo_t ended{};  // WNOWAIT keeps the process id reserved until the cleanup entry is removed
     while (::waitid(P_PID, static_cast<id_t>(id_), &ended, WEXITED | WNOWAIT) < 0 && errno == EINTR) {
     }
     const CriticalSection act;
@@ -119,7 +119,7 @@ class Child {
   std::optional<CleanupOnExit> trace_;
 };
 
-/// Reads both pipes as they fill, so that a program which writes much to one of them is never stuck.
+/// Reads both pipes as they fill, so that a program which writes much to one of them does not block.
 void drain(std::array<Pipe, 2>& pipes, std::array<std::string*, 2> texts) {
   std::array<char, 65536> buffer{};
   while (pipes[0].end[0] >= 0 || pipes[1].end[0] >= 0) {

@@ -8,9 +8,9 @@
 
 namespace nlmech::scene {
 
-/// What a program wrote, and how it ended.
+/// Output and exit code of a program.
 struct Finished {
-  int exit_code = 0;   ///< 128 + number of the signal if a signal ended it
+  int exit_code = 0;   ///< exit code; 128 + number of the signal if a signal ended the program
   std::string output;  ///< standard output
   std::string errors;  ///< standard error
 };
@@ -18,7 +18,7 @@ struct Finished {
 /// Runs @p arguments (the program first, looked up in PATH) in @p folder and waits for its end. Its standard
 /// input is empty.
 /// @param folder empty for the current one
-/// @param settings environment variables that differ from ours: "LC_ALL=C.UTF-8"
+/// @param settings environment variables that differ from those of this process: "LC_ALL=C.UTF-8"
 /// @throws Failure naming the program if it cannot be started
 [[nodiscard]] Finished run_program(const std::vector<std::string>& arguments,
                                    const std::filesystem::path& folder,

@@ -14,7 +14,7 @@ namespace {
 
 bool continues(char c) { return (static_cast<unsigned char>(c) & 0xc0U) == 0x80; }
 
-/// In characters of UTF-8.
+/// Number of UTF-8 characters.
 std::size_t width_of(std::string_view text) {
   return static_cast<std::size_t>(
       std::count_if(text.begin(), text.end(), [](char c) { return !continues(c); }));
@@ -34,7 +34,7 @@ std::string cut(const std::string& text, std::size_t width) {
   return text.substr(0, end).append(mark);
 }
 
-/// Takes from the widest columns until all fit.
+/// Shortens the widest columns until all fit.
 void narrow(std::vector<std::size_t>& widths, std::size_t gap, std::size_t most) {
   constexpr std::size_t least = 4;
   std::size_t sum = gap * (widths.size() - 1);

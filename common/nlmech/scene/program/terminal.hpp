@@ -10,13 +10,13 @@
 
 namespace nlmech::scene {
 
-/// Columns of the terminal behind a stream: of the environment variable COLUMNS if it is a number from 20 to
-/// 10000, else what the terminal says, else 80. None if the stream is no terminal.
-/// @param stream STDOUT_FILENO, say
+/// Width of the terminal of a stream in characters: the environment variable COLUMNS if it is a number from
+/// 20 to 10000, else the width of the terminal, else 80. None if the stream is no terminal.
+/// @param stream file descriptor, for example STDOUT_FILENO
 [[nodiscard]] std::optional<std::size_t> terminal_width(int stream);
 
-/// The table as lines of at most @p width characters, as long as that leaves each column four: columns two
-/// blanks apart, numbers to the right, the widest columns cut first, with "..." where something is left out.
+/// The table as lines of at most @p width characters, but at least four per column. Columns are two blanks
+/// apart and numbers are right-aligned; the widest columns are shortened first, with "..." at the cut.
 [[nodiscard]] std::string aligned(const Table& table, std::size_t width);
 
 }  // namespace nlmech::scene

@@ -22,7 +22,7 @@ struct State {
   bool done = false;  // the last result is printed
 };
 
-/// One a process, as standard output is.
+/// The one state of the process.
 State& state() {
   static State one;
   return one;
@@ -30,7 +30,7 @@ State& state() {
 
 constexpr std::string_view wipe = "\r\x1b[K";
 
-/// Where nobody listens to standard error there is nobody to tell.
+/// Writes to standard error. A failure is ignored, because it cannot be reported.
 void write_error(std::string_view text) {
   static_cast<void>(std::fwrite(text.data(), 1, text.size(), stderr));
   static_cast<void>(std::fflush(stderr));

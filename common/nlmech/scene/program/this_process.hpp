@@ -1,7 +1,6 @@
 /// @file
-/// What a process has only one of: its standard streams, what it leaves lying about while it works, and its
-/// end. A time limit ends the process from a thread of its own (time_limit.hpp); what is to be in order then
-/// is kept here.
+/// State of the process: standard streams, cleanup and exit. The thread of a time limit may end the process
+/// (time_limit.hpp); critical sections and cleanups keep files and child processes consistent then.
 #pragma once
 
 #include <functional>
@@ -12,14 +11,14 @@
 
 namespace nlmech::scene {
 
-/// How a process ends that does not succeed.
+/// Exit codes of failures.
 struct ExitCode {
-  static constexpr int failed = 1;       ///< a computation, a check or a time limit
-  static constexpr int wrong_usage = 2;  ///< of the command line, or input that cannot be used
+  static constexpr int failed = 1;       ///< failed computation or check, or exceeded time limit
+  static constexpr int wrong_usage = 2;  ///< wrong command line, or invalid input
 };
 
-/// While one lives, no other thread ends the process: for a short act that is done whole or not at all (a
-/// result printed, a file renamed, a child started and noted). Acts do not nest.
+/// Scope in which no other thread ends the process, for short operations that must not be interrupted: to
+/// print a result, to rename a file, to start and register a child. Critical sections do not nest.
 class CriticalSection {
  public:
   CriticalSection();
@@ -28,26 +27,26 @@ class CriticalSection {
   std::unique_lock<std::mutex> lock_;
 };
 
-/// Something that is to be cleared away if the process is ended early: a temporary file, a child. Made and
-/// given up within a CriticalSection, so that it is noted exactly as long as it is there.
+/// Registered cleanup of a temporary file or a child, for an early end of the process. It is registered and
+/// unregistered within a CriticalSection, so that it exists exactly as long as its object.
 class CleanupOnExit {
  public:
-  /// @param clear removes it; called at most once, by the thread that ends the process
+  /// @param clear removes the object; called at most once, by the thread that ends the process
   CleanupOnExit(const CriticalSection& /*act*/, std::function<void()> clear);
   CleanupOnExit(const CleanupOnExit&) = delete;
   CleanupOnExit& operator=(const CleanupOnExit&) = delete;
-  /// It is gone, or in its place.
+  /// Unregisters the cleanup: the object is removed or has its final place.
   void gone(const CriticalSection& act);
 
  private:
   std::list<std::function<void()>>::iterator place_;
 };
 
-/// What the process is doing, in words for its user, until this goes: "reading standard input".
+/// Scope of an activity of the process for progress messages: "reading standard input".
 class ProgressScope {
  public:
-  /// @param what instead of what was said before, which holds again afterwards
-  /// @param silent no progress is shown meanwhile: the user is typing on the same terminal
+  /// @param what text that replaces the previous one until the destructor restores it
+  /// @param silent shows no progress meanwhile, because the user is typing on the same terminal
   explicit ProgressScope(std::string what, bool silent = false);
   ProgressScope(const ProgressScope&) = delete;
   ProgressScope& operator=(const ProgressScope&) = delete;
@@ -58,29 +57,29 @@ class ProgressScope {
   bool silent_before_;
 };
 
-/// What is being done now; "computing" if nobody has said.
+/// Current activity of the process; "computing" by default.
 [[nodiscard]] std::string doing_now();
 
-/// Writes a result to standard output, whole. @throws Failure if it could not be written (a full disk, a
+/// Writes a complete result to standard output. @throws Failure if it could not be written (a full disk, a
 /// closed pipe)
 void print_result(std::string_view text);
 
-/// print_result() of all that is left to print: no limit of time ends the process from then on.
+/// print_result() of the last result: no time limit ends the process after it.
 void print_last_result(std::string_view text);
 
-/// Writes a message to standard error: printable_message(), and a line end if it has none. A line of progress
-/// is wiped away first.
+/// Writes printable_message() to standard error, with a line end if it has none. It removes a progress line
+/// first.
 void print_message(std::string_view message);
 
-/// Shows one line of progress on standard error in place of the last one, unless something is being printed
-/// or the user is typing. To be called for terminals only.
+/// Replaces the progress line on standard error, unless something is being printed or the user is typing.
+/// Call it only for terminals.
 void show_progress(std::string_view line);
 
-/// Wipes the line of progress away, if there is one.
+/// Removes the progress line, if there is one.
 void wipe_progress();
 
-/// Waits for the act under way, clears all traces away, says @p message and ends the process: at once, with
-/// no destructor run, since other threads are still at work. Returns only if that act was
+/// Waits for the current CriticalSection, runs all cleanups, prints @p message and ends the process without
+/// destructors, because other threads are still running. Returns only if that section was
 /// print_last_result().
 void end_process(int exit_code, std::string_view message);
 

@@ -22,11 +22,11 @@ Clock::time_point later(Clock::time_point from, double seconds) {
                     std::chrono::duration<double>(std::min(seconds, longest)));
 }
 
-/// Sleeps until a moment, or until there is nothing more to watch.
+/// Sleeps until a time or until the command has ended.
 class Sleep {
  public:
   explicit Sleep(std::stop_token stop) : stop_(std::move(stop)) {}
-  /// Did the moment come?
+  /// Sleeps; true if the time was reached, false if the command has ended.
   bool until(Clock::time_point moment) {
     std::unique_lock lock(mutex_);
     condition_.wait_until(lock, stop_, moment, [] { return false; });
@@ -65,7 +65,7 @@ void watch(const std::stop_token& stop, const TimeLimit::Command& command, Clock
   while (sleep.until(std::min(next, end))) {
     const Clock::time_point now = Clock::now();
     if (now >= end) {
-      // The sentence waits for the act under way, which may have been the last.
+      // sentence() waits for the current critical section, which may be the last one of the command.
       const std::string said = sentence(command);
       if (sleep.until(Clock::now() + 50ms)) end_process(ExitCode::failed, said);
       return;

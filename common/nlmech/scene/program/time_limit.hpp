@@ -1,5 +1,5 @@
 /// @file
-/// Wall time of a command: a limit that holds whatever the command is doing, and a word on progress.
+/// Wall-time limit of a command, and its progress messages.
 #pragma once
 
 #include <optional>
@@ -8,27 +8,27 @@
 
 namespace nlmech::scene {
 
-/// Watches over a command, from its making to its end, by a thread of its own.
+/// Thread that monitors a command from its constructor to its destructor.
 ///
-/// After some seconds of silence, and then every second, it shows on standard error what is being done, if
-/// that is a terminal. At the limit it ends the process with exit code 1 and a sentence: files that are half
-/// written are removed, children ended, and an act under way (CriticalSection) is finished first. So a result
-/// is printed whole or not at all, and time in which nobody takes it does not count.
+/// After `silence` seconds, and then every second, it shows the current activity on standard error if that is
+/// a terminal. At the limit it ends the process with exit code 1 and a message. It waits for a running
+/// CriticalSection, removes temporary files and ends children. So a result is printed completely or not at
+/// all, and the time during which a pipe blocks its output does not count.
 class TimeLimit {
  public:
-  /// What is watched over.
+  /// The command and its limits.
   struct Command {
     std::string program;            ///< "gss_control"
     std::string name;               ///< "poles"
-    std::optional<double> seconds;  ///< wall time, positive; none: it may take as long as it takes
-    double grace = 0;               ///< s beyond, for a command that heeds the limit by itself and says more
-    double silence = 2;             ///< s before the first word on progress
+    std::optional<double> seconds;  ///< wall time, positive; none: no limit
+    double grace = 0;               ///< s beyond the limit, for a command that heeds it and reports more
+    double silence = 2;             ///< s before the first progress message
   };
-  /// The time begins now. Without a limit, and with no terminal to show progress on, there is no thread.
+  /// Starts the time. There is no thread without a limit and a terminal for progress.
   explicit TimeLimit(Command command);
 
  private:
-  std::jthread watch_;  // asked to stop, and waited for, when this goes
+  std::jthread watch_;  // its destructor requests the stop and joins
 };
 
 }  // namespace nlmech::scene

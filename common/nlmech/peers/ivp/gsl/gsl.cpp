@@ -15,9 +15,9 @@
 namespace nlmech::peers {
 namespace {
 
-/// GSL's own error handler ends the program. While one of these lives, in any thread, errors are return
-/// codes; the last one puts the handler back that the program had. bsimp does not look at the code with which
-/// the solution of a singular system fails, and goes on with numbers that mean nothing: that error is noted.
+/// Scope in which GSL errors are return codes: GSL's default error handler ends the program. The last scope
+/// of all threads restores the handler of the program. bsimp ignores the code of a singular linear system and
+/// continues with meaningless numbers, so the handler records this error.
 class ErrorsAsCodes {
  public:
   ErrorsAsCodes() {
@@ -31,7 +31,7 @@ class ErrorsAsCodes {
   ErrorsAsCodes(const ErrorsAsCodes&) = delete;
   ErrorsAsCodes& operator=(const ErrorsAsCodes&) = delete;
 
-  /// Has this thread met a singular matrix since it last asked?
+  /// Has a singular matrix occurred in this thread since the last call?
   [[nodiscard]] static bool met_singular_matrix() { return std::exchange(singular(), false); }
 
  private:
@@ -41,7 +41,7 @@ class ErrorsAsCodes {
     gsl_error_handler_t* before = nullptr;
   };
   static Shared& shared() {
-    static Shared state;  // as the handler that it guards: one for the program
+    static Shared state;  // global, as the handler
     return state;
   }
   static bool& singular() {
@@ -53,8 +53,8 @@ class ErrorsAsCodes {
   }
 };
 
-/// Code of our callbacks for an f that is not finite: not GSL_EBADFUNC, so that GSL tries a shorter step. GSL
-/// itself accepts a step to NaN, since no comparison with NaN finds the error too large.
+/// Return code of the callbacks for an f that is not finite: not GSL_EBADFUNC, so that GSL tries a shorter
+/// step. GSL itself would accept a step to NaN, because comparisons with NaN are false.
 constexpr int not_finite = GSL_EDOM;
 
 const gsl_odeiv2_step_type* step_type(Gsl::Formula formula) {
@@ -68,7 +68,7 @@ const gsl_odeiv2_step_type* step_type(Gsl::Formula formula) {
   return gsl_odeiv2_step_rk8pd;
 }
 
-/// The formula of dense output: the same, but one-step for multistep formulas, whose interpolant GSL hides.
+/// The formula of dense output: a one-step formula for multistep formulas, else the same.
 const gsl_odeiv2_step_type* type_between(Gsl::Formula formula) {
   switch (formula) {
     case Gsl::Formula::msadams: return gsl_odeiv2_step_rk8pd;
@@ -141,14 +141,15 @@ class GslStepper final : public PeerStepper {
     t0_ = t1_;
     x0_ = x1_;
     double t = t1_;
-    h_ = std::copysign(std::min(std::abs(h_), largest_step_), h_);  // GSL's own bound is its driver's
+    h_ =
+        std::copysign(std::min(std::abs(h_), largest_step_), h_);  // GSL applies its bound only in its driver
     const int code = advance(*driver_, t, end_, h_, x1_.data());
     const auto rejected = static_cast<std::int64_t>(driver_->e->failed_steps);
     statistics.rejected += rejected - rejected_;
     rejected_ = rejected;
     if (ErrorsAsCodes::met_singular_matrix()) return halved();
     if (code == not_finite) return {Attempt::Result::failed, t0_, h_, non_finite_rhs(name_, t0_, h_)};
-    // After a failure GSL may leave t and x at the step that it did not accept; the walk has its own.
+    // After a failure GSL may leave t and x at the rejected step; walk() has its own copies.
     if (code != GSL_SUCCESS) return {Attempt::Result::failed, t0_, h_, ivp::step_underflow(name_, t0_, h_)};
     t1_ = t;
     std::copy(x1_.begin(), x1_.end(), x);
@@ -167,20 +168,20 @@ class GslStepper final : public PeerStepper {
   void add_counters(Statistics& /*statistics*/) const override {}  // GSL counts no factorisations
 
  private:
-  /// A step of about @p h from @p t, at most to @p end, with what GSL says of it.
+  /// A step of about @p h from @p t, at most to @p end. @returns GSL's return code
   int advance(gsl_odeiv2_driver& driver, double& t, double end, double& h, double* x) {
-    // GSL cuts a step at the end if it is longer than the way; one that is as long misses the end by
+    // GSL shortens a longer step to meet the end exactly, but a step of exactly this length misses it by
     // rounding.
     if (h == end - t) h *= 2;
-    (void)ErrorsAsCodes::met_singular_matrix();  // of others
+    (void)ErrorsAsCodes::met_singular_matrix();  // resets errors of earlier calls
     const int code = gsl_odeiv2_evolve_apply(driver.e, driver.c, driver.s, &system_, &t, end, &h, x);
     callbacks_.exceptions.rethrow();
     return code;
   }
 
-  /// State at @p t by steps from the start of the latest one, usually a single one; false if GSL does not get
-  /// there. Only the error estimate says that a shorter step failed where the longer one did not, as bsimp
-  /// does near a singular matrix 1 - c h df/dx: it hands back the old state, and an estimate that is large.
+  /// State at @p t by steps, usually one, from the start of the latest step; false if GSL does not reach @p
+  /// t. A shorter step may fail where the longer one succeeded, as bsimp near a singular matrix 1 - c h
+  /// df/dx. It then returns the old state, and only a large error estimate shows the failure.
   bool steps_to(double t, double* x) {
     constexpr int most_tries = 1000;
     std::vector<double> from = x0_;
@@ -206,10 +207,10 @@ class GslStepper final : public PeerStepper {
     return true;
   }
 
-  /// After a step with a singular matrix: back, and on with half of it.
+  /// Rejects a step with a singular matrix and halves the step size.
   Attempt halved() {
     const double tried = driver_->e->last_step;
-    gsl_odeiv2_evolve_reset(driver_->e);  // else it goes on with the slope at the end of the false step
+    gsl_odeiv2_evolve_reset(driver_->e);  // discards the slope at the end of the rejected step
     gsl_odeiv2_step_reset(driver_->s);
     rejected_ = 0;
     x1_ = x0_;
@@ -246,7 +247,7 @@ Status integrate_by(Run& run, const Gsl& method) {
 }
 
 bool gsl_natively(const Gsl& method, const NativeEquations& equations, double t0, double t1, double* x) {
-  gsl_error_handler_t* before = gsl_set_error_handler_off();  // it would end the program
+  gsl_error_handler_t* before = gsl_set_error_handler_off();  // the handler would end the program
   gsl_odeiv2_system system = {equations.rhs, equations.jacobian, static_cast<std::size_t>(equations.size),
                               equations.data};
   gsl_odeiv2_driver* driver = gsl_odeiv2_driver_alloc_y_new(

@@ -1,5 +1,5 @@
 /// @file
-/// The integrators of the GNU Scientific Library behind our interface, if this build has it.
+/// Integrators of the GNU Scientific Library as peers; optional.
 #pragma once
 
 #include <string_view>
@@ -9,11 +9,11 @@
 namespace nlmech::peers {
 
 /// gsl_odeiv2 of the GNU Scientific Library (M. Galassi et al., GNU Scientific Library Reference Manual) with
-/// its standard step control. bsimp and msbdf get the exact Jacobian and df/dt. Dense output is a step of the
-/// same formula from the start of the latest one, under the same error control. The multistep formulas give
-/// no access to their interpolant: it is a step of rk8pd for msadams, of bsimp for msbdf.
+/// its standard step-size control. bsimp and msbdf use the exact Jacobian and df/dt. Dense output is a step
+/// from the start of the latest one under the same error control, by the same formula or, because GSL hides
+/// the interpolant of the multistep formulas, by rk8pd for msadams and bsimp for msbdf.
 struct Gsl {
-  /// Which formula.
+  /// Formulas.
   enum class Formula {
     rkf45,    ///< Runge-Kutta-Fehlberg, order 4(5)
     rk8pd,    ///< Prince-Dormand, order 8(9)
@@ -22,8 +22,8 @@ struct Gsl {
     msbdf     ///< backward differentiation formulas of orders 1 to 5 in Nordsieck form, for stiff problems
   };
   Formula formula = Formula::rk8pd;  ///< formula
-  double relative_tolerance = 1e-9;  ///< of a step's error, maximum norm; zero or more
-  double absolute_tolerance = 1e-9;  ///< added to it; positive
+  double relative_tolerance = 1e-9;  ///< relative tolerance of a step's error, maximum norm; >= 0
+  double absolute_tolerance = 1e-9;  ///< absolute tolerance of a step's error; positive
 
   /// "gsl-rkf45", "gsl-rk8pd", "gsl-bsimp", "gsl-msadams" or "gsl-msbdf".
   [[nodiscard]] std::string_view name() const {
@@ -38,7 +38,7 @@ struct Gsl {
   }
 };
 
-/// Was the library found when this program was built?
+/// Does this build have GSL?
 [[nodiscard]] bool gsl_available() noexcept;
 
 /// Runs GSL on arrays. @throws std::logic_error if the build has no GSL

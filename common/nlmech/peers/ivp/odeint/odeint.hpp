@@ -1,5 +1,5 @@
 /// @file
-/// Boost.Odeint behind our interface, if this build has it.
+/// Boost.Odeint as a peer; optional.
 #pragma once
 
 #include <string_view>
@@ -9,11 +9,11 @@
 namespace nlmech::peers {
 
 /// Boost.Odeint (K. Ahnert, M. Mulansky, Odeint - Solving ordinary differential equations in C++, AIP Conf.
-/// Proc. 1389 (2011) 1586-1589) with its standard step control. rosenbrock4 gets the exact Jacobian and
-/// df/dt. Dense output of dopri5 and rosenbrock4 is the library's own of order 4 and 3; that of the others is
-/// a shorter integration of the same formula from the start of the step, as accurate as the steps themselves.
+/// Proc. 1389 (2011) 1586-1589) with its standard step-size control. rosenbrock4 uses the exact Jacobian and
+/// df/dt. Dense output of dopri5 and rosenbrock4 is the library's own, of order 4 and 3. That of the others
+/// is an integration by the same formula from the start of the step, as accurate as the steps themselves.
 struct Odeint {
-  /// Which formula.
+  /// Formulas.
   enum class Formula {
     dopri5,          ///< Dormand-Prince, order 5(4)
     fehlberg78,      ///< Runge-Kutta-Fehlberg, order 8(7)
@@ -21,8 +21,9 @@ struct Odeint {
     rosenbrock4      ///< Rosenbrock method of order 4(3), for stiff problems
   };
   Formula formula = Formula::dopri5;  ///< formula
-  double relative_tolerance = 1e-9;   ///< of a step's error, maximum norm (rosenbrock4: root mean square)
-  double absolute_tolerance = 1e-9;   ///< added to it; positive
+  double relative_tolerance =
+      1e-9;  ///< relative tolerance of a step's error, maximum norm (rosenbrock4: RMS)
+  double absolute_tolerance = 1e-9;  ///< absolute tolerance of a step's error; positive
 
   /// "odeint-dopri5", "odeint-fehlberg78", "odeint-bulirsch-stoer" or "odeint-rosenbrock4".
   [[nodiscard]] std::string_view name() const {
@@ -36,7 +37,7 @@ struct Odeint {
   }
 };
 
-/// Was the library found when this program was built?
+/// Does this build have Odeint?
 [[nodiscard]] bool odeint_available() noexcept;
 
 /// Runs Odeint on arrays of any size. @throws std::logic_error if the build has no Odeint

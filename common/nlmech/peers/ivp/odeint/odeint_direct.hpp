@@ -1,6 +1,6 @@
 /// @file
-/// Odeint with the right-hand side inlined, for benchmarks: as its manual runs it, without our walk over
-/// steps, and as a method of integrate() on a Direct. Needs Boost.
+/// Odeint with an inlined right-hand side, for benchmarks: as in its manual, without walk(), and as a method
+/// of integrate() on a Direct. Requires Boost.
 #pragma once
 
 #include <array>
@@ -17,12 +17,12 @@
 
 namespace nlmech::peers {
 
-/// From @p t0 to @p t1 > t0 with a first step of a thousandth of the way.
+/// Integrates from @p t0 to @p t1 > t0 with an initial step of a thousandth of the interval.
 ///
-/// Nothing is checked: with a tolerance below rounding Odeint 1.74 may never come back. A caller tries such
-/// tolerances behind our interface first.
-/// @param f called as f(x, dxdt, t) @param x the state, to the end in place
-/// @return did Odeint get there? False also for rosenbrock4, which is not explicit
+/// Nothing is checked: with a tolerance below rounding Odeint 1.74 may never return. Try such tolerances with
+/// the peer of integrate() first.
+/// @param f called as f(x, dxdt, t) @param x initial state; replaced by the final one
+/// @return true on success; false also for rosenbrock4, which is not explicit
 template <class F, std::size_t n>
 [[nodiscard]] bool odeint_natively(const Odeint& method, const F& f, double t0, double t1,
                                    std::array<double, n>& x) {
@@ -30,13 +30,13 @@ template <class F, std::size_t n>
   using State = std::array<double, n>;
   const double absolute = method.absolute_tolerance, relative = method.relative_tolerance;
   const double step = (t1 - t0) / 1000;
-  // By reference: a copied stepper copies stages that have no values yet.
+  // By reference, because a copy of a stepper reads uninitialised stages.
   const auto go = [&](auto&& stepper) {
     odeint::integrate_adaptive(std::ref(stepper), f, x, t0, t1, step);
     return true;
   };
   const auto controlled = [&]<class Formula>(std::type_identity<Formula>) {
-    // Odeint copies them here too; those of a static object are zeros.
+    // Odeint copies the stages here, too; those of a static object are zeros.
     static const Formula blank;
     return go(odeint::make_controlled(absolute, relative, blank));
   };
@@ -54,10 +54,10 @@ template <class F, std::size_t n>
   return false;
 }
 
-/// An explicit formula of Odeint, compiled with the system that it integrates. The same steps as Odeint.
+/// An explicit formula of Odeint compiled with the system. Its steps equal those of Odeint.
 struct OdeintDirect : Odeint {};
 
-/// The inlined Odeint as a method of integrate(). @throws std::invalid_argument for rosenbrock4
+/// Makes the inlined Odeint available to integrate(). @throws std::invalid_argument for rosenbrock4
 template <ivp::SystemLike S>
 [[nodiscard]] ivp::SolutionOf<S> run(const ivp::InitialValueProblemOf<S>& problem,
                                      const OdeintDirect& method) {

@@ -13,9 +13,9 @@ namespace {
 using Column = boost::numeric::ublas::vector<double>;
 using Matrix = boost::numeric::ublas::matrix<double>;  // by rows
 
-/// Boost 1.74 has the sign of the fourth coefficient of df/dt wrong, which makes the formula one of order 1
-/// wherever f depends on t. RODAS has a minus (E. Hairer, G. Wanner, Solving Ordinary Differential Equations
-/// II, 1996, IV.10).
+/// Coefficients with the correct sign of the fourth coefficient of df/dt, a minus in RODAS (E. Hairer, G.
+/// Wanner, Solving Ordinary Differential Equations II, 1996, IV.10). The wrong sign in Boost 1.74 reduces the
+/// order to 1 if f depends on t.
 struct Coefficients : boost::numeric::odeint::default_rosenbrock_coefficients<double> {
   const double d4 = -0.3620000000000023e-01;
 };
@@ -54,7 +54,7 @@ struct Rosenbrock::Inside {
         next(n),
         out(n) {}
   double absolute_tolerance, relative_tolerance;
-  std::optional<Controlled> controlled;  // replaced as a whole: Odeint's cannot be assigned
+  std::optional<Controlled> controlled;  // optional, because Odeint's type cannot be assigned
   std::vector<double> by_columns;
   std::pair<Rhs, Derivatives> system;
   Column x0, x1, next, out;

@@ -1,14 +1,14 @@
 /// @file
-/// Odeint's rosenbrock4 behind an interface of plain arrays. Its source is compiled as C++17, since the
-/// matrices that it stands on (Boost 1.74, uBLAS) call std::allocator::construct, which C++20 has no more; so
-/// this header includes nothing of the suite.
+/// Odeint's rosenbrock4 with an interface of plain arrays. Its source is compiled as C++17, because its
+/// matrices (Boost 1.74, uBLAS) call std::allocator::construct, which C++20 has removed; so this header
+/// includes no other nlmech header.
 #pragma once
 
 #include <memory>
 
 namespace nlmech::peers::detail {
 
-/// What rosenbrock4 evaluates.
+/// Equations and derivatives for rosenbrock4.
 class RosenbrockEquations {
  public:
   RosenbrockEquations() = default;
@@ -24,21 +24,22 @@ class RosenbrockEquations {
 /// rosenbrock4_controller with its states.
 class Rosenbrock {
  public:
-  /// @param equations outlive this object
+  /// @param equations must outlive this object
   Rosenbrock(RosenbrockEquations& equations, int size, double absolute_tolerance, double relative_tolerance);
   ~Rosenbrock();
   Rosenbrock(const Rosenbrock&) = delete;
   Rosenbrock& operator=(const Rosenbrock&) = delete;
 
-  /// Forgets earlier steps. @param x state to go on from; null: the present one
+  /// Discards information from earlier steps. @param x new state; null: the current one
   void restart(const double* x);
-  /// Tries a step of @p length from @p t. True if Odeint accepts it; @p length becomes its next wish.
+  /// Tries a step of size @p length from @p t. True if Odeint accepts it; @p length becomes its next step
+  /// size.
   [[nodiscard]] bool try_step(double t, double& length);
-  /// State that the latest try led to.
+  /// State at the end of the latest trial step.
   [[nodiscard]] const double* next() const;
-  /// Goes over to next(), which was reached from @p t0 at @p t1.
+  /// Accepts next(), reached from @p t0 at @p t1, as the current state.
   void advance(double t0, double t1);
-  /// State at @p t within the latest step that advance() took, as long as no other was tried.
+  /// State at @p t within the latest step of advance(); valid until the next try_step().
   void at(double t, double* x);
 
  private:

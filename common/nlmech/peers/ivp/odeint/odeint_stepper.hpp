@@ -1,6 +1,5 @@
 /// @file
-/// Odeint's controlled steppers as steppers of the common walk. Only sources that are compiled with Boost
-/// include this.
+/// Odeint's controlled steppers as peer steppers. Only for sources that are compiled with Boost.
 #pragma once
 
 #include <algorithm>
@@ -22,11 +21,11 @@
 
 namespace nlmech::peers::detail {
 
-/// A state of n components that Odeint's algebra of arrays takes and that equations take as their own, so
-/// that nothing is copied between them and loops unroll.
+/// A state of n components for both Odeint's array algebra and the equations, so that nothing is copied and
+/// loops are unrolled.
 template <class T, std::size_t n>
 struct OdeintState : Vector<T, static_cast<int>(n)> {
-  using Base = Vector<T, static_cast<int>(n)>;  ///< what it is to everybody else
+  using Base = Vector<T, static_cast<int>(n)>;  ///< state of the equations
   using Base::Base;
   using Base::operator=;
 };
@@ -34,17 +33,17 @@ struct OdeintState : Vector<T, static_cast<int>(n)> {
 template <int n>
 using OdeintStateOf = std::conditional_t<n == Eigen::Dynamic, std::vector<double>,
                                          OdeintState<double, static_cast<std::size_t>(n < 1 ? 1 : n)>>;
-/// How Odeint loops over it.
+/// Odeint's algebra for a state.
 template <class State>
 using OdeintAlgebra =
     std::conditional_t<std::is_same_v<State, std::vector<double>>, boost::numeric::odeint::range_algebra,
                        boost::numeric::odeint::array_algebra>;
 
-/// Odeint's right-hand side: copied freely by its steppers, so it holds a pointer.
+/// Odeint's right-hand side. It holds a pointer, because Odeint's steppers copy it.
 template <class E, class State>
 struct OdeintRhs {
-  E* equations;     ///< Equations, or a final class of them
-  double sign = 1;  ///< -1: Odeint's time runs against that of the equations
+  E* equations;     ///< Equations or a final class derived from it
+  double sign = 1;  ///< -1: Odeint's time is -t
   /// dx/dt into @p f.
   void operator()(const State& x, State& f, double t) const {
     if constexpr (requires { equations->rhs(t, x, f); }) {
@@ -58,36 +57,36 @@ struct OdeintRhs {
   }
 };
 
-/// What all of Odeint's formulas need around a try of a step. Odeint's own loops are not used: they accept a
-/// step to NaN or infinity, since no comparison with NaN finds its error too large, and they repeat a
-/// rejected step for ever, or some hundred times, when its length has become zero or NaN.
+/// Time and step size of a loop over Odeint's trial steps. Odeint's own loops accept a step to NaN or
+/// infinity, because comparisons with NaN are false, and repeat a rejected step for ever or hundreds of times
+/// if its size has become zero or NaN.
 class OdeintStep {
  public:
-  /// @param method for the sentences @param largest no step is longer
+  /// @param method name for messages @param largest greatest step size
   explicit OdeintStep(std::string_view method, double largest = std::numeric_limits<double>::infinity())
       : method_(method), largest_(largest) {}
-  /// On from @p t to @p end with a first step of @p step. @param reflected let Odeint's time be -t
+  /// Starts at @p t towards @p end with the initial step @p step. @param reflected use -t as Odeint's time
   void begin(double t, double end, double step, bool reflected = false) {
     sign_ = reflected ? -1 : 1;
     t_ = sign_ * t;
     end_ = sign_ * end;
     step_ = within(sign_ * step);
   }
-  /// Time that has been reached, Odeint's.
+  /// Odeint's time reached.
   [[nodiscard]] double time() const { return t_; }
   /// Is the end reached?
   [[nodiscard]] bool done() const { return t_ == end_; }
-  /// -1 if Odeint's time is reflected.
+  /// -1 if Odeint's time is -t, else 1.
   [[nodiscard]] double sign() const { return sign_; }
-  /// Length to try next, cut at the end.
+  /// Next step size, shortened to meet the end.
   [[nodiscard]] double cut() const { return last() ? end_ - t_ : step_; }
-  /// What follows from a try of the length @p tried. @param accepted by Odeint, @param finite are state and
-  /// slope, @param next length that Odeint wants to go on with
+  /// Result of a trial step of size @p tried. @param accepted true if Odeint accepts it @param finite true if
+  /// state and slope are finite @param next Odeint's next step size
   [[nodiscard]] Attempt judge(bool accepted, bool finite, double tried, double next) {
     if (accepted && finite) {
       const bool to_end = last();
       t_ = to_end ? end_ : t_ + tried;
-      // The length of a step that was cut says nothing about the next one.
+      // A step shortened to meet the end must not reduce the next step size.
       if (std::isfinite(next) && !(to_end && std::abs(next) < std::abs(step_))) step_ = within(next);
       return {Attempt::Result::accepted, sign_ * t_, sign_ * tried, {}};
     }
@@ -110,42 +109,42 @@ class OdeintStep {
   double t_ = 0, end_ = 0, step_ = 0, sign_ = 1;
 };
 
-/// Dormand-Prince with its own dense output.
+/// Dormand-Prince formula with its own dense output.
 template <class State>
 struct Dopri5 {
-  /// Odeint's name for it.
+  /// Odeint's type of the formula.
   using Formula =
       boost::numeric::odeint::runge_kutta_dopri5<State, double, State, double, OdeintAlgebra<State>>;
   /// With step control.
   using Controlled = boost::numeric::odeint::controlled_runge_kutta<Formula>;
   static constexpr bool gives_slope = true;  ///< f at the end of a step is its last stage
 };
-/// Fehlberg's of order 8(7).
+/// Fehlberg's formula of order 8(7).
 template <class State>
 struct Fehlberg78 {
-  /// Odeint's name for it.
+  /// Odeint's type of the formula.
   using Formula =
       boost::numeric::odeint::runge_kutta_fehlberg78<State, double, State, double, OdeintAlgebra<State>>;
   /// With step control.
   using Controlled = boost::numeric::odeint::controlled_runge_kutta<Formula>;
   static constexpr bool gives_slope = false;  ///< f at the end is evaluated for the next step
 };
-/// Extrapolation. Odeint 1.74 compares the signed lengths of its steps when it chooses the order, so that
-/// backwards it takes the most expensive for the cheapest: thousands of steps where forwards it takes thirty.
-/// Hence it is always sent forwards, on -t if need be.
+/// Bulirsch-Stoer extrapolation. Odeint 1.74 compares signed step sizes when it chooses the order. Backwards
+/// in time it therefore chooses the most expensive order and takes thousands of steps instead of thirty.
+/// Hence its time always increases; it is -t for an integration backwards.
 template <class State>
 struct BulirschStoer {
-  /// Odeint's name for it.
+  /// Odeint's type of the formula.
   using Controlled =
       boost::numeric::odeint::bulirsch_stoer<State, double, State, double, OdeintAlgebra<State>>;
   static constexpr bool gives_slope = false;  ///< f at the end is evaluated for the next step
 };
 
-/// One of the three explicit formulas on the equations E.
+/// Stepper of one of the three explicit formulas for the equations E.
 template <class E, class State, template <class> class Kind>
 class OdeintStepper final : public PeerStepper {
  public:
-  /// @param equations outlive the stepper
+  /// @param equations must outlive the stepper
   OdeintStepper(E& equations, const Odeint& method, double largest_step)
       : equations_(equations),
         tolerances_{method.relative_tolerance, method.absolute_tolerance},
@@ -180,7 +179,7 @@ class OdeintStepper final : public PeerStepper {
     }
     const double t0 = step_.time();
     Attempt done = step_.judge(accepted, is_finite, tried, next_length);
-    if (!is_finite) controlled_.emplace(make(tolerances_));  // may remember a NaN
+    if (!is_finite) controlled_.emplace(make(tolerances_));  // may have stored a NaN
     if (done.result != Attempt::Result::accepted) return done;
     t0_ = t0;
     std::swap(x0_, x1_);
@@ -211,7 +210,7 @@ class OdeintStepper final : public PeerStepper {
     if constexpr (std::is_same_v<Kind<State>, BulirschStoer<State>>) {
       return Controlled(tolerances.absolute, tolerances.relative);
     } else {
-      // Odeint copies its stages before they have values; those of a static object are zeros.
+      // Odeint copies uninitialised stages; those of a static object are zeros.
       static const typename Controlled::stepper_type blank;
       return Controlled({tolerances.absolute, tolerances.relative}, {}, blank);
     }
@@ -226,8 +225,8 @@ class OdeintStepper final : public PeerStepper {
     }
   }
 
-  /// From the start of the latest step to @p end, in Odeint's time, by steps of the same formula: usually
-  /// one. False if Odeint does not get there.
+  /// State at @p end (Odeint's time) by steps of the same formula, usually one, from the start of the latest
+  /// step. False on failure.
   bool steps_to(double end, State& x) {
     Controlled controlled = make(tolerances_);
     OdeintStep step(method_);
@@ -251,14 +250,15 @@ class OdeintStepper final : public PeerStepper {
   E& equations_;
   Tolerances tolerances_;
   std::string_view method_;
-  std::optional<Controlled> controlled_;  // replaced as a whole: Odeint's cannot all be assigned
+  std::optional<Controlled> controlled_;  // optional, because not all of Odeint's types can be assigned
   OdeintStep step_;
   OdeintRhs<E, State> rhs_{&equations_};
   State x0_{}, x1_{}, f0_{}, f1_{}, next_{}, slope_{};
   double t0_ = 0;
 };
 
-/// Runs one of the explicit formulas. @throws std::invalid_argument for rosenbrock4, which is not explicit
+/// Integrates by one of the explicit formulas. @throws std::invalid_argument for rosenbrock4, which is not
+/// explicit
 template <class State, class E>
 [[nodiscard]] Status run_explicit_odeint(E& equations, Run& run, const Odeint& method) {
   const auto walk_with = [&]<template <class> class Kind>(std::type_identity<Kind<State>>) {

@@ -32,13 +32,12 @@ class ArkodeStepper final : public SundialsStepper {
     ARKStepSetErrHandlerFn(memory, &silence_sundials, nullptr);
     ARKStepSetUserData(memory, &callbacks_);
     ARKStepSStolerances(memory, method.relative_tolerance, method.absolute_tolerance);
-    ARKStepSetMaxNumSteps(memory, -1);  // no limit of its own (500): the walk counts
+    ARKStepSetMaxNumSteps(memory, -1);  // no limit of its own (500): walk() has the limit
     if (implicit_) {
       use_newton();
-      // A factorisation for each step. By default ARKODE keeps one while the step length changes by up to a
-      // fifth, and with it the rate of convergence that it has seen: after steps that converged at once it
-      // then takes the first iterate for the solution, with an error of up to a thousand tolerances that
-      // nothing reports.
+      // One factorisation per step. By default ARKODE keeps the factorisation while the step size changes by
+      // up to a fifth, and with it the estimated rate of convergence. After steps that converged at once it
+      // then accepts the first iterate, with an unreported error of up to a thousand tolerances.
       ARKStepSetLSetupFrequency(memory, 1);
     }
     if (std::isfinite(largest_step)) ARKStepSetMaxStep(memory, largest_step);

@@ -35,7 +35,7 @@ class CvodeStepper final : public SundialsStepper {
     CVodeInit(memory, &SundialsCallbacks::rhs, 0, state_.get());
     CVodeSetUserData(memory, &callbacks_);
     CVodeSStolerances(memory, method.relative_tolerance, method.absolute_tolerance);
-    CVodeSetMaxNumSteps(memory, -1);  // no limit of its own (500): the walk counts
+    CVodeSetMaxNumSteps(memory, -1);  // no limit of its own (500): walk() has the limit
     if (method.formula == Cvode::Formula::adams) {
       fixed_point_.emplace(SUNNonlinSol_FixedPoint(state_.get(), 0, context_.get()));
       CVodeSetNonlinearSolver(memory, fixed_point_->get());
@@ -66,7 +66,7 @@ int rhs(realtype t, N_Vector x, N_Vector f, void* data) {
   return e.rhs(t, NV_DATA_S(x), NV_DATA_S(f), e.data);
 }
 
-/// SUNDIALS keeps matrices by columns.
+/// df/dx for SUNDIALS, whose matrices are stored by columns.
 int jacobian(realtype t, N_Vector x, N_Vector /*f*/, SUNMatrix matrix, void* data, N_Vector dfdt, N_Vector,
              N_Vector) {
   const NativeEquations& e = equations_of(data);
@@ -111,7 +111,7 @@ bool cvode_natively(const Cvode& method, const NativeEquations& equations, doubl
     CVodeSetLinearSolver(cvode.get(), solver->get(), matrix->get());
     CVodeSetJacFn(cvode.get(), &jacobian);
   }
-  CVodeSetStopTime(cvode.get(), t1);  // the end of a step, more accurate than what lies between
+  CVodeSetStopTime(cvode.get(), t1);  // ends a step at t1, which is more accurate than interpolation
   double t = t0;
   return CVode(cvode.get(), t1, state.get(), &t, CV_NORMAL) >= 0;
 }

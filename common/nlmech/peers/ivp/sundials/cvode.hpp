@@ -1,5 +1,5 @@
 /// @file
-/// CVODE of SUNDIALS behind our interface, if this build has it.
+/// CVODE of SUNDIALS as a peer; optional.
 #pragma once
 
 #include <string_view>
@@ -9,18 +9,18 @@
 namespace nlmech::peers {
 
 /// CVODE (S. D. Cohen, A. C. Hindmarsh, CVODE, a stiff/nonstiff ODE solver in C, Computers in Physics 10
-/// (1996) 138-143): multistep formulas of variable order and step. Adams solves its formula by fixed-point
-/// iteration, BDF by Newton's with the exact Jacobian and dense factorisation. Dense output is CVODE's own
-/// interpolant, of the order of the formula.
+/// (1996) 138-143): multistep formulas of variable order and step size. Adams formulas are solved by
+/// fixed-point iteration, BDF by Newton's method with the exact Jacobian and dense factorisation. Dense
+/// output is CVODE's own interpolant, of the order of the formula.
 struct Cvode {
-  /// Which family of formulas.
+  /// Families of formulas.
   enum class Formula {
-    adams,  ///< orders 1 to 12, for problems that are not stiff
-    bdf     ///< orders 1 to 5, for stiff ones
+    adams,  ///< Adams formulas of orders 1 to 12, for non-stiff problems
+    bdf     ///< backward differentiation formulas of orders 1 to 5, for stiff problems
   };
   Formula formula = Formula::bdf;    ///< family
-  double relative_tolerance = 1e-9;  ///< of a step's error, root mean square; zero or more
-  double absolute_tolerance = 1e-9;  ///< added to it; positive
+  double relative_tolerance = 1e-9;  ///< relative tolerance of a step's error, root mean square; >= 0
+  double absolute_tolerance = 1e-9;  ///< absolute tolerance of a step's error; positive
 
   /// "cvode-adams" or "cvode-bdf".
   [[nodiscard]] std::string_view name() const {
@@ -28,7 +28,7 @@ struct Cvode {
   }
 };
 
-/// Was the library found when this program was built?
+/// Does this build have CVODE?
 [[nodiscard]] bool cvode_available() noexcept;
 
 /// Runs CVODE on arrays. @throws std::logic_error if the build has no CVODE

@@ -1,6 +1,6 @@
 /// @file
-/// What CVODE and ARKODE share: callbacks, the meaning of return flags, and the stepper. Only sources that
-/// are compiled with SUNDIALS include this.
+/// Common code of CVODE and ARKODE: callbacks, return flags, and the stepper. Only for sources that are
+/// compiled with SUNDIALS.
 #pragma once
 
 #include <fmt/format.h>
@@ -16,12 +16,12 @@
 
 namespace nlmech::peers {
 
-/// What callbacks get as their user data.
+/// User data of the callbacks.
 struct SundialsCallbacks {
-  Equations& equations;  ///< to evaluate
-  Rethrower exceptions;  ///< of the equations
+  Equations& equations;  ///< equations to evaluate
+  Rethrower exceptions;  ///< exceptions of the equations
 
-  /// f; 1, "try a shorter step", if it is not finite. SUNDIALS itself would take a NaN for a number.
+  /// Evaluates f. @returns 1, "try a shorter step", if f is not finite, which SUNDIALS does not check
   static int rhs(realtype t, N_Vector x, N_Vector f, void* data) noexcept {
     auto& self = *static_cast<SundialsCallbacks*>(data);
     return self.exceptions.keep(-1, [&] {
@@ -30,7 +30,7 @@ struct SundialsCallbacks {
       return self.equations.check(out) ? 0 : 1;
     });
   }
-  /// df/dx, likewise.
+  /// Evaluates df/dx. @returns 1 if it is not finite
   static int jacobian(realtype t, N_Vector x, N_Vector /*f*/, SUNMatrix j, void* data, N_Vector, N_Vector,
                       N_Vector) noexcept {
     auto& self = *static_cast<SundialsCallbacks*>(data);
@@ -43,12 +43,13 @@ struct SundialsCallbacks {
   }
 };
 
-/// SUNDIALS interpolates within the latest step alone, and leaves the vector as it is elsewhere.
+/// Throws for a time outside the latest step, where SUNDIALS does not interpolate and leaves the vector
+/// unchanged.
 [[noreturn]] inline void refuse_dense_output(std::string_view method, double t) {
   throw invalid_argument("{}: t = {:.17g} is not within the latest step", method, t);
 }
 
-/// The status of a negative return flag of CVode() or ARKStepEvolve(), which number them alike.
+/// Status of a negative return flag, which CVode() and ARKStepEvolve() number alike.
 [[nodiscard]] inline Status sundials_failure(std::string_view method, int flag, double t, double step) {
   const auto sentence = [&](std::string_view what) {
     return fmt::format("{}: at t = {:.17g}, with a step of {:.6g}, {} (flag {})", method, t, step, what,
@@ -83,25 +84,25 @@ struct SundialsCallbacks {
   }
 }
 
-/// df/dx as SUNDIALS calls it.
+/// Type of SUNDIALS callbacks for df/dx.
 using SundialsJacobian = int (*)(realtype, N_Vector, N_Vector, SUNMatrix, void*, N_Vector, N_Vector,
                                  N_Vector);
 
-/// The functions of an integrator of SUNDIALS; those of CVODE and ARKODE have the same arguments.
+/// Functions of an integrator of SUNDIALS, with the same arguments for CVODE and ARKODE.
 struct SundialsFunctions {
-  int (*evolve)(void*, realtype, N_Vector, realtype*, int);     ///< goes to a time, or by one step
-  int one_step;                                                 ///< the last argument for that
-  int (*interpolate)(void*, realtype, int, N_Vector);           ///< within the latest step
-  int (*set_stop_time)(void*, realtype);                        ///< no step passes it
-  int (*current_step)(void*, realtype*);                        ///< length to try next
-  int (*last_step)(void*, realtype*);                           ///< length of the latest step
-  int (*newton_iterations)(void*, long*);                       ///< so far
-  int (*factorisations)(void*, long*);                          ///< so far
-  int (*set_linear_solver)(void*, SUNLinearSolver, SUNMatrix);  ///< of Newton's iteration
-  int (*set_jacobian)(void*, SundialsJacobian);                 ///< df/dx
+  int (*evolve)(void*, realtype, N_Vector, realtype*, int);     ///< integrates to a time, or by one step
+  int one_step;                                                 ///< last argument of evolve for one step
+  int (*interpolate)(void*, realtype, int, N_Vector);           ///< interpolates within the latest step
+  int (*set_stop_time)(void*, realtype);                        ///< sets a time that no step passes
+  int (*current_step)(void*, realtype*);                        ///< size of the next step
+  int (*last_step)(void*, realtype*);                           ///< size of the latest step
+  int (*newton_iterations)(void*, long*);                       ///< number of Newton iterations
+  int (*factorisations)(void*, long*);                          ///< number of factorisations
+  int (*set_linear_solver)(void*, SUNLinearSolver, SUNMatrix);  ///< sets the linear solver of Newton's method
+  int (*set_jacobian)(void*, SundialsJacobian);                 ///< sets the callback for df/dx
 };
 
-/// An integrator of SUNDIALS as a stepper of the common walk.
+/// An integrator of SUNDIALS as a peer stepper.
 class SundialsStepper : public PeerStepper {
  public:
   Status begin(double t, const double* x, double end) override {
@@ -158,11 +159,11 @@ class SundialsStepper : public PeerStepper {
         size_(equations.size()) {}
   /// The integrator's memory.
   [[nodiscard]] virtual void* memory() const = 0;
-  /// Begins anew at (@p t, state_).
+  /// Restarts the integrator at (@p t, state_).
   virtual void restart(double t) = 0;
-  /// Tries that failed since then.
+  /// Number of rejected steps since restart().
   [[nodiscard]] virtual long rejected_steps() const = 0;
-  /// Newton's iteration with the exact Jacobian, dense.
+  /// Selects Newton's method with the exact Jacobian and dense factorisation.
   void use_newton() {
     matrix_.emplace(SUNDenseMatrix(size_, size_, context_.get()));
     solver_.emplace(SUNLinSol_Dense(state_.get(), matrix_->get(), context_.get()));
@@ -170,8 +171,8 @@ class SundialsStepper : public PeerStepper {
     functions_.set_jacobian(memory(), &SundialsCallbacks::jacobian);
   }
 
-  SundialsCallbacks callbacks_;  ///< the user data
-  SundialsContext context_;      ///< of all objects
+  SundialsCallbacks callbacks_;  ///< user data of the callbacks
+  SundialsContext context_;      ///< context of all objects
   SundialsVector state_;         ///< latest state
 
  private:
