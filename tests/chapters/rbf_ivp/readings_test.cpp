@@ -22,10 +22,11 @@ TEST(Score, CountsDigitsAndUnits) {
   Score s;
   s.count("0.998", 0.9977);
   EXPECT_EQ(s.exact, 1);
-  s.count("0.998", 0.9971);
+  s.count("0.998", 0.9989);  // cut off
+  s.count("0.998", 0.9971);  // neither rounded nor cut off
   s.count("2.41e-2", 2.507e-2);
   s.count("1.18e-4", std::nan(""));
-  EXPECT_EQ(s.rows, 4);
+  EXPECT_EQ(s.rows, 5);
   EXPECT_EQ(s.exact, 1);
   EXPECT_EQ(s.close, 2);
 }
