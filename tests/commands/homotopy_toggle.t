@@ -60,6 +60,17 @@ height of 2, 258.7 and 266.7 for 1; with four elements the three at height 1, 16
   bifurcation,symmetric
   maximum,symmetric
   $ holds --each 'load = [161.0617, 258.7358, 266.6795] +- 2.5e-4*load' < points.csv
+
+Two bifurcations between which one more motion is unstable, beside a third that is not: the motions that are unstable at the ends of the step
+do not show them. Loads by `tests/randomised/commands/half_toggle.py`, to their printed digits:
+
+  $ limit_points 12.783486250373349 --elements 2 | tail -n 4 > points.csv
+  $ cut -d, -f 1,4 points.csv
+  bifurcation,antisymmetric
+  bifurcation,symmetric
+  bifurcation,antisymmetric
+  bifurcation,antisymmetric
+  $ (echo kind,load,deflection,motion; sed -n 2,3p points.csv) | holds --each 'load = [-6450.87, -6379.09] +- 0.005' 'deflection = [12.934, 12.946] +- 5e-4'
   $ homotopy limit-points --height 1 --elements 1
   homotopy: wrong_branch: limit-points: the path is followed to a drop of * in and 1 critical points, no farther; take another number of elements a member, 4 or more: *: this is the straight branch, which is unstable; take two elements a member, or start from a symmetric imperfection of the end rotations (glob)
   [1]

@@ -214,6 +214,8 @@ class Path {
   [[nodiscard]] AroundZero around_zero();
   [[nodiscard]] std::optional<double> dip_in(double low, double high, double AroundZero::*side,
                                              Eigen::Index negative);
+  void split_between(double low, double high, Eigen::Index first, Eigen::Index last,
+                     std::vector<double>& parts);
   [[nodiscard]] Outcome splits(std::vector<double>& parts);
   [[nodiscard]] bool is_change_at(double part, CriticalPoint::Kind kind);
   [[nodiscard]] double part_of(const PathPoint& point) const;

@@ -63,6 +63,26 @@ std::optional<double> Path::dip_in(double low, double high, double AroundZero::*
   });
 }
 
+/// Between two places whose numbers of negative eigenvalues differ: fractions of the step that separate
+/// further changes of sign, which cancel between the places.
+void Path::split_between(double low, double high, Eigen::Index first, Eigen::Index last,
+                         std::vector<double>& parts) {
+  std::array<Eigen::Index, places> negative{};
+  negative.front() = first, negative.back() = last;
+  const auto part = [&](std::size_t i) { return low + (high - low) * static_cast<double>(i) / (places - 1); };
+  PathPoint point;
+  Eigen::Index all = 0;
+  for (std::size_t i = 1; i < places; ++i) {
+    if (i + 1 < places)
+      negative[i] = between(part(i), point) == Outcome::success ? point.negative : negative[i - 1];
+    all += std::abs(negative[i] - negative[i - 1]);
+  }
+  if (all == std::abs(last - first)) return;
+  for (std::size_t i = 1; i + 1 < places; ++i) {
+    if (negative[i] != negative[i - 1] || negative[i] != negative[i + 1]) parts.push_back(part(i));
+  }
+}
+
 /// Fractions of the step that separate changes of sign of eigenvalues which cancel over the step: two
 /// bifurcation points within one step. Samples inner points of the cubic and refines where the smallest
 /// positive or greatest negative eigenvalue has a minimum of its magnitude near zero. Changes of one
@@ -108,6 +128,10 @@ Outcome Path::splits(std::vector<double>& parts) {
       if (!(std::abs(vertex.at) <= 1 && vertex.value < 0.3 * std::max(left, right))) continue;
       if (const auto dip = dip_in(part(i - 1), part(i + 1), side, negative[i])) parts.push_back(*dip);
     }
+  }
+  for (std::size_t i = 1; i < places; ++i) {
+    if (negative[i] != negative[i - 1])
+      split_between(part(i - 1), part(i), negative[i - 1], negative[i], parts);
   }
   std::sort(parts.begin(), parts.end());
   return Outcome::success;
