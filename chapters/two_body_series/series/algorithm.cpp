@@ -67,15 +67,13 @@ scene::Figure draw() {
              "{/:Italic n}"});
   chart.box({73, 66}, right,
             {"{/:Bold g_p = f^{−p/2}, p = 3}  (3.66)",
-             "{/:Italic g}@_3^{/*0.9 (n)} = −[(3/2) {/:Italic f}^{(1)}{/:Italic g}@_3^{/*0.9 (n−1)} + Σ "
-             "C({/:Italic n}−1, "
+             "{/:Italic g}_3^{(n)} = −[(3/2) {/:Italic f}^{(1)}{/:Italic g}_3^{(n−1)} + Σ C({/:Italic n}−1, "
              "{/:Italic m}) (",
-             "(3/2) {/:Italic f}^{(m+1)}{/:Italic g}@_3^{/*0.9 (n−1−m)} + {/:Italic f}^{(m)}{/:Italic "
-             "g}@_3^{/*0.9 (n−m)})]"
+             "(3/2) {/:Italic f}^{(m+1)}{/:Italic g}_3^{(n−1−m)} + {/:Italic f}^{(m)}{/:Italic g}_3^{(n−m)})]"
              "/{/:Italic f},  {/:Italic m} = 1, …, {/:Italic n}−1"});
   chart.box({73, 44}, right,
             {"{/:Bold r″ = −μ g_3 r}  (3.68)",
-             "r^{(n+2)} = −μ Σ C({/:Italic n}, {/:Italic m}) r^{(m)}{/:Italic g}@_3^{/*0.9 (n−m)}"});
+             "r^{(n+2)} = −μ Σ C({/:Italic n}, {/:Italic m}) r^{(m)}{/:Italic g}_3^{(n−m)}"});
   chart.decision({73, 17}, {18, 9}, {"{/:Italic n} + 2 = {/:Italic K}?"});
   chart.way({{23, 80}, {23, 70}});
   chart.way({{43, 62}, {45.5, 62}, {45.5, 88}, {49, 88}});
