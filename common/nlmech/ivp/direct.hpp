@@ -141,6 +141,8 @@ inline constexpr int lanes = n == Eigen::Dynamic ? 8 : n;
 
 }  // namespace detail
 
+// One of the two bases has no functions to override. NOLINTBEGIN(modernize-use-override)
+
 /// Inlines a problem into a system. A problem is a callable
 /// `template <class T> void operator()(const T& t, const Vector<T, m>& x, Vector<T, m>& dxdt) const` with
 /// `static constexpr int dimension = m` (Eigen::Dynamic: also a member `int size() const`). It may offer:
@@ -450,6 +452,7 @@ class Direct final : public std::conditional_t<n == Eigen::Dynamic, detail::AnyP
 
   Problem problem_;
 };
+// NOLINTEND(modernize-use-override)
 
 /// `Direct(problem)` is a Direct of the problem's own dimension.
 template <class Problem>

@@ -18,7 +18,7 @@ namespace {
 
 using Eigen::Index;
 
-constexpr int points = 17;  // nodes of the polynomial, including the start
+constexpr int node_count = 17;  // nodes of the polynomial, including the start
 
 Status refused(double t0, std::string_view why) {
   return failed_with(Outcome::outside_validity,
@@ -66,14 +66,14 @@ class Collocation {
       : system_(system),
         x0_(x0),
         t0_(t0),
-        nodes_((collocation::left_end_and_radau(points).array() + 1) / 2),
+        nodes_((collocation::left_end_and_radau(node_count).array() + 1) / 2),
         weights_(collocation::barycentric_weights(nodes_)),
         slope_(collocation::polynomial_differentiation_matrix(nodes_)) {}
 
   /// The polynomial on [t0, t0 + @p h], h of either sign; none if Newton's iteration fails or the check
   /// between the nodes does.
   std::optional<StatePolynomial> solve(double h) const {
-    Nodes x = x0_.replicate(1, points);
+    Nodes x = x0_.replicate(1, node_count);
     constexpr int most = 25;
     double update = std::numeric_limits<double>::infinity();
     for (int k = 0; k < most; ++k) {
@@ -91,26 +91,26 @@ class Collocation {
  private:
   // One step of Newton's iteration. @return the largest change relative to the size of its component
   double improve(double h, Nodes& x) const {
-    const Index n = x0_.size(), size = (points - 1) * n;
+    const Index n = x0_.size(), size = (node_count - 1) * n;
     Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(size, size), j(n, n);
     Eigen::VectorXd rest(size);
     State f(n);
-    for (Index row = 1; row < points; ++row) {
+    for (Index row = 1; row < node_count; ++row) {
       const State at = x.col(row);
       const double t = t0_ + h * nodes_[row];
       system_.rhs(t, at, f);
       system_.jacobian(t, at, j);
       rest.segment((row - 1) * n, n) = h * f - x * slope_.row(row).transpose();
-      for (Index k = 1; k < points; ++k)
+      for (Index k = 1; k < node_count; ++k)
         matrix.block((row - 1) * n, (k - 1) * n, n, n).diagonal().setConstant(slope_(row, k));
       matrix.block((row - 1) * n, (row - 1) * n, n, n) -= h * j;
     }
     const Eigen::VectorXd change = matrix.partialPivLu().solve(rest);
-    x.rightCols(points - 1) += change.reshaped(n, points - 1);
+    x.rightCols(node_count - 1) += change.reshaped(n, node_count - 1);
     const Eigen::VectorXd sizes = x.cwiseAbs().rowwise().maxCoeff();
     double update = 0;
     for (Index i = 0; i < n; ++i) {
-      const double most = change.reshaped(n, points - 1).row(i).cwiseAbs().maxCoeff();
+      const double most = change.reshaped(n, node_count - 1).row(i).cwiseAbs().maxCoeff();
       update = std::max(update, most / std::max(sizes[i], 1e-3 * sizes.maxCoeff() + 1e-300));
     }
     return change.allFinite() ? update : std::nan("");
@@ -120,7 +120,7 @@ class Collocation {
     State f(x0_.size()), at(x0_.size());
     const Nodes slopes = x * slope_.transpose();
     const double size = std::max(x.cwiseAbs().maxCoeff(), slopes.cwiseAbs().maxCoeff());
-    for (Index k = 0; k + 1 < points; ++k) {
+    for (Index k = 0; k + 1 < node_count; ++k) {
       const double tau = (nodes_[k] + nodes_[k + 1]) / 2;
       Eigen::RowVectorXd row;
       collocation::polynomial_row(nodes_, weights_, tau, row);
