@@ -198,7 +198,7 @@ void TypedBoundary::condition_jacobian(const Eigen::MatrixXd& ends, const Eigen:
                 [&](int i, int j, double value) { by_ends(i, j) = value; });
   differentiate(end_, points_.back(), ends.col(last),
                 [&](int i, int j, double value) { by_ends(first + i, last * n + j) = value; });
-  for (int k = 1; k < last; k += 2) {
+  for (Eigen::Index k = 1; k < last; k += 2) {
     auto rows = by_ends.middleRows(n * (k + 1) / 2, n);
     rows.middleCols(k * n, n).setIdentity();
     rows.middleCols((k + 1) * n, n) = -Eigen::MatrixXd::Identity(n, n);
