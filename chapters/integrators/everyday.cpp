@@ -63,7 +63,7 @@ Runs runs() {
 
 void put(const Runs& all, scene::Show& show) {
   scene::Plot& plot = show.plots("Events and switches: a bouncing ball, doses, a rectifier");
-  plot.panel("time, s", "height, m").curve("", all.ball.t, all.ball.x);
+  plot.panel("time, s", "height, m").y_range(0, 1).curve("", all.ball.t, all.ball.x);
   plot.panel("time, h", "amount, mg").curve("", all.dose.t, all.dose.x);
   plot.panel("time, s", "voltage, V").curve("", all.rectifier.t, all.rectifier.x);
   plot.size(1100, 450);
