@@ -150,6 +150,8 @@ class SundialsStepper : public PeerStepper {
   }
 
  protected:
+  /// Allocates the state and its interpolant for @p equations; @p name stands in messages, @p functions are
+  /// those of the integrator.
   SundialsStepper(Equations& equations, std::string_view name, const SundialsFunctions& functions)
       : callbacks_{equations, {}},
         state_(N_VNew_Serial(equations.size(), context_.get())),
