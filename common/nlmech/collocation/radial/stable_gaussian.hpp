@@ -28,8 +28,8 @@ class PositiveKernel {
   /// @param ratios s_k/s_(k+1), k = 1..M-1, positive; M > n + 1. Terms beyond M must be negligible.
   PositiveKernel(std::vector<Wide> nodes, std::vector<Wide> ratios);
 
-  /// Ratio of the cardinal functions of the kernel to those of polynomials: for a point x > x_j it is 1 + (x
-  /// - x_j) g_j with
+  /// Ratio of the cardinal functions of the kernel to those of polynomials. For a point x > x_j it is
+  /// 1 + (x - x_j) g_j with
   ///     g_j = sum_{k=j..n} v_k prod_{m=k+1..n} |x_m - x_j|.
   /// @param x point, non-negative
   /// @return v_1..v_n
