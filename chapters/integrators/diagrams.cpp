@@ -40,10 +40,9 @@ void put(const ProblemTrials& p, scene::Show& show) {
                               .rounding = known ? p.condition * 0x1p-53 : 0},
                              {lines}, show);
   const double hardness = std::log10(p.condition), tightest = show.quick() ? 8 : 13;
-  show.between(
-      "digits of the best run", most, p.kind == Kind::extreme ? 3 : tightest - 2 - hardness, 16,
-      "the tightest tolerance, added up over a hundred steps and multiplied by the condition; of the extreme "
-      "as far as the bounded work allows");
+  show.between("digits of the best run", most, p.kind == Kind::extreme ? 3 : tightest - 2 - hardness, 16,
+               "the tightest tolerance, accumulated over a hundred steps and multiplied by the condition; "
+               "lower for extreme problems, whose work is limited");
 }
 
 }  // namespace
@@ -52,7 +51,7 @@ std::vector<scene::Scene> scenes() {
   std::vector<scene::Scene> all;
   for (const std::string& problem : problem_names(true))
     all.push_back({.name = "error-vs-time-" + problem,
-                   .title = fmt::format("Problem set, {}: digits against cost", problem),
+                   .title = fmt::format("Problem set, {}: achieved digits and cost", problem),
                    .content = scene::Content(put, sweep_of(problem))});
   return all;
 }

@@ -13,8 +13,7 @@
 namespace nlmech::chapters::integrators::examples {
 namespace {
 
-constexpr const char* independent =
-    "two methods that share nothing but the equation, at a tolerance of 1e-13";
+constexpr const char* independent = "two independent methods at a tolerance of 1e-13";
 
 /// A solution at some times and its difference from an independent one at the end.
 struct Course {
@@ -122,12 +121,12 @@ void duffing_attractor(const Course& c, scene::Show& show) {
   const auto after = [](const std::vector<double>& all) {
     return std::vector<double>(all.begin() + 20, all.end());
   };
-  show.plot("Once a period the state falls on folded layers", "{/:Italic x}", "{/:Italic x}'")
+  show.plot("Poincare section of Ueda's oscillator: a folded attractor", "{/:Italic x}", "{/:Italic x}'")
       .curve("", after(c["x"]), after(c["x'"]), {"points pointtype 7 pointsize 0.2", 1});
   show.figure().size(620, 480);
   const auto [low, high] = std::ranges::minmax(after(c["x"]));
   show.between("least position of a section", low, 0.8, 2.2,
-               "Ueda's picture of the attractor: x from about 1 to 4");
+               "Ueda's figure of the attractor: x from about 1 to 4");
   show.between("greatest position of a section", high, 3.2, 4.2, "the same");
 }
 
@@ -163,11 +162,10 @@ void robertson(const Course& c, scene::Show& show) {
 }
 
 void impact(const Course& c, scene::Show& show) {
-  show.plot("A shaken mass turns back at its stop", "time", "position")
+  show.plot("A driven mass rebounds from a stiff stop", "time", "position")
       .level(1, "stop")
       .curve("", c.t, c["x"]);
-  show.between("greatest position", *std::ranges::max_element(c["x"]), 1.0, 1.5,
-               "the stop gives way a little");
+  show.between("greatest position", *std::ranges::max_element(c["x"]), 1.0, 1.5, "the stop is elastic");
   agree(c, 1e-8, show);
 }
 
@@ -181,7 +179,7 @@ void friction(const Course& c, scene::Show& show) {
     if (std::abs(c["x'"][i] - 0.2) < 1e-9) stuck = std::max(stuck, c["x"][i]);
   }
   show.between("greatest position while it sticks", stuck, 1 - 0.2 * 0.0101, 1 + 1e-9,
-               "F = 1, less what the belt moves between two points of the figure");
+               "F = 1, minus the motion of the belt between two points of the figure");
   agree(c, 1e-9, show);
 }
 
@@ -198,7 +196,7 @@ void lorenz(const Course& c, scene::Show& show) {
 }
 
 void spring_pendulum(const Course& c, scene::Show& show) {
-  scene::Plot& plot = show.plots("A spring pendulum: the energy goes to and fro");
+  scene::Plot& plot = show.plots("Spring pendulum: energy exchanged between spring and swing");
   plot.stacked();
   plot.panel("time, s", "angle, rad").curve("", c.t, c["a"]);
   plot.panel("time, s", "stretch, m").curve("", c.t, c["s"]);
@@ -244,9 +242,8 @@ std::vector<scene::Scene> scenes() {
        equidistant(17.0652165601579625588917206249, 1500), "series", "odeint-fehlberg78", three_bodies},
       {"robertson", "A stiff reaction", times_of(160, [](int i) { return 1e-5 * std::pow(1e16, i / 160.); }),
        "adaptive-collocation", "cvode-bdf", robertson},
-      {"impact", "A stop that pushes and never pulls: max", equidistant(60, 1500), "series",
-       "adaptive-collocation", impact},
-      {"friction", "A mass that sticks and slips: sign", equidistant(30, 3000), "series", "ode45", friction},
+      {"impact", "A one-sided stop: max", equidistant(60, 1500), "series", "adaptive-collocation", impact},
+      {"friction", "Stick-slip friction: sign", equidistant(30, 3000), "series", "ode45", friction},
       {"van-der-pol", "A relaxation oscillation", equidistant(3000, 1500), "adaptive-collocation",
        "odeint-rosenbrock4", van_der_pol},
       {"lorenz", "Lorenz's attractor", equidistant(25, 2500), "series", "odeint-fehlberg78", lorenz},

@@ -125,14 +125,14 @@ void put(const std::vector<ProblemTrials>& all, scene::Show& show) {
       {"problem", &Row::problem},
       {"digits", &Row::digits},
       {"fastest", &Row::first},
-      {"best of ours", [](const Row& r) { return r.ours.method; }},
+      {"fastest nlmech method", [](const Row& r) { return r.ours.method; }},
       {"its time, ms", [](const Row& r) { return milliseconds(r.ours.seconds); }},
       {"best peer", [](const Row& r) { return r.peer.method; }},
       {"its time, ms ", [](const Row& r) { return milliseconds(r.peer.seconds); }},
-      {"peer over ours", &Row::lead}};
+      {"peer / nlmech time", &Row::lead}};
   for (const std::string& method : first_choices()) columns.push_back(column_behind(method));
   show.table(rows, columns);
-  show.equals("problems with a solution", problems.size(), 22, "those of the list that have a reference");
+  show.equals("problems with a solution", problems.size(), 22, "number of such problems in the list");
   double least = infinity;
   for (const ProblemTrials* p : problems) {
     if (p->kind == Kind::extreme) continue;  // their digits are limited by the bounded work
@@ -142,9 +142,9 @@ void put(const std::vector<ProblemTrials>& all, scene::Show& show) {
     }
     least = std::min(least, most + std::log10(p->condition));
   }
-  show.between("least digits of the best run on a problem, conditioning taken out", least,
+  show.between("fewest digits of the best run on any problem, conditioning removed", least,
                show.quick() ? 6 : 11, 17,
-               "the tightest tolerance, 1e-13 (1e-8), added up over a hundred steps");
+               "the tightest tolerance, 1e-13 (1e-8), accumulated over a hundred steps");
 }
 
 }  // namespace

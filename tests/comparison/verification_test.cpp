@@ -207,7 +207,7 @@ TEST(Remark, NamesWhatToChange) {
   EXPECT_EQ(text_of(), "not verified: no reference");
   v.verdict = Verdict::ended;
   EXPECT_NE(text_of().find("FAILED"), std::string::npos) << text_of();
-  EXPECT_NE(text_of().find("seems to end on the way"), std::string::npos) << text_of();
+  EXPECT_NE(text_of().find("seems to end before the final time"), std::string::npos) << text_of();
   v.verdict = Verdict::right;
   v.tolerances = 99;
   EXPECT_EQ(text_of(), "");

@@ -257,7 +257,7 @@ TEST(ParseNumbers, SaysWhatTheHeaderMustBe) {
   EXPECT_EQ(complaint("a,b,c\n1,2,3\n"), "points.csv: line 1: there is no column x" + must + "a,b,c'");
   EXPECT_EQ(complaint("x;y;z\n"),
             "points.csv: line 1: there is no column x" + must +
-                "x;y;z'; cells are separated by commas alone, and numbers have a decimal point");
+                "x;y;z'; separate cells by commas and write numbers with a decimal point");
   EXPECT_EQ(complaint("x,y,z,X,x\n"), "points.csv: line 1: two columns are called x: 'x,y,z,X,x'");
   EXPECT_EQ(complaint("1,2,3\nx,y,z\n"), "points.csv: line 2, column 1 (x): 'x' is not a finite number");
   EXPECT_EQ(complaint("0,1,2,3\n"),
@@ -278,7 +278,7 @@ TEST(ParseNumbers, ReportsTheFirstFaultOfTheFileAndItsPlace) {
   EXPECT_EQ(complaint("z,y,X\n4,5,6, 7 ,8\n"),
             "points.csv: line 2, column 4: '7 ,8' is beyond the 3 columns z,y,X");
   EXPECT_EQ(complaint("1,2,3\n4,1e-400,6\n"),
-            "points.csv: line 2, column 2 (y): '1e-400' is nearer to 0 than any double but 0, which is above "
+            "points.csv: line 2, column 2 (y): '1e-400' is smaller in magnitude than the smallest double, "
             "4.9e-324; write 0");
 }
 

@@ -152,9 +152,9 @@ class Guarded {
     constexpr int most_parts = 10'000;
     for (int k = 0; all_.status.ok() && all_.t != t1_ && !is_told_; ++k) {
       if (k == most_parts)
-        all_.status =
-            failed_with(Outcome::outside_validity,
-                        "roots or powers come to the end of their domain without end at t = {:.9g}", all_.t);
+        all_.status = failed_with(
+            Outcome::outside_validity,
+            "roots or powers reach the end of their domain infinitely often near t = {:.9g}", all_.t);
       else
         part();
     }
@@ -305,7 +305,7 @@ class Guarded {
     all_.status = failed_with(Outcome::outside_validity,
                               "the argument of a square root, a power with a fraction or an arc becomes "
                               "negative at t = {:.9g}, and "
-                              "the equations do not say how the solution goes on; end the run before",
+                              "the equations do not define the solution beyond; end the run before",
                               left);
   }
 
@@ -320,11 +320,10 @@ class Guarded {
     }
     if (zero) {
       stop_at(*zero, step.at(*zero), 0, step);
-      stop_->status = failed_with(
-          Outcome::outside_validity,
-          "a denominator of the equations becomes zero at t = {:.9g}: {}; end the run before", *zero,
-          is_infinite_ ? "the solution ends there"
-                       : "many solutions go on from there, so none is determined beyond");
+      stop_->status =
+          failed_with(Outcome::outside_validity,
+                      "a denominator of the equations becomes zero at t = {:.9g}: {}; end the run before",
+                      *zero, is_infinite_ ? "the solution ends there" : "the solution beyond is not unique");
       return false;
     }
     if (goes_on) return !observer_ || observer_(step) || told();

@@ -465,11 +465,10 @@ Solution integrate_past_changes(const SmoothRun& run, const System& system, cons
     repeated = since <= at_once * std::abs(t1 - t0) && since <= last ? repeated + 1 : 0;
     last = since;
     if (repeated > most_repeated) {
-      all.status =
-          failed_with(Outcome::outside_validity,
-                      "events that change the state follow each other without end at t = {:.17g}; end the "
-                      "run before, or at one of them",
-                      hit.t);
+      all.status = failed_with(
+          Outcome::outside_validity,
+          "events that change the state accumulate at t = {:.17g}; end the run before, or at one of them",
+          hit.t);
       break;
     }
   }

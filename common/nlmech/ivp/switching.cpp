@@ -147,13 +147,14 @@ class Walk {
       if (direction_ < 0) return no_past(i, t);
       if (std::isnan(values_[i]))
         return fail(Outcome::outside_validity, t,
-                    "the equations do not say how the motion stays on the surface of switching function {}",
+                    "the equations do not define the sliding motion on the surface of switching function {}",
                     i + 1);
     }
   }
   void no_past(std::size_t i, double t) {
     fail(Outcome::outside_validity, t,
-         "a motion that stays on the surface of switching function {} has no past; integrate forwards",
+         "a sliding motion on the surface of switching function {} cannot be integrated backwards; integrate "
+         "forwards",
          i + 1);
   }
   void undefined(std::size_t i, double t) {
@@ -198,8 +199,7 @@ class Walk {
       solution_.x = found_->x;
       repeated_ = std::abs(found_->t - begin) <= at_once * std::abs(end_ - first_) ? repeated_ + 1 : 0;
       if (repeated_ > most_repeated)
-        fail(Outcome::outside_validity, begin,
-             "switches follow each other without end; smooth the equation there");
+        fail(Outcome::outside_validity, begin, "switches accumulate; smooth the equation there");
       else
         change(*found_);
       return;

@@ -61,7 +61,7 @@ std::string what_there_is(std::string_view name) {
   }
   std::vector<std::string_view> all;
   for (const FunctionInfo& info : functions) all.push_back(info.name);
-  return fmt::format("there are {}", fmt::join(all, " "));
+  return fmt::format("functions are {}", fmt::join(all, " "));
 }
 
 }  // namespace nlmech::program

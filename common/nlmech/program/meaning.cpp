@@ -30,8 +30,7 @@ const LinearForm& Meaning::definition(const std::string& name, const Place& plac
   const auto known = names_.defined.find(name);
   if (known != names_.defined.end()) return known->second;
   if (!open_.emplace(name, true).second)
-    throw source_.mistake(place,
-                          fmt::format("the definition of {} leads back to itself", quoted_input(name)));
+    throw source_.mistake(place, fmt::format("the definition of {} depends on itself", quoted_input(name)));
   LinearForm form = form_of(definitions_.at(name));
   open_.erase(name);
   return names_.defined.emplace(name, std::move(form)).first->second;
@@ -41,16 +40,16 @@ NodeId Meaning::expression(std::size_t node) {
   const LinearForm form = form_of(node);
   if (form.highest.empty()) return form.rest;
   const Unknown& u = names_.unknowns[static_cast<std::size_t>(form.highest.begin()->first)];
-  throw source_.mistake(
-      tree_.nodes[node].place,
-      fmt::format("{} may not stand here: it is no component of the state", with_primes(u.name, u.order)));
+  throw source_.mistake(tree_.nodes[node].place,
+                        fmt::format("{} is not allowed here: it is not a component of the state",
+                                    with_primes(u.name, u.order)));
 }
 
 double Meaning::number(std::size_t node, std::string_view what) {
   const LinearForm form = form_of(node);
   if (!form.highest.empty() || !graph_.is_number(form.rest))
     throw source_.mistake(tree_.nodes[node].place,
-                          fmt::format("{} is a number, or an expression of definitions that are", what));
+                          fmt::format("{} must be a number, or an expression of constants", what));
   return graph_[form.rest].c;
 }
 
@@ -61,7 +60,7 @@ LinearForm Meaning::form_of(std::size_t index) {
   handled_ += form.highest.size();
   if (graph_.nodes() > most_operations || handled_ > most_operations)
     throw source_.mistake(node.place,
-                          fmt::format("the equations come to more than {} operations here", most_operations));
+                          fmt::format("the equations have more than {} operations", most_operations));
   hold_to_numbers(form, node);
   --depth_;
   return form;
@@ -70,9 +69,10 @@ LinearForm Meaning::form_of(std::size_t index) {
 void Meaning::hold_to_numbers(const LinearForm& form, const Syntax& node) const {
   const auto hold = [&](NodeId id) {
     if (!graph_.is_number(id) || std::isfinite(graph_[id].c)) return;
-    throw source_.mistake(node.place, std::isnan(graph_[id].c)
-                                          ? "this is no real number"
-                                          : "this is infinite, or beyond the range of double precision");
+    throw source_.mistake(node.place,
+                          std::isnan(graph_[id].c)
+                              ? "the result is not a real number"
+                              : "the result is infinite, or beyond the range of double precision");
   };
   hold(form.rest);
   for (const auto& [unknown, coefficient] : form.highest) hold(coefficient);
@@ -194,7 +194,7 @@ void Meaning::hold_to_domain(const Syntax& node, const std::vector<NodeId>& argu
     case Function::mod:
       if (!graph_.is_number(arguments[1]) || graph_.is_number(arguments[1], 0))
         throw source_.mistake(tree_.nodes[node.operands[1].node].place,
-                              "the second argument of mod is a number other than 0");
+                              "the second argument of mod must be a number other than 0");
       break;
     case Function::floor:
     case Function::ceil:
@@ -204,13 +204,13 @@ void Meaning::hold_to_domain(const Syntax& node, const std::vector<NodeId>& argu
   if (!std::isnan(graph_.drift(arguments[0]))) return;
   throw source_.mistake(
       tree_.nodes[node.operands[0].node].place,
-      fmt::format("{} is known of numbers and of a t + b with numbers a and b alone; where a state or "
-                  "another function of time reaches a known value c, write step(... - c)",
+      fmt::format("{} takes a number, or a t + b with numbers a and b; for a state or another function of "
+                  "time that reaches a known value c, write step(... - c)",
                   name));
 }
 
 NodeId Meaning::table(const Syntax& node) {
-  if (!names_.read_table) throw source_.mistake(node.place, "there are no tables here");
+  if (!names_.read_table) throw source_.mistake(node.place, "tables are not supported here");
   Table table = names_.read_table(node.name);
   table.stepped = node.function == Function::stepped_table;
   names_.earliest = std::max(names_.earliest, table.times.front());
@@ -239,9 +239,9 @@ NodeId Meaning::where(std::size_t condition, NodeId yes, NodeId no) {
 }
 InputError Meaning::nonlinear(std::size_t node, const LinearForm& form, std::string_view where) const {
   const Unknown& u = names_.unknowns[static_cast<std::size_t>(form.highest.begin()->first)];
-  return source_.mistake(tree_.nodes[node].place,
-                         fmt::format("{} stands {}; a highest derivative has to stand linearly",
-                                     with_primes(u.name, u.order), where));
+  return source_.mistake(
+      tree_.nodes[node].place,
+      fmt::format("{} is {}; a highest derivative must occur linearly", with_primes(u.name, u.order), where));
 }
 
 }  // namespace nlmech::program

@@ -59,9 +59,9 @@ class Parser {
   [[nodiscard]] InputError expected(std::string_view what) const {
     const Token& token = peek();
     if (token.kind == TokenKind::end_of_text)
-      return source_.mistake(token.place, fmt::format("expected {}, and here the text ends", what));
+      return source_.mistake(token.place, fmt::format("expected {}, but the text ends here", what));
     if (token.kind == TokenKind::end_of_statement)
-      return source_.mistake(token.place, fmt::format("expected {}, and here the equation ends", what));
+      return source_.mistake(token.place, fmt::format("expected {}, but the equation ends here", what));
     return source_.mistake(token.place, fmt::format("expected {}", what));
   }
 
@@ -73,7 +73,8 @@ class Parser {
     if (!sees(TokenKind::equals)) throw expected("an operator or =");
     ++at_;
     const std::size_t right = sum();
-    if (sees(TokenKind::equals)) throw source_.mistake(peek().place, "an equation has one sign =");
+    if (sees(TokenKind::equals))
+      throw source_.mistake(peek().place, "an equation must have exactly one sign =");
     end_statement("an operator or the end of the equation");
     tree_.statements.push_back({left, right, {first, tree_.nodes[right].place.end}});
   }
@@ -164,7 +165,7 @@ class Parser {
   // Does the next token start a factor without a sign before it?
   [[nodiscard]] bool stands_beside() const {
     if (sees(TokenKind::number))
-      throw source_.mistake(peek().place, "a number stands before what it multiplies; else write * or ^");
+      throw source_.mistake(peek().place, "a number must precede what it multiplies; else write * or ^");
     if (conditions_ > 0 && (sees_word("and") || sees_word("or"))) return false;
     return sees(TokenKind::name) || sees(TokenKind::open);
   }
@@ -299,7 +300,7 @@ class Parser {
     if (!is_relation(peek().kind)) throw expected("an operator or one of < <= > >=");
     const TokenKind relation = take().kind;
     const std::size_t right = sum();
-    if (is_relation(peek().kind)) throw source_.mistake(peek().place, "two comparisons are joined by and");
+    if (is_relation(peek().kind)) throw source_.mistake(peek().place, "join two comparisons by and");
     return add({.kind = SyntaxKind::comparison,
                 .place = span(left, right),
                 .relation = relation,
@@ -331,7 +332,7 @@ class Parser {
     if (is_unknown(token) && bracket_has_time())
       return source_.mistake(
           token.place, peek(2).kind == TokenKind::close
-                           ? fmt::format("an unknown is written {}, without the time", name)
+                           ? fmt::format("write an unknown as {}, without the time", name)
                            : fmt::format("{} at another time: delays are not supported; {}", name, product));
     if (!is_name(token)) {
       if (const std::string there = what_there_is(name); !there.empty())
@@ -361,10 +362,11 @@ class Parser {
   std::size_t call(const Token& token, const FunctionInfo& function) {
     const Nested nested(*this);
     if (token.primes > 0)
-      throw source_.mistake(token.place, fmt::format("{} is a function and has no prime", function.name));
+      throw source_.mistake(token.place,
+                            fmt::format("{} is a function and cannot have a prime", function.name));
     if (sees(TokenKind::power))
       throw source_.mistake(peek().place,
-                            fmt::format("a power of a function is written {}(...)^2", function.name));
+                            fmt::format("write a power of a function as {}(...)^2", function.name));
     if (!sees(TokenKind::open))
       throw source_.mistake(
           token.place,
@@ -379,9 +381,9 @@ class Parser {
     if (!sees(TokenKind::close)) throw expected("an operator or )");
     const Place place{token.place.begin, take().place.end};
     if (static_cast<int>(arguments.size()) != function.arguments)
-      throw source_.mistake(
-          place, fmt::format("{} has {} argument{}, and here {}", function.name, function.arguments,
-                             function.arguments == 1 ? "" : "s", arguments.size()));
+      throw source_.mistake(place,
+                            fmt::format("{} takes {} argument{}, not {}", function.name, function.arguments,
+                                        function.arguments == 1 ? "" : "s", arguments.size()));
     return add({.kind = SyntaxKind::call,
                 .place = place,
                 .function = function.function,

@@ -250,8 +250,9 @@ Plot& Plot::data(Table table) {
 }
 
 void Plot::add_curve(std::size_t panel, const std::vector<double>& x, const std::vector<double>& y) {
-  if (own_data_) throw std::logic_error("Plot: curves of their own beside data of another form");
-  if (x.size() != y.size()) throw std::invalid_argument("Plot: abscissae and ordinates of other numbers");
+  if (own_data_)
+    throw std::logic_error("Plot: curves with data of their own cannot be combined with shared data");
+  if (x.size() != y.size()) throw std::invalid_argument("Plot: different numbers of abscissae and ordinates");
   if (x.empty()) throw std::invalid_argument("Plot: a curve without points");
   ++blocks_;
   for (std::size_t i = 0; i < x.size(); ++i) {

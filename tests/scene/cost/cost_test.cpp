@@ -52,12 +52,12 @@ TEST(Rankings, AreThoseOfOtherMethods) {
 TEST(Rankings, AreSaidInWords) {
   const ProblemLines problem = crossing();
   const auto rankings = rankings_of(problem);
-  EXPECT_EQ(rankings[0].margin(problem), "11 times before high");
+  EXPECT_EQ(rankings[0].margin(problem), "11 times as fast as high");
   EXPECT_EQ(rankings[3].margin(problem), "alone");
   EXPECT_EQ(who_leads(problem), "low is fastest at 3 and 6, high at 9 and 12 digits");
   const ProblemLines two = {"", {line("a", 1, 2, 7), line("b", 3, 2, 7)}};
-  EXPECT_EQ(rankings_of(two)[1].margin(two), "3.0 times before b");
-  EXPECT_EQ(rankings_of(two)[2].margin(two), "nobody");
+  EXPECT_EQ(rankings_of(two)[1].margin(two), "3.0 times as fast as b");
+  EXPECT_EQ(rankings_of(two)[2].margin(two), "no method");
   EXPECT_EQ(who_leads(two), "a is fastest at 3 and 6 digits");
 }
 
@@ -67,7 +67,7 @@ TEST(Rankings, OfEqualsGoToTheFirst) {
     EXPECT_EQ(ranking.first, 0U);
     EXPECT_EQ(ranking.next, 1U);
     EXPECT_DOUBLE_EQ(ranking.factor, 1);
-    EXPECT_EQ(ranking.margin(problem), "level with b");
+    EXPECT_EQ(ranking.margin(problem), "as fast as b");
   }
 }
 

@@ -58,7 +58,7 @@ Status Path::start(bool upwards) {
     outcome = correct_in_plane(along, std::max(first, now_.at.norm()), now_.at, count);
   if (outcome == Outcome::success) outcome = start_tangent(along);
   if (outcome != Outcome::success)
-    return failure(outcome, "there is no solution with a tangent to start from; start elsewhere");
+    return failure(outcome, "no solution with a tangent is found at the start; start elsewhere");
   // The first step changes the load by `first`.
   first_length_ = length_ = first / std::max(std::abs(now_.tangent.m), 0.1);
   previous_tangent_ = now_.tangent;
@@ -286,11 +286,11 @@ Status Path::advance() {
     factor_ /= 2;
     const bool is_short = length < method_.shortest * first_length_;
     if (is_beyond && (is_short || (outcome == Outcome::success && length < least_to_edge * first_length_)))
-      return failure(Outcome::wrong_branch, "the path goes no farther");
+      return failure(Outcome::wrong_branch, "the path ends here");
     if (is_short)
       return failure(outcome == Outcome::non_finite ? outcome : Outcome::step_underflow,
-                     "no step is short enough to be told from a jump to another branch: the path ends here, "
-                     "or meets others; follow it from elsewhere");
+                     "even the shortest step cannot be distinguished from a jump to another branch: the path "
+                     "ends or branches here; start elsewhere");
   }
 }
 

@@ -129,7 +129,7 @@ class Search {
     if (outcome == Outcome::success) return {};
     return failed_with(
         outcome,
-        "{}: between loads {:.9g} and {:.9g} of 1 a limit point or the end is not found; take shorter steps",
+        "{}: no limit point and no end is found between loads {:.9g} and {:.9g} of 1; take shorter steps",
         name_of(method_.path), path_.before().load, path_.now().load);
   }
   //! [limit points decide]

@@ -65,7 +65,7 @@ class CatalogueRun {
         method_(method_of_all()) {
     const auto has = [this](const auto& name) { return catalogue_.has(name); };
     if (std::ranges::none_of(columns_, has))
-      throw input_error("{}: none of its columns is an unknown or a parameter; there are {}",
+      throw input_error("{}: none of its columns is an unknown or a parameter; choose from {}",
                         catalogue_.name(), fmt::join(columns_, ", "));
     if (!missing_.empty() && !std::ranges::all_of(states_, has)) throw InputError(missing_);
     const bool is_end = joined(columns_, {end_column}).size() > columns_.size();
@@ -73,7 +73,8 @@ class CatalogueRun {
     if (!typed.until.empty() && has_ends)
       throw input_error("--until {}: {} has a column until", quoted_input(typed.until), catalogue_.name());
     if (typed.until.empty() && !has_ends && !base_->t1)
-      throw input_error("{}: has no column until; give it, or --until T for all rows", catalogue_.name());
+      throw input_error("{}: has no column until; add one, or give --until T for all rows",
+                        catalogue_.name());
   }
 
   [[nodiscard]] int print() {
@@ -225,7 +226,8 @@ class CatalogueRun {
 }  // namespace
 
 int print_runs(const TypedOptions& typed, const std::string& program) {
-  if (!typed.plot.empty()) throw input_error("--plot {}: --states draws none", typed.plot);
+  if (!typed.plot.empty())
+    throw input_error("--plot {}: runs of --states are not drawn; leave one of them out", typed.plot);
   return CatalogueRun(typed, program).print();
 }
 

@@ -72,11 +72,10 @@ void refuse_endless_turns(const UserProblem& problem, const RunOptions& r) {
   const double seconds = wave.turns / most_turns;
   const bool may_end = std::ranges::any_of(r.events, [](const WantedEvent& e) { return e.event.ends > 0; });
   if (r.settings.step || may_end || seconds <= r.limits.seconds) return;
-  throw Failure(failed_with(
-      Outcome::time_limit,
-      "{} from t = {:.6g} to {:.6g}, which takes {:.2g} s at least, more than the limit of {:.6g} s; take an "
-      "earlier end, or the mean of the force",
-      wave.text(), r.t0, r.t1, seconds, r.limits.seconds));
+  throw Failure(failed_with(Outcome::time_limit,
+                            "{} from t = {:.6g} to {:.6g}, which takes at least {:.2g} s, more than the "
+                            "limit of {:.6g} s; take an earlier end, or replace the force by its mean",
+                            wave.text(), r.t0, r.t1, seconds, r.limits.seconds));
 }
 
 /// A run from its options to its rows: output at requested times and events, and the verification. Members
@@ -274,7 +273,7 @@ std::string Run::small_components() const {
   }
   if (small.empty() || options_.settings.step || t1_ == options_.t0) return {};
   return fmt::format(
-      "{} stay{} below the absolute tolerance {}: none of {} digits is determined; take a smaller "
+      "{} stay{} below the absolute tolerance {}: none of {} digits is certain; take a smaller "
       "--absolute-tolerance",
       fmt::join(small, ", "), small.size() > 1 ? "" : "s", absolute, small.size() > 1 ? "their" : "its");
 }
@@ -287,13 +286,13 @@ std::string Run::remark_on_events() const {
     if (count == 0) continue;
     const ivp::Hit& first = *std::ranges::find_if(finder_.hits(), touches);
     remarks.push_back(
-        fmt::format("{} touches zero {} times to within the tolerance, first at t = {:.9g}: it may also pass "
-                    "twice there, or not reach it",
+        fmt::format("{} touches zero {} times to within the tolerance, first at t = {:.9g}: it may cross "
+                    "zero twice there or not reach it",
                     options_.events[i].name, count, first.t));
   }
   for (const ivp::OpenEvent& open : finder_.open()) {
     remarks.push_back(
-        fmt::format("{} cannot be told from zero between t = {:.9g} and {:.9g}: rows may be missing",
+        fmt::format("{} cannot be distinguished from zero between t = {:.9g} and {:.9g}: rows may be missing",
                     options_.events[open.event].name, open.t0, open.t1));
   }
   return fmt::format("{}", fmt::join(remarks, "; "));
@@ -336,8 +335,8 @@ double Run::left_after(const ivp::Solution& end) const {
   const std::chrono::duration<double> all = options_.deadline - steady_clock::now();
   if (all.count() <= 0)
     throw Failure(failed_with(Outcome::time_limit,
-                              "{}: the run came to its end, but the time of all was over before it could be "
-                              "verified; allow more, or --no-verify",
+                              "{}: the run is complete, but --limit ended before it could be verified; give "
+                              "a larger --limit, or --no-verify",
                               method_.name));
   return std::min(own, all.count());
 }

@@ -13,7 +13,7 @@ namespace {
 /// Heading with the fastest methods, without them if it would be too long.
 std::string heading_of(const std::string& problem, const scene::ProblemLines& lines) {
   const std::string whole = problem + ": " + scene::who_leads(lines);
-  return whole.size() <= 118 ? whole : problem + ": digits against cost";
+  return whole.size() <= 118 ? whole : problem + ": achieved digits and cost";
 }
 
 /// Runs every setting of every method and peer. The condition number for two changes is that of runs by
@@ -38,7 +38,7 @@ void check_tightest(const Costs& costs, const std::string& method, scene::Show& 
   show.at_most("error of " + method + " at the tightest tolerance", tightest.error.value_or(HUGE_VAL),
                tightest_tolerance(show.quick()) * static_cast<double>(steps_of(tightest)) *
                    std::max(1.0, costs.condition),
-               "the tolerance in each step, all of one sign, times the condition");
+               "number of steps times tolerance (errors of equal sign) times condition");
 }
 
 scene::Scene work_precision_scene(WorkPrecisionStudy what) {
@@ -59,11 +59,11 @@ scene::Scene work_precision_scene(WorkPrecisionStudy what) {
                                {all.lines}, show);
     if (what.change > 0)
       show.near("condition", all.condition, all.again, 0.05,
-                "a hundred times the change of the start: the answer is linear");
+                "response to a hundred times the change of the initial state: it is linear");
     what.check(all, show);
   };
   return {.name = "error-vs-time" + suffix,
-          .title = what.problem + ": digits against cost",
+          .title = what.problem + ": achieved digits and cost",
           .content = scene::Content(put, costs)};
 }
 

@@ -70,11 +70,11 @@ struct Failed {
 /// The failure if no two computations agree, with its reason.
 Reference none_of(const std::vector<Arrived>& arrived, const Distance& best,
                   const std::vector<Failed>& failed) {
-  std::string why = "no two methods arrived within the work allowed";
+  std::string why = "no two methods reached the end within the work limit";
   if (arrived.size() >= 2 && std::isfinite(best.in_needs))
-    why = fmt::format("the two methods nearest to each other, {} and {}, differ by {:.2g} of the solution",
+    why = fmt::format("the two methods that agree best, {} and {}, differ by {:.2g} of the solution",
                       arrived[best.first].by.name, arrived[best.second].by.name, best.relative);
-  std::string separator = "; not there: ";
+  std::string separator = "; failed: ";
   for (const Failed& f : failed) {
     why += fmt::format("{}{} ({})", separator, f.name, to_string(f.outcome));
     separator = ", ";
@@ -111,7 +111,7 @@ Status by_reference_method(const ReferenceMethod& by, const ivp::System& system,
   const Stopwatch watch;
   const ivp::MethodInfo& method = any_method(by.name);
   if (method.estimate_misses_time && depends_on_time(system, way.t0, way.x0.template cast<double>()))
-    return Status::failure(Outcome::outside_validity, "its error estimate does not see what depends on t");
+    return Status::failure(Outcome::outside_validity, "its error estimate ignores terms that depend on t");
   const double relative = std::clamp(needed.relative / 10, by.least_tolerance, 1e-4);
   const double loose = std::max(needed.absolute / 10, relative * 1e-2);
   const auto steps = static_cast<std::int64_t>(effort.work * static_cast<double>(by.most_steps));

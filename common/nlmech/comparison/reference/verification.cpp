@@ -147,9 +147,9 @@ Verification with_condition(const Comparison& all, const Reference& reference, c
   }
   if (sure > allowed) return v;
   if (all.within(bound)) return all.fewest_digits();
-  return {.reason =
-              fmt::format("{}, which is less than the tolerance asks for; the run lies within {:.2g} of them",
-                          reference.text(), v.error)};
+  return {.reason = fmt::format(
+              "{}, which is less than the tolerance requires; the run differs from them by at most {:.2g}",
+              reference.text(), v.error)};
 }
 
 /// "take --tolerance 1e-12 or another method", with a tolerance that should suffice if there is one.
@@ -247,26 +247,25 @@ std::string remark(const Verification& found, const Reference& reference, const 
   if (found.verdict == Verdict::unknown) return "not verified: " + found.reason;
   const double tolerance = tolerance_of(settings).relative;
   if (found.verdict == Verdict::ended)
-    throw Failure(
-        failed_with(Outcome::step_underflow,
-                    "{}: the solution seems to end on the way, and this run at the tolerance {:.6g} to have "
-                    "leapt across: {}; take an earlier end or a smaller tolerance (--no-verify prints "
-                    "the run as it is)",
-                    method.name, tolerance, found.reason));
+    throw Failure(failed_with(Outcome::step_underflow,
+                              "{}: the solution seems to end before the final time, and this run at the "
+                              "tolerance {:.6g} to have stepped across that point: {}; take an earlier end "
+                              "or a smaller tolerance (--no-verify prints the unverified run)",
+                              method.name, tolerance, found.reason));
   const std::string& name = names.at(static_cast<std::size_t>(found.component));
   const std::string place = fmt::format("{} at t = {:.9g}", name, found.t);
   if (found.verdict == Verdict::undetermined)
     throw Failure(failed_with(
         Outcome::outside_validity,
-        "{}: nothing determines {}: up to there the problem multiplies an error of the tolerance {:.6g} by "
-        "{:.2g}; take a smaller tolerance or an earlier end (--no-verify prints the run as it is)",
+        "{}: no digit of {} is certain: up to there the problem multiplies an error of the tolerance {:.6g} "
+        "by {:.2g}; take a smaller tolerance or an earlier end (--no-verify prints the unverified run)",
         method.name, place, tolerance, found.growth));
   if (found.verdict == Verdict::wrong)
     throw Failure(failed_with(Outcome::not_converged,
                               "{}: verified by integration, {} is off by {:.2g}: {:.3g} times the tolerance "
                               "{:.6g}, where the number of steps and the problem's condition explain {:.3g}; "
-                              "fewer than {:.1f} digits are right; "
-                              "the tolerance {}: {} (--no-verify prints the run as it is; reference: {})",
+                              "fewer than {:.1f} digits are correct; "
+                              "the tolerance {}: {} (--no-verify prints the unverified run; reference: {})",
                               method.name, place, found.error, found.tolerances, tolerance, found.allowed,
                               enough_digits(tolerance), what_a_tolerance_holds, advice(found, tolerance),
                               reference.text()));

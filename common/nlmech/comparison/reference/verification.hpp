@@ -96,8 +96,7 @@ inline constexpr int most_verified = 48;
                           const ivp::NamedIntegrator& other, const ivp::Limits& limits);
 
 /// Meaning of a tolerance, as part of messages.
-inline constexpr std::string_view what_a_tolerance_holds =
-    "holds the error of each step, and not what these add up to";
+inline constexpr std::string_view what_a_tolerance_holds = "bounds the error of each step, not their sum";
 
 /// Remark on a run that is inexact or could not be verified: "verified: 8.9 digits at the end; x is off by
 /// 1.3e-09 there, 130 tolerances"; empty for a run that is right.

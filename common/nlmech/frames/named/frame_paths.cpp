@@ -57,11 +57,10 @@ class PathTracer {
   FramePaths all() {
     Status status = path_.start(how_.until.value_or(1) > 0);
     if (status.ok() && path_.now().negative > 0)
-      status =
-          failed_with(Outcome::singular_matrix,
-                      "frame: by rounding {} eigenvalues of the stiffness at rest are negative: its elements "
-                      "are too short beside it, or its stiffnesses too far apart; take fewer elements",
-                      path_.now().negative);
+      status = failed_with(Outcome::singular_matrix,
+                           "frame: {} eigenvalues of the stiffness without load are negative by rounding: "
+                           "elements are too short, or stiffnesses differ too much; take fewer elements",
+                           path_.now().negative);
     if (status.ok()) status = along(0);
     note(status);
     for (std::size_t i = 0; i < crossings_.size() && out_.status.outcome() != Outcome::time_limit; ++i) {
@@ -153,7 +152,7 @@ class PathTracer {
       return failed_with(
           status.outcome(),
           "frame: at a load factor of {:.10g} a beam-column at ({:.6g}, {:.6g}) has {:.1e} of its "
-          "length left, and the path ends: members shorten in proportion to their force, all the way",
+          "length left, and the path ends: members shorten in proportion to their force, down to zero length",
           path_.now().load, x, y, left);
     if (first_ < 1e-140)
       return failed_with(status.outcome(),
@@ -172,19 +171,18 @@ class PathTracer {
         "(turn){}",
         how_.steps, path_.now().load,
         std::isfinite(end) ? fmt::format("before {:.10g}", end)
-                           : std::string("before the limit or branch point that they are to meet"),
-        how_.until ? "" : ", or say where it is to end (until)");
+                           : std::string("before the requested limit or branch point"),
+        how_.until ? "" : ", or give the load factor at which it ends (until)");
   }
 
   /// Would another step of the duration of the last one exceed the time limit?
   bool is_late() {
     const double now = time_.seconds(), last = now - std::exchange(asked_, now);
     if (now + last <= how_.seconds) return false;
-    lost_ =
-        failed_with(Outcome::time_limit,
-                    "frame: the time ends at a load factor of {:.10g}, after {:.3g} s; allow more, or longer "
-                    "steps (turn)",
-                    path_.now().load, now);
+    lost_ = failed_with(Outcome::time_limit,
+                        "frame: the time limit is reached at a load factor of {:.10g}, after {:.3g} s; allow "
+                        "more time, or longer steps (turn)",
+                        path_.now().load, now);
     return true;
   }
 
@@ -251,7 +249,7 @@ class PathTracer {
       lost_ =
           failed_with(outcome,
                       "frame: between the load factors {:.10g} and {:.10g} the path has no point at {:.10g}, "
-                      "where it ends: these two are not on one path; take shorter steps (turn)",
+                      "where it should end: the two points are not on one path; take shorter steps (turn)",
                       from.load, to.load, to.load < 0 ? -end : end);
     return true;
   }
@@ -371,7 +369,8 @@ double factor_of(const std::vector<Node>& moves) {
 Imperfect imperfect(const NamedFrame& perfect, const Imperfection& imperfection, const PathOptions& walk) {
   const auto& [mode, amplitude] = imperfection;
   if (mode < 1 || !std::isfinite(amplitude))
-    throw invalid_argument("imperfect: mode {} with the amplitude {}; modes count from 1", mode, amplitude);
+    throw invalid_argument("imperfect: mode {} with the amplitude {}; modes are numbered from 1", mode,
+                           amplitude);
   PathOptions how = walk;
   how.branches = 0;
   how.critical = mode;
@@ -387,7 +386,7 @@ Imperfect imperfect(const NamedFrame& perfect, const Imperfection& imperfection,
           Outcome::not_converged,
           fmt::format(
               "imperfection: the perfect frame has {} limit and branch points in {} steps, and mode {} "
-              "would be that of the next; take more steps, or a lower mode",
+              "is beyond these; take more steps, or a lower mode",
               met, walk.steps, mode));
     return out;
   }
@@ -395,8 +394,9 @@ Imperfect imperfect(const NamedFrame& perfect, const Imperfection& imperfection,
   const std::vector<Node> moves = displacements_of(perfect.frame, out.buckled.mode);
   const double factor = amplitude * factor_of(moves);
   if (!std::isfinite(factor)) {
-    out.status = Status::failure(Outcome::not_converged,
-                                 "imperfection: the shape turns nodes and moves none; take another mode");
+    out.status =
+        Status::failure(Outcome::not_converged,
+                        "imperfection: the mode only rotates nodes and displaces none; take another mode");
     return out;
   }
   std::vector<Node> nodes = perfect.frame.nodes();

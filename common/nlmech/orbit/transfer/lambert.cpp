@@ -84,10 +84,9 @@ struct ScaledChord {
                        "straight line; move one of them",
                        problem.from.stableNorm(), problem.to.stableNorm());
   }
-  return Status::failure(
-      Outcome::outside_validity,
-      "lambert: the positions are opposite (a transfer by 180 degrees), so that every plane through "
-      "them will do; give the normal of one");
+  return Status::failure(Outcome::outside_validity,
+                         "lambert: the positions are opposite (a transfer by 180 degrees), so that the plane "
+                         "is undetermined; give its normal");
 }
 
 [[nodiscard]] Status no_such_arc(const LambertProblem& problem, const LambertArc& arc) {
@@ -101,8 +100,8 @@ struct ScaledChord {
 
 [[nodiscard]] Status out_of_reach(const LambertProblem& problem, double wanted) {
   return failed_with(Outcome::outside_validity,
-                     "lambert: a flight of {:.6g}, T = {:.3g} in Izzo's measure, is too {} for velocities in "
-                     "double precision to tell",
+                     "lambert: a flight of {:.6g}, T = {:.3g} in Izzo's measure, is too {} to be determined "
+                     "by velocities in double precision",
                      problem.time, wanted, wanted > 1 ? "long" : "short");
 }
 
@@ -127,7 +126,7 @@ constexpr double largest_without_side = 1e-6;
   return failed_with(
       Outcome::outside_validity,
       "lambert: the arc the {} way in {:.6g} passes the centre so closely that the rounding of its "
-      "velocities decides on which side; take {}another time, or positions farther from one line",
+      "velocities decides on which side; take {}another time, or positions farther from a common line",
       arc.long_way ? "long" : "short", problem.time, arc.revolutions == 0 ? "the other way, " : "");
 }
 

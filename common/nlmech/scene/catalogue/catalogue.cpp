@@ -65,8 +65,8 @@ bool Catalogue::read_line(Line& line) {
   std::size_t end = buffer_.find('\n', place_);
   while (end == std::string::npos && !ended_) {
     if (buffer_.size() - place_ > longest_line)
-      throw input_error("{}: line {}: more than {} bytes; this is no table", name_, line_number_ + 1,
-                        longest_line);
+      throw input_error("{}: line {}: more than {} bytes; a line of a table is shorter", name_,
+                        line_number_ + 1, longest_line);
     buffer_.erase(0, place_);
     place_ = 0;
     constexpr std::size_t portion = std::size_t{1} << 18U;

@@ -203,7 +203,7 @@ void put_leads(const Diagram& d, const Axes& axes, const Layout& layout, Panel& 
     y += 17;
     put(fmt::format("{:g}", ranking.digits), axes.left + 20, "right", "ink");
     const InColour* colour = ranking.first ? d.colour_of(*ranking.first) : nullptr;
-    put(ranking.first ? problem.lines[*ranking.first].method : "nobody", names, "left",
+    put(ranking.first ? problem.lines[*ranking.first].method : "no method", names, "left",
         colour != nullptr ? gnuplot_quoted(method_looks[colour->colour].colour) : "soft_ink");
     if (ranking.first) put(ranking.margin(problem), margins, "left", "ink");
   }
@@ -248,7 +248,7 @@ std::string explanation(const Diagram& d) {
     say(fmt::format("Grey: {} other method{}.", grey, grey == 1 ? "" : "s"));
   const auto above = [&](const MethodLine& line) { return line.least_error() < d.what.rounding; };
   if (std::ranges::any_of(d.problems, [&](const auto& p) { return std::ranges::any_of(p.lines, above); }))
-    say("Points above the level: rounding was kinder than at its worst.");
+    say("Points above the level: rounding errors below the worst case.");
   return text;
 }
 

@@ -187,11 +187,11 @@ Lines ranked(const std::vector<MethodGroup>& groups, const std::vector<ProblemLi
 }  // namespace
 
 std::string Ranking::margin(const ProblemLines& problem) const {
-  if (!first) return "nobody";
+  if (!first) return "no method";
   if (!next) return "alone";
   const std::string& other = problem.lines[*next].method;
-  if (factor <= 1.05) return "level with " + other;
-  return fmt::format("{:.{}f} times before {}", factor, factor < 9.95 ? 1 : 0, other);
+  if (factor <= 1.05) return "as fast as " + other;
+  return fmt::format("{:.{}f} times as fast as {}", factor, factor < 9.95 ? 1 : 0, other);
 }
 
 std::vector<Ranking> rankings_of(const ProblemLines& problem) {

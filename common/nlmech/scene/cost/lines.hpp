@@ -91,7 +91,7 @@ struct Ranking {
   double time = 0;    ///< time of the first, s
   double factor = 0;  ///< time of the next over that of the first; 0: no next
 
-  /// "2.1 times before ode45"; "level with ode45" up to 5 %; "alone"; "nobody" without a first
+  /// "2.1 times as fast as ode45"; "as fast as ode45" up to 5 %; "alone"; "no method" without a first
   [[nodiscard]] std::string margin(const ProblemLines& problem) const;
 };
 

@@ -73,7 +73,7 @@ void Parsed::add(const Option& option) {
 void Parsed::add_limit() {
   const bool unlimited = command->options.is_unlimited();
   const std::string help =
-      unlimited ? "wall time at most, s; without it as long as it takes" : "wall time at most, s";
+      unlimited ? "stop after this much wall time, s (default none)" : "stop after this much wall time, s";
   CLI::Option* const limit = app->add_option(limit_name, limit_text, help);
   limit->multi_option_policy(CLI::MultiOptionPolicy::Throw);
   limit->type_name("NUMBER");
@@ -194,8 +194,7 @@ int run_command(const Commands& commands, const std::string& title, int argc, co
   } catch (const InputError& error) {
     return end(ExitCode::wrong_usage, error.what());
   } catch (const std::bad_alloc&) {
-    return end(ExitCode::failed,
-               "there is not enough memory for it; ask for less at a time, as fewer rows (--every)");
+    return end(ExitCode::failed, "not enough memory; ask for less at a time, as fewer rows (--every)");
   } catch (const std::exception& error) {
     return end(ExitCode::failed, error.what());
   }

@@ -47,7 +47,7 @@ std::string described(const Option& option) {
   std::string text = fmt::format(".TP\n{}\n{}", head, roff(option.help()));
   if (option.is_required()) text += "; required";
   const std::string usual = option.default_text();
-  if (!usual.empty()) text += "; " + roff(usual) + " without it";
+  if (!usual.empty()) text += " (default " + roff(usual) + ")";
   return text + "\n";
 }
 
@@ -55,8 +55,8 @@ std::string described(const Commands::Command& command) {
   std::string text = fmt::format(".SS {}\n{}\n", roff(usage(command)), roff(command.help));
   for (const Option& option : command.options.all()) text += described(option);
   if (!command.options.heeds_limit()) {
-    text += fmt::format(".TP\n\\fB{}\\fR \\fINUMBER\\fR\nwall time at most, s; {} without it\n",
-                        roff(limit_option), command.options.is_unlimited() ? "no limit" : "60");
+    text += fmt::format(".TP\n\\fB{}\\fR \\fINUMBER\\fR\nstop after this much wall time, s (default {})\n",
+                        roff(limit_option), command.options.is_unlimited() ? "none" : "60");
   }
   if (!command.options.footer().empty())
     text += fmt::format(".PP\n.nf\n{}\n.fi\n", roff(command.options.footer()));
