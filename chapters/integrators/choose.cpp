@@ -76,8 +76,8 @@ std::vector<Judged> judge(bool /*quick*/) {
 }
 
 double share_within(const std::vector<Judged>& all, double Judged::*factor, double bound) {
-  const auto good = std::ranges::count_if(all, [&](const Judged& j) { return j.*factor <= bound; });
-  return 100. * static_cast<double>(good) / static_cast<double>(all.size());
+  const auto count = std::ranges::count_if(all, [&](const Judged& j) { return j.*factor <= bound; });
+  return 100. * static_cast<double>(count) / static_cast<double>(all.size());
 }
 
 void put(const std::vector<Judged>& all, scene::Show& show) {

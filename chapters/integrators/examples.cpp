@@ -16,7 +16,7 @@ namespace {
 constexpr const char* independent = "two independent methods at a tolerance of 1e-13";
 
 /// A solution at some times and its difference from an independent one at the end.
-struct Course {
+struct ExampleRun {
   std::vector<std::string> names;            ///< component names
   std::vector<double> t;                     ///< times
   std::vector<std::vector<double>> columns;  ///< values, one column per component
@@ -52,13 +52,13 @@ std::vector<double> equidistant(double end, int count) {
 /// Integrates from the initial values of the file to each of @p times (increasing), with tolerance 1e-13 and
 /// a restart at each time. @p other is empty if the end state is too ill-conditioned to compare.
 /// @throws Failure if one of them fails
-Course course(const program::Equations& equations, const std::vector<double>& times,
-              const std::string& method, const std::string& other) {
+ExampleRun course(const program::Equations& equations, const std::vector<double>& times,
+                  const std::string& method, const std::string& other) {
   const ivp::System system{program::Problem(equations)};
   const std::vector<double> x0 = program::Equations(equations).initial_state("initial state", "");
   const ivp::State begin = Eigen::Map<const Eigen::VectorXd>(x0.data(), static_cast<Eigen::Index>(x0.size()));
   const ivp::Settings settings{.tolerance = 1e-13};
-  Course made{equations.state_names(), {}, std::vector<std::vector<double>>(x0.size()), 0};
+  ExampleRun made{equations.state_names(), {}, std::vector<std::vector<double>>(x0.size()), 0};
   ivp::State size = begin.cwiseAbs();
   const auto go = [&](const std::string& name, bool keep) {
     const auto run = comparison::any_method(name).with(settings);
@@ -83,18 +83,18 @@ Course course(const program::Equations& equations, const std::vector<double>& ti
 
 /// Largest deviation of a quantity from its first value, relative to @p scale, or to that value for 0.
 template <class Quantity>
-double drift(const Course& c, Quantity quantity, double scale = 0) {
+double drift(const ExampleRun& c, Quantity quantity, double scale = 0) {
   const double first = quantity(0U);
   double worst = 0;
   for (std::size_t i = 0; i < c.t.size(); ++i) worst = std::max(worst, std::abs(quantity(i) - first));
   return worst / (scale > 0 ? scale : std::abs(first));
 }
 
-void agree(const Course& c, double bound, scene::Show& show) {
+void agree(const ExampleRun& c, double bound, scene::Show& show) {
   show.at_most("difference of two methods at the end", c.difference, bound, independent);
 }
 
-void double_pendulum(const Course& c, scene::Show& show) {
+void double_pendulum(const ExampleRun& c, scene::Show& show) {
   std::vector<double> x, y;
   const auto &a = c["a"], &b = c["b"], &p = c["a'"], &q = c["b'"];
   for (std::size_t i = 0; i < c.t.size(); ++i) {
@@ -116,7 +116,7 @@ void double_pendulum(const Course& c, scene::Show& show) {
   agree(c, 1e-8, show);
 }
 
-void duffing_attractor(const Course& c, scene::Show& show) {
+void duffing_attractor(const ExampleRun& c, scene::Show& show) {
   // The first sections are the transient.
   const auto after = [](const std::vector<double>& all) {
     return std::vector<double>(all.begin() + 20, all.end());
@@ -130,7 +130,7 @@ void duffing_attractor(const Course& c, scene::Show& show) {
   show.between("greatest position of a section", high, 3.2, 4.2, "the same");
 }
 
-void three_bodies(const Course& c, scene::Show& show) {
+void three_bodies(const ExampleRun& c, scene::Show& show) {
   show.plot("Arenstorf's orbit closes after one period", "{/:Italic x}, distances of the Moon",
             "{/:Italic y}")
       .set("size ratio -1")
@@ -147,7 +147,7 @@ void three_bodies(const Course& c, scene::Show& show) {
       "the orbit is closed (Hairer, Norsett and Wanner I, II.0.2); passages of the Moon multiply errors");
 }
 
-void robertson(const Course& c, scene::Show& show) {
+void robertson(const ExampleRun& c, scene::Show& show) {
   std::vector<double> scaled = c["b"];
   for (double& b : scaled) b *= 1e4;
   show.plot("Robertson: b rises at once, a turns to c over ten decades", "time", "concentration")
@@ -161,7 +161,7 @@ void robertson(const Course& c, scene::Show& show) {
   agree(c, 1e-8, show);
 }
 
-void impact(const Course& c, scene::Show& show) {
+void impact(const ExampleRun& c, scene::Show& show) {
   show.plot("A driven mass rebounds from a stiff stop", "time", "position")
       .level(1, "stop")
       .curve("", c.t, c["x"]);
@@ -169,7 +169,7 @@ void impact(const Course& c, scene::Show& show) {
   agree(c, 1e-8, show);
 }
 
-void friction(const Course& c, scene::Show& show) {
+void friction(const ExampleRun& c, scene::Show& show) {
   show.plot("Dry friction: stick and slip", "time", "velocity of the mass")
       .level(0.2, "belt")
       .curve("", c.t, c["x'"]);
@@ -183,19 +183,19 @@ void friction(const Course& c, scene::Show& show) {
   agree(c, 1e-9, show);
 }
 
-void van_der_pol(const Course& c, scene::Show& show) {
+void van_der_pol(const ExampleRun& c, scene::Show& show) {
   show.plot("Van der Pol, mu = 1000: drift and jump", "time", "{/:Italic x}").curve("", c.t, c["x"]);
   agree(c, 1e-6, show);
 }
 
-void lorenz(const Course& c, scene::Show& show) {
+void lorenz(const ExampleRun& c, scene::Show& show) {
   show.plot("Lorenz's attractor: two wings, and no period", "{/:Italic u}", "{/:Italic w}")
       .curve("", c["u"], c["w"], scene::thin_lines());
   show.figure().size(620, 480);
   agree(c, 1e-4, show);
 }
 
-void spring_pendulum(const Course& c, scene::Show& show) {
+void spring_pendulum(const ExampleRun& c, scene::Show& show) {
   scene::Plot& plot = show.plots("Spring pendulum: energy exchanged between spring and swing");
   plot.stacked();
   plot.panel("time, s", "angle, rad").curve("", c.t, c["a"]);
@@ -210,7 +210,7 @@ void spring_pendulum(const Course& c, scene::Show& show) {
   agree(c, 1e-9, show);
 }
 
-void loudspeaker(const Course& c, scene::Show& show) {
+void loudspeaker(const ExampleRun& c, scene::Show& show) {
   scene::Plot& plot = show.plots("A loudspeaker: one equation of first order, one of second");
   plot.stacked();
   std::vector<double> ms, mm;
@@ -227,7 +227,7 @@ struct Drawn {
   const char* title;
   std::vector<double> times;
   const char *method, *other;
-  void (*put)(const Course&, scene::Show&);
+  void (*put)(const ExampleRun&, scene::Show&);
 };
 
 }  // namespace

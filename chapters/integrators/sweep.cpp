@@ -19,7 +19,7 @@ namespace {
 constexpr double least_digits = 2;  // least expected digits for which silent_failure() is meaningful
 
 // Limits are counts, not times, so that sweeps are reproducible. A sweep ends at a step limit.
-constexpr WorkLimit full = {3, 13, 2, 60'000, 60'000}, look = {4, 8, 4, 4'000, 2'000};
+constexpr WorkLimit full_limit = {3, 13, 2, 60'000, 60'000}, quick_limit = {4, 8, 4, 4'000, 2'000};
 
 /// Step limit of a run: lower for fixed steps of many nodes, ten times higher for a long problem.
 std::int64_t most_steps(const ivp::MethodInfo& info, int size, std::int64_t length, const WorkLimit& effort) {
@@ -129,7 +129,7 @@ MethodTrials trials_of(const SetProblem& problem, const std::string& name, const
     all.trials.push_back(trial(problem, method, settings, effort));
     const Trial& last = all.trials.back();
     const bool is_last = last.status == "refused" || last.status == "step_limit";
-    if (is_last || work_of(last, problem.system.size()) > effort.enough * problem.length) break;
+    if (is_last || work_of(last, problem.system.size()) > effort.most_work * problem.length) break;
   }
   return all;
 }
@@ -194,7 +194,7 @@ scene::Result<ProblemTrials> sweep_of(const std::string& problem) {
           [problem](bool quick) {
             const std::vector<SetProblem> all = problem_set();
             return trials_on(*std::ranges::find(all, problem, &SetProblem::name),
-                             comparison::built_method_names(), quick ? look : full);
+                             comparison::built_method_names(), quick ? quick_limit : full_limit);
           }};
 }
 

@@ -438,11 +438,11 @@ TEST(Catalogue, PortionsAreWeighed) {
   const tests::TemporaryFolder folder;
   write_whole(folder.path() / "a.csv", "a\n3\n4\n9\n1\n1\n");
   Catalogue catalogue((folder.path() / "a.csv").string(), {"a"}, {}, {});
-  catalogue.weigh_by([](const std::vector<double>& row) { return row[0]; });
+  catalogue.set_row_weight([](const std::vector<double>& row) { return row[0]; });
   for (const std::size_t rows : {2U, 1U, 2U, 0U}) EXPECT_EQ(catalogue.next({5}).line.size(), rows);
   // Portions of heavy rows also contain several rows, up to a maximum weight.
   Catalogue heavy((folder.path() / "a.csv").string(), {"a"}, {}, {});
-  heavy.weigh_by([](const std::vector<double>& row) { return 10 * row[0]; });
+  heavy.set_row_weight([](const std::vector<double>& row) { return 10 * row[0]; });
   for (const std::size_t rows : {3U, 2U, 0U})
     EXPECT_EQ(heavy.next({.weight = 5, .rows = 4, .most = 150}).line.size(), rows);
   EXPECT_EQ(portion_for(100, 3).rows, 48U);

@@ -132,7 +132,7 @@ Report find_root(const NamedSolver& method, Equations& equations, Eigen::VectorX
   require_option(name, std::isfinite(method.tolerance * method.scale), "tolerance times scale",
                  method.tolerance * method.scale, "finite");
   Report report = entry->solve({method.tolerance * method.scale, method.iterations, equations, x, observer});
-  return held_to_tolerance(method, equations, x, std::move(report));
+  return checked_against_tolerance(method, equations, x, std::move(report));
 }
 
 namespace {
@@ -173,8 +173,8 @@ Status missed(const NamedSolver& method, Equations& equations, const Eigen::Vect
 }  // namespace
 
 //! [held to the tolerance]
-Report held_to_tolerance(const NamedSolver& method, Equations& equations, const Eigen::VectorXd& x,
-                         Report report) {
+Report checked_against_tolerance(const NamedSolver& method, Equations& equations, const Eigen::VectorXd& x,
+                                 Report report) {
   Eigen::VectorXd f(equations.size());
   equations.residual(x, f);
   const Status of_equations = equations.status();

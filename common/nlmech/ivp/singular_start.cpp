@@ -41,8 +41,8 @@ Limits0 near_start(const System& system, const State& x0, double t0, double dist
 }
 
 /// Checks the limits at the singular point: success if one smooth solution may start there.
-Status examine(const System& system, const State& x0, double t0, double way) {
-  const Limits0 far = near_start(system, x0, t0, 1e-6 * way), near = near_start(system, x0, t0, 1e-8 * way);
+Status examine(const System& system, const State& x0, double t0, double span) {
+  const Limits0 far = near_start(system, x0, t0, 1e-6 * span), near = near_start(system, x0, t0, 1e-8 * span);
   if (!near.f.allFinite() || !near.j.allFinite() || !far.j.allFinite())
     return refused(t0, "the equations are not finite near it");
   if (near.j.norm() > 3 * std::max(far.j.norm(), 1.0))

@@ -71,7 +71,7 @@ class EquationReader {
         equations_.push_back(statement);
         continue;
       }
-      hold_name(left.name, left.place);
+      check_name(left.name, left.place);
       if (!definitions.emplace(left.name, left.place).second)
         throw source_.mistake(left.place, fmt::format("{} is defined twice", quoted_input(left.name)));
       meaning_.define(left.name, statement.right);
@@ -82,7 +82,7 @@ class EquationReader {
         throw InputError(fmt::format("--set {}: must be a finite number, not {}", quoted_input(name), value));
       names_.defined[name] = {made_.graph_.number(value), {}};
     }
-    hold_definitions(settings);
+    check_definitions(settings);
     for (const Statement& statement : tree_.statements) {
       const Syntax& left = tree_.nodes[statement.left];
       if (defines(left)) add_parameter(left.name, meaning_.definition(left.name, left.place));
@@ -172,12 +172,12 @@ class EquationReader {
   }
 
  private:
-  void hold_name(const std::string& name, const Place& place) const {
+  void check_name(const std::string& name, const Place& place) const {
     if (name == "t") throw source_.mistake(place, "t is reserved for the time");
     if (name == "pi") throw source_.mistake(place, "pi is reserved for 3.14159...");
   }
   void take_derivative(const Syntax& node) {
-    hold_name(node.name, node.place);
+    check_name(node.name, node.place);
     if (node.primes > highest_order)
       throw source_.mistake(node.place, fmt::format("derivatives go up to order {}", highest_order));
     const auto [entry, is_new] =
@@ -214,14 +214,14 @@ class EquationReader {
 
   static bool is_time(const Syntax& node) { return node.name == "t" && node.primes == 0; }
   // Checks the conditions of definitions before these are used.
-  void hold_definitions(const Settings& settings) {
+  void check_definitions(const Settings& settings) {
     for (const Condition& c : tree_.conditions) {
       const Syntax& left = tree_.nodes[c.left];
       if (left.kind != SyntaxKind::name)
         throw source_.mistake(left.place, "a condition must start with t, a component or a definition");
       if (is_time(left) || names_.component(left) >= 0) continue;
       const double value = meaning_.number(c.left, "the left side of a condition");
-      hold(c, left.name, value, meaning_.number(c.right, "a bound"), settings);
+      check_condition(c, left.name, value, meaning_.number(c.right, "a bound"), settings);
     }
   }
   static bool is_upper(const Condition& c) {
@@ -245,8 +245,8 @@ class EquationReader {
     if (!(made_.lower_[component] <= made_.upper_[component]))
       throw source_.mistake(c.place, "the lower bound is above the upper bound");
   }
-  void hold(const Condition& c, const std::string& name, double value, double bound,
-            const Settings& settings) const {
+  void check_condition(const Condition& c, const std::string& name, double value, double bound,
+                       const Settings& settings) const {
     const bool holds = c.relation == TokenKind::at_least  ? value >= bound
                        : c.relation == TokenKind::at_most ? value <= bound
                        : c.relation == TokenKind::above   ? value > bound

@@ -61,21 +61,21 @@ LinearForm Meaning::form_of(std::size_t index) {
   if (graph_.nodes() > most_operations || handled_ > most_operations)
     throw source_.mistake(node.place,
                           fmt::format("the equations have more than {} operations", most_operations));
-  hold_to_numbers(form, node);
+  check_numbers(form, node);
   --depth_;
   return form;
 }
 // Numbers that are not finite are mistakes: 1/0, sqrt(-1), exp(1000).
-void Meaning::hold_to_numbers(const LinearForm& form, const Syntax& node) const {
-  const auto hold = [&](NodeId id) {
+void Meaning::check_numbers(const LinearForm& form, const Syntax& node) const {
+  const auto check = [&](NodeId id) {
     if (!graph_.is_number(id) || std::isfinite(graph_[id].c)) return;
     throw source_.mistake(node.place,
                           std::isnan(graph_[id].c)
                               ? "the result is not a real number"
                               : "the result is infinite, or beyond the range of double precision");
   };
-  hold(form.rest);
-  for (const auto& [unknown, coefficient] : form.highest) hold(coefficient);
+  check(form.rest);
+  for (const auto& [unknown, coefficient] : form.highest) check(coefficient);
 }
 
 LinearForm Meaning::meaning(const Syntax& node) {
@@ -113,13 +113,13 @@ std::string Meaning::unknown_name(const std::string& name) const {
   if (name == "e") return "e is not defined; write exp(1), or exp(x) for e^x";
   for (std::size_t cut = 1; cut < std::min<std::size_t>(name.size(), 60); ++cut) {
     const std::string a = name.substr(0, cut), b = name.substr(cut);
-    if (means_something(a) && means_something(b))
+    if (is_known_name(a) && is_known_name(b))
       return fmt::format("{} is not defined; a product is written {} {}", shown, a, b);
   }
   return fmt::format("{0} is not defined: it has neither a derivative ({0}') nor a definition ({0} = ...)",
                      shown);
 }
-bool Meaning::means_something(const std::string& name) const {
+bool Meaning::is_known_name(const std::string& name) const {
   return name == "t" || name == "pi" || names_.numbers.contains(name) || is_defined(name);
 }
 
@@ -183,11 +183,11 @@ LinearForm Meaning::call(const Syntax& node) {
   if (node.function == Function::table || node.function == Function::stepped_table) return {table(node), {}};
   std::vector<NodeId> arguments;
   for (const Syntax::Operand& operand : node.operands) arguments.push_back(argument(operand.node));
-  hold_to_domain(node, arguments);
+  check_domain(node, arguments);
   return {graph_.call(node.function, arguments.front(), arguments.back()), {}};
 }
 // Checks the arguments of functions whose jumps must be known in advance.
-void Meaning::hold_to_domain(const Syntax& node, const std::vector<NodeId>& arguments) const {
+void Meaning::check_domain(const Syntax& node, const std::vector<NodeId>& arguments) const {
   const std::string_view name =
       source_.at(node.place).substr(0, source_.at(node.place).find_first_of(" \t("));
   switch (node.function) {

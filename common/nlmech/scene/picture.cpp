@@ -32,18 +32,18 @@ class Scratch {
   Scratch() {
     std::error_code error;
     std::string name = (fs::temp_directory_path(error) / "nlmech-plot-XXXXXX").string();
-    const CriticalSection act;
+    const CriticalSection section;
     if (error || ::mkdtemp(name.data()) == nullptr)
       throw Failure(fmt::format("no temporary folder {}: {}", name, std::generic_category().message(errno)));
     path_ = name;
-    trace_.emplace(act, [path = path_] { clear(path); });
+    cleanup_.emplace(section, [path = path_] { clear(path); });
   }
   Scratch(const Scratch&) = delete;
   Scratch& operator=(const Scratch&) = delete;
   ~Scratch() {
-    const CriticalSection act;
+    const CriticalSection section;
     clear(path_);
-    trace_->gone(act);
+    cleanup_->dismiss(section);
   }
   [[nodiscard]] const fs::path& path() const { return path_; }
 
@@ -53,7 +53,7 @@ class Scratch {
     fs::remove_all(path, ignored);
   }
   fs::path path_;
-  std::optional<CleanupOnExit> trace_;
+  std::optional<CleanupOnExit> cleanup_;
 };
 
 }  // namespace

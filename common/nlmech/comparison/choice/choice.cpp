@@ -161,22 +161,22 @@ ErrorGrowth growth_along(const ChoiceRequest& q, const std::string& method) {
   const ivp::Limits limits = q.limits(40'000);
   const auto run = any_method(method).with(
       {.tolerance = tolerance, .absolute_tolerance = tolerance * std::min(q.absolute, 1.0)});
-  ReferenceRequest way{q.x0.cast<long double>(), q.t0, {}};
+  ReferenceRequest request{q.x0.cast<long double>(), q.t0, {}};
   Reference along;
   along.size = q.x0.cwiseAbs();
   const auto add = [&](double t, const ivp::State& x) {
-    way.times.push_back(t);
+    request.times.push_back(t);
     along.states.conservativeResize(x.size(), along.states.cols() + 1);
     along.states.rightCols(1) = x.cast<long double>();
   };
   const ivp::Observer observe = [&](const ivp::Step& step) {
     along.size = along.size.cwiseMax(step.x1.cwiseAbs());
     const double part = (step.t1 - q.t0) / (q.t1 - q.t0) * intervals;
-    if (part >= static_cast<double>(way.times.size() + 1) && step.t1 != q.t1) add(step.t1, step.x1);
+    if (part >= static_cast<double>(request.times.size() + 1) && step.t1 != q.t1) add(step.t1, step.x1);
     return true;
   };
   const ivp::Solution end = run(q.system, q.x0, q.t0, q.t1, observe, limits);
-  if (way.times.empty() || end.t != way.times.back()) add(end.t, end.x);
+  if (request.times.empty() || end.t != request.times.back()) add(end.t, end.x);
   if (end.t == q.t0 || !end.x.allFinite()) return {};
   along.first.compute = [&](const ReferenceRequest& part, double seconds, StatesAt& states) {
     ivp::Limits these = limits;
@@ -186,14 +186,14 @@ ErrorGrowth growth_along(const ChoiceRequest& q, const std::string& method) {
     if (s.status.outcome() != Outcome::outside_validity) return s.status;
     // If only the perturbed run of switching equations fails, the unperturbed state replaces its result: no
     // growth.
-    states = along.states.col(std::ranges::find(way.times, part.times.back()) - way.times.begin());
+    states = along.states.col(std::ranges::find(request.times, part.times.back()) - request.times.begin());
     return Status();
   };
   const double absolute = q.absolute * std::min(1.0, along.size.maxCoeff());
   const Eigen::MatrixXd weight = (along.states.cast<double>().array().abs() + absolute).matrix();
   Eigen::MatrixXd moved;
   const Eigen::VectorXd first = (q.x0.array().abs() + absolute).matrix();
-  if (!amplification(way, along, first, weight, most_seconds, moved).ok()) return {};
+  if (!amplification(request, along, first, weight, most_seconds, moved).ok()) return {};
   const auto size = along.size.array().max(absolute / 10);
   return {std::max(1.0, (moved.rightCols(1).array() / size).maxCoeff()),
           std::abs((end.t - q.t0) / (q.t1 - q.t0))};

@@ -61,7 +61,7 @@ class CatalogueRun {
         farthest_(options_.t1),
         catalogue_(
             typed.states, {}, joined(columns_, {end_column}),
-            [this](const auto& row) { return complaint(row); }, scene::NameCase::exact),
+            [this](const auto& row) { return row_error(row); }, scene::NameCase::exact),
         method_(method_of_all()) {
     const auto has = [this](const auto& name) { return catalogue_.has(name); };
     if (std::ranges::none_of(columns_, has))
@@ -79,7 +79,7 @@ class CatalogueRun {
 
   [[nodiscard]] int print() {
     // A row weighs as many lines as --every prints, but at least so many that most_rows fill a portion.
-    catalogue_.weigh_by(
+    catalogue_.set_row_weight(
         [this](const auto& row) { return std::max(lines_at_a_time / most_rows, lines(row)); });
     const std::vector<std::string> printed = printed_names(*base_, options_);
     std::vector<std::string> taken = options_.columns.names;
@@ -146,7 +146,7 @@ class CatalogueRun {
   }
   /// Error message of a row, empty if it is valid. The constructor of catalogue_ calls it, so that it may use
   /// only members declared before catalogue_.
-  [[nodiscard]] std::string complaint(const std::vector<double>& row) {
+  [[nodiscard]] std::string row_error(const std::vector<double>& row) {
     try {
       static_cast<void>(member_of(row));
     } catch (const std::exception& error) {

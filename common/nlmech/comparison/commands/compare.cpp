@@ -47,7 +47,7 @@ Methods typed_methods(const std::string& list) {
 }
 
 /// Methods without `--methods`, see choices().
-Methods usual_methods(const UserProblem& problem, const RunOptions& r) {
+Methods default_methods(const UserProblem& problem, const RunOptions& r) {
   Methods methods;
   // Adds the first of the methods that this build has.
   const auto add = [&methods](std::initializer_list<std::string_view> names) {
@@ -207,11 +207,11 @@ std::string ComparisonTable::note(const Choice& choice, const ivp::State& x) con
   for (Eigen::Index i = 0; i < x.size(); ++i) {
     const Eigen::Index last = reference_.states.cols() - 1;
     const double exact = static_cast<double>(reference_.states(i, last));
-    const double surely = std::abs(x[i] - exact) - reference_.difference(i, last);
-    most = std::max(most, surely / (tolerance.absolute + tolerance.relative * std::abs(exact)));
+    const double excess = std::abs(x[i] - exact) - reference_.difference(i, last);
+    most = std::max(most, excess / (tolerance.absolute + tolerance.relative * std::abs(exact)));
   }
   if (most <= most_tolerances) return "";
-  return quoted_cell(fmt::format("off by {:.3g} tolerances; a tolerance {}", most, what_a_tolerance_holds));
+  return quoted_cell(fmt::format("off by {:.3g} tolerances; a tolerance {}", most, tolerance_meaning));
 }
 
 void ComparisonTable::add(const Choice& choice, const ivp::Solution& end, const Timing& time) {
@@ -248,7 +248,7 @@ std::string Choice::setting() const {
 }
 
 std::vector<Choice> choices(const TypedOptions& typed, const UserProblem& problem, const RunOptions& r) {
-  const Methods methods = typed.method.empty() ? usual_methods(problem, r) : typed_methods(typed.method);
+  const Methods methods = typed.method.empty() ? default_methods(problem, r) : typed_methods(typed.method);
   const std::vector<double> tolerances = typed_tolerances(typed.tolerances);
   const std::string names = names_of(methods);
   if (typed.largest_step && std::ranges::all_of(methods, &ivp::MethodInfo::fixed_step))
@@ -282,10 +282,10 @@ std::vector<Candidate> extended_candidates(const UserProblem& problem, const Run
   if (problem.domain && !problem.domain->arguments.empty()) {
     bool rests = false;
     constexpr double tolerance = 1e-6;
-    const auto pilot = ivp::within_domain(any_method("dop853").with({.tolerance = tolerance}), problem.domain,
-                                          {tolerance, tolerance}, &rests);
+    const auto estimate = ivp::within_domain(any_method("dop853").with({.tolerance = tolerance}),
+                                             problem.domain, {tolerance, tolerance}, &rests);
     static_cast<void>(
-        pilot(problem.system, r.x0, r.t0, r.t1, {}, {.steps = 100'000, .seconds = effort.seconds / 4}));
+        estimate(problem.system, r.x0, r.t0, r.t1, {}, {.steps = 100'000, .seconds = effort.seconds / 4}));
     if (rests) return {};
   }
   return problem.extended(effort);
@@ -300,9 +300,9 @@ Comparison comparison(const UserProblem& problem, const RunOptions& r, const std
   constexpr double work = 6;  // about 6 s
   std::optional<scene::ProgressScope> doing("computing a reference");
   const WorkLimit effort{
-      work, left() / 3, watchful_step(r.t0, r.t1, r.limits.largest_step), {}, problem.domain};
+      work, left() / 3, reference_step_limit(r.t0, r.t1, r.limits.largest_step), {}, problem.domain};
   const Reference reference = reference_of(extended_candidates(problem, r, effort), problem.system, r.x0,
-                                           r.t0, look_at(r.t0, r.t1, 64), {1e-13, 1e-30}, effort);
+                                           r.t0, times_to_check(r.t0, r.t1, 64), {1e-13, 1e-30}, effort);
   ComparisonTable table(program, reference, r.x0);
   for (std::size_t i = 0; i < methods.size(); ++i) {
     doing.emplace(fmt::format("running {}", methods[i].method->name));

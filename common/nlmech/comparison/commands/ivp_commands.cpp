@@ -34,7 +34,7 @@ int integrate(const TypedOptions& typed, const std::string& program) {
   const scene::Picture picture(typed.plot);
   const RunOptions options = run_options(typed, problem, problem.initial_state(typed.initial));
   const ivp::MethodInfo& method = method_of(typed, problem, options);
-  const Trajectory run = typed.method.empty() ? usual_trajectory(problem, options, method)
+  const Trajectory run = typed.method.empty() ? default_trajectory(problem, options, method)
                                               : trajectory(problem, options, method);
   std::vector<std::string> remarks = remarks_on(problem, options);
   remarks.insert(remarks.end(), {run.remark, run.small});

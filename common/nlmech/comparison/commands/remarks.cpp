@@ -38,14 +38,14 @@ std::string remark_on_jumps(const UserProblem& problem, double t0, double t1) {
 
 /// Do solutions on both sides of a switching function that is zero at the start leave it, as x' = sign(x)
 /// from 0?
-bool leads_both_ways(const ivp::System& system, const RunOptions& r) {
+bool leaves_both_sides(const ivp::System& system, const RunOptions& r) {
   const auto count = static_cast<std::size_t>(system.switches());
   ivp::Mode mode(count, 1);
   std::vector<double> values(count), rates(count);
-  const auto look = [&] { system.in_mode(mode).surfaces(r.t0, r.x0, values, rates); };
+  const auto evaluate = [&] { system.in_mode(mode).surfaces(r.t0, r.x0, values, rates); };
   std::vector<bool> is_zero(count);
   for (std::size_t i = 0; i < count; ++i) {
-    look();
+    evaluate();
     is_zero[i] = values[i] == 0;
     if (values[i] < 0) mode[i] = -1;
   }
@@ -54,7 +54,7 @@ bool leads_both_ways(const ivp::System& system, const RunOptions& r) {
     if (!is_zero[i]) continue;
     const auto rate_on = [&](int side) {
       mode[i] = static_cast<std::int8_t>(side);
-      look();
+      evaluate();
       mode[i] = 1;
       return direction * rates[i];
     };
@@ -65,7 +65,7 @@ bool leads_both_ways(const ivp::System& system, const RunOptions& r) {
 
 std::string remark_on_start(const UserProblem& problem, const RunOptions& r) {
   if (r.t0 == r.t1) return {};
-  if (leads_both_ways(problem.system, r))
+  if (leaves_both_sides(problem.system, r))
     return fmt::format(
         "the solution from t = {:.6g} is not unique: on both sides of a switching surface it leaves the "
         "surface; this run takes the side where the switching function is positive",

@@ -122,10 +122,10 @@ void SampledPath::add(double t, const Eigen::VectorXd& x) {
 }
 
 void SampledPath::see(const ivp::Step& step, double end) {
-  const double way = end - step.t0, share = std::abs(way / (t1_ - t0_));
+  const double span = end - step.t0, share = std::abs(span / (t1_ - t0_));
   const int places = static_cast<int>(std::clamp(std::ceil(1000 * share), 8.0, 1000.0));
   for (int k = 1; k < places; ++k) {
-    const double t = step.t0 + way * k / places;
+    const double t = step.t0 + span * k / places;
     add(t, step.at(t));
   }
   add(end, step.at(end));
@@ -186,7 +186,7 @@ scene::Figure section_figure(const PlotSamples& run, const std::string& heading)
     return all;
   };
   scene::Show show(false);
-  const scene::Look dots = {
+  const scene::CurveStyle dots = {
       run.events.size() > 500 ? "points pointtype 7 pointsize 0.2" : "points pointtype 7 pointsize 0.5", 1};
   const auto put = [&](const std::string& x_label, const Values& x, const std::string& y_label,
                        const Values& y) {

@@ -97,7 +97,7 @@ RunOptions run_options(const TypedOptions& typed, const UserProblem& problem, iv
       .every = positive_of("--every", typed.every, problem),
       .tables = problem.text.times_of_tables(),
       .order = problem.printed_order(typed.initial),
-      .limits = {.seconds = typed.limit.value_or(scene::Options::usual_limit),
+      .limits = {.seconds = typed.limit.value_or(scene::Options::default_limit),
                  .largest_step = typed.largest_step.value_or(std::numeric_limits<double>::infinity())},
       .section = !typed.section.empty(),
       .verify = typed.step.empty() && !typed.no_verify,
@@ -138,7 +138,7 @@ RunOptions run_options(const TypedOptions& typed, const UserProblem& problem, iv
 const ivp::MethodInfo& method_of(const TypedOptions& typed, const UserProblem& problem,
                                  const RunOptions& options) {
   const ivp::MethodInfo& method = about("--method", [&]() -> const ivp::MethodInfo& {
-    return typed.method.empty() ? usual_method(problem, options) : any_method(typed.method);
+    return typed.method.empty() ? default_method(problem, options) : any_method(typed.method);
   });
   const ivp::Settings& settings = options.settings;
   if (settings.step && settings.tolerance)

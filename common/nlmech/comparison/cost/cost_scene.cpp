@@ -12,7 +12,7 @@ namespace {
 
 /// Heading with the fastest methods, without them if it would be too long.
 std::string heading_of(const std::string& problem, const scene::ProblemLines& lines) {
-  const std::string whole = problem + ": " + scene::who_leads(lines);
+  const std::string whole = problem + ": " + scene::fastest_by_digits(lines);
   return whole.size() <= 118 ? whole : problem + ": achieved digits and cost";
 }
 
@@ -47,7 +47,7 @@ scene::Scene work_precision_scene(WorkPrecisionStudy what) {
       "times" + suffix,
       fmt::format("{}; error: median over 16 ends of steps in the last tenth; one thread, median of repeats; "
                   "a curve ends with its first run of more than {} right-hand sides, {} with --quick",
-                  what.reading, enough_right_hand_sides, enough_for_a_look),
+                  what.reading, most_right_hand_sides, most_right_hand_sides_quick),
       [what](bool quick) { return costs_of(what, quick); });
   const auto put = [what](const Costs& all, scene::Show& show) {
     const bool known = all.condition >= 10;  // smaller ones have no effect on the 15 digits of the figure

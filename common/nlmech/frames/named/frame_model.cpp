@@ -279,20 +279,20 @@ NamedFrame build(const FrameModel& model, int elements) {
   }
   require_numbers(model);
   // Prescribed displacements count as fixed: the load factor does not change here.
-  std::vector<Support> held = supports;
+  std::vector<Support> fixed = supports;
   for (std::size_t i = 0; i < model.displacements.size(); ++i) {
     const NamedDisplacement& d = model.displacements[i];
-    held.push_back({index_of(names, d.node, ModelPart::displacements, i), d.motion});
+    fixed.push_back({index_of(names, d.node, ModelPart::displacements, i), d.motion});
   }
   // Whether a frame is a mechanism does not depend on the number of elements.
   const Parts whole = parts_of(model, names, 0), divided = parts_of(model, names, elements);
   std::optional<Mechanism> mechanism;
-  if (held.empty() && !model.may_move) mechanism = {0, Motion::x};
-  bool is_all_held = false;
+  if (fixed.empty() && !model.may_move) mechanism = {0, Motion::x};
+  bool is_all_fixed = false;
   try {
-    if (!mechanism && !model.may_move) mechanism = find_mechanism(frame_of(whole, held));
+    if (!mechanism && !model.may_move) mechanism = find_mechanism(frame_of(whole, fixed));
   } catch (const std::invalid_argument&) {
-    is_all_held = true;  // only inner nodes of members can move
+    is_all_fixed = true;  // only inner nodes of members can move
   }
   if (mechanism) {
     const auto at = static_cast<std::size_t>(mechanism->node);
@@ -301,7 +301,7 @@ NamedFrame build(const FrameModel& model, int elements) {
                   "mechanism; give it a support or a member",
                   quoted_input(model.nodes[at].name), to_string(mechanism->motion));
   }
-  if (is_all_held && supports.size() == held.size())
+  if (is_all_fixed && supports.size() == fixed.size())
     throw refusal(ModelPart::supports, 0, "all nodes are fixed");
   NamedFrame f{.frame = frame_of(divided, supports), .members = divided.origins, .supports = supports};
   add_actions(model, names, f);

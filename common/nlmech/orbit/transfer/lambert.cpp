@@ -115,8 +115,8 @@ constexpr double largest_without_side = 1e-6;
 /// Does the orbit with the rounded v_1 pass the centre on the requested side, or reach r_2 on either side?
 /// True for thin ellipses, false for fast passages near the centre. Uses the bound of the miss, because a
 /// computed miss may be small by chance.
-[[nodiscard]] bool keeps_its_side(const LambertProblem& problem, const Chord& chord,
-                                  const Vector3<double>& across, const Vector3<double>& v1) {
+[[nodiscard]] bool is_on_requested_side(const LambertProblem& problem, const Chord& chord,
+                                        const Vector3<double>& across, const Vector3<double>& v1) {
   if (across.dot(chord.ahead1) > least_across * std::sqrt(across.dot(across))) return true;
   const double kappa = kepler_condition({problem.from, v1}, problem.time, problem.mu).position;
   return 8 * kappa * std::numeric_limits<double>::epsilon() <= largest_without_side;
@@ -159,7 +159,7 @@ constexpr double largest_without_side = 1e-6;
     solution.status = out_of_reach(problem, scaled.wanted);
     return solution;
   }
-  if (!keeps_its_side(problem, scaled.chord, scaled_v1, v1)) {
+  if (!is_on_requested_side(problem, scaled.chord, scaled_v1, v1)) {
     solution.status = passes_too_near(problem, arc);
     return solution;
   }

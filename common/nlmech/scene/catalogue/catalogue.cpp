@@ -53,7 +53,7 @@ void Catalogue::open() {
   buffer_.clear();
   place_ = line_number_ = 0;
   ended_ = false;
-  columns_.forget_header();
+  columns_.reset_header();
   if (path_ == "-") return;
   file_ = std::ifstream(path_, std::ios::binary);
   if (!file_ || std::filesystem::is_directory(path_))
@@ -133,7 +133,7 @@ void print_catalogue(Catalogue& catalogue, const CatalogueOutput& output) {
   for (;;) {
     const CatalogueRows rows = catalogue.next(output.portion);
     if (rows.line.empty()) {
-      if (rows.first == 1) tell_of_no_rows(catalogue.name());
+      if (rows.first == 1) print_no_rows(catalogue.name());
       break;
     }
     const ProgressScope doing(fmt::format("at row {}{}", rows.first, of));

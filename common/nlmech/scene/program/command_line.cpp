@@ -59,7 +59,7 @@ std::vector<const Scene*> chosen(const Chapter& chapter, const Work& options) {
 }
 
 /// Prints one line per scene if standard error is a terminal.
-void tell_progress(std::size_t done, std::size_t all, const std::string& scene, double seconds) {
+void print_progress(std::size_t done, std::size_t all, const std::string& scene, double seconds) {
   if (::isatty(STDERR_FILENO) == 1)
     print_message(fmt::format("[{}/{}] {} {:.1f} s", done, all, scene, seconds));
 }
@@ -87,7 +87,7 @@ int run(const Chapter& chapter, const Work& options) {
   int code = 0;
   std::size_t done = 0;
   for (const Scene* scene : scenes) {
-    results.take_turn(scenes.size() - done);
+    results.wait_for_processor(scenes.size() - done);
     const Stopwatch watch;
     const ProgressScope doing("computing " + scene->name);
     try {
@@ -97,7 +97,7 @@ int run(const Chapter& chapter, const Work& options) {
       print_message(fmt::format("{}: {}: {}", chapter.name(), scene->name, failure.what()));
       code = ExitCode::failed;
     }
-    tell_progress(++done, scenes.size(), scene->name, watch.seconds());
+    print_progress(++done, scenes.size(), scene->name, watch.seconds());
   }
   return code;
 }

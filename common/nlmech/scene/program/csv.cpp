@@ -118,7 +118,7 @@ std::string CsvColumns::expected() const {
   return fmt::format("{}{}", required_ > 0 ? "" : "some of ", fmt::join(names, ","));
 }
 
-void CsvColumns::forget_header() {
+void CsvColumns::reset_header() {
   cells_.clear();
   names_.clear();
   column_.clear();
@@ -249,7 +249,7 @@ NumberColumns parse_numbers(std::string_view text, const std::string& name,
   return out;
 }
 
-void tell_of_no_rows(const std::string& name) {
+void print_no_rows(const std::string& name) {
   print_message(fmt::format("{}: no row follows the header", name));
 }
 

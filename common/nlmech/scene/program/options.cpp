@@ -132,17 +132,17 @@ Option& Options::add(const std::string& name, Option::Destination to, const std:
 }
 
 void Options::limit(double& seconds) {
-  heeds_limit_ = true;
+  supports_limit_ = true;
   add("--limit", seconds, "stop after this much wall time, s").positive();
 }
 
 void Options::limit(std::optional<double>& seconds, const std::string& lifted_by) {
-  heeds_limit_ = true;
+  supports_limit_ = true;
   lifted_by_ = lifted_by;
   add("--limit", seconds,
-      lifted_by.empty() ? fmt::format("stop after this much wall time, s (default {})", usual_limit)
+      lifted_by.empty() ? fmt::format("stop after this much wall time, s (default {})", default_limit)
                         : fmt::format("stop after this much wall time, s (default {}; none with {})",
-                                      usual_limit, lifted_by))
+                                      default_limit, lifted_by))
       .positive();
 }
 
