@@ -133,7 +133,7 @@ What is refused
     x' = floor(x)
                ^
   $ equation "x' = mod(t, 1e-9)" --initial x=1
-  integrators: --until 1: floor, ceil, frac or mod jump more than a million times before it; give an earlier end, or longer periods
+  integrators: --until 1: floor, ceil, frac or mod jump more than a million times before this time; give an earlier end, or longer periods
   $ refused integrators integrate --equation "x' = -x" --initial x=1 --until 2*q
   integrators: --until:1:3: q is not defined: it has neither a derivative (q') nor a definition (q = ...)
     2*q

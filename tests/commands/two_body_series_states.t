@@ -121,7 +121,7 @@ So many revolutions that no digit is left end the closed form, at the last row t
   outside_validity
   1
 
-What is not done in time says so in its row; without a limit a file takes as long as it takes:
+What is not done in time says so in its row; a file has no limit by default:
 
   $ ellipses 2000 > orbits.csv
   $ for method in series kepler; do
@@ -134,7 +134,7 @@ What is not done in time says so in its row; without a limit a file takes as lon
   $ propagate forever.csv --mu 1 --until 1e9 --zonal 1e-3 --radius 0.1 --limit 0.3 --threads 1 2> said.txt > rows.csv
   [1]
   $ holds --each 'n = 400' 'status = "time_limit"' < rows.csv
-  $ two_body_series propagate --help | grep -c 'as long as it takes'
+  $ two_body_series propagate --help | grep -c 'none with'
   1
 
 Mistakes
