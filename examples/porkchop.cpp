@@ -27,7 +27,7 @@ int main() {
       arrival = grid.arrivals[j];
     }
   }
-  std::printf("%s: leave after %.3f years, arrive after %.3f, speeds %.6f in all\n",
+  std::printf("%s: leave after %.3f years, arrive after %.3f, total speed change %.6f\n",
               grid.status.text().c_str(), departure / year, arrival / year, least);
 }
 // [example]

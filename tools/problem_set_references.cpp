@@ -92,9 +92,9 @@ auto taylor_states(const TextProblem& problem, const std::vector<Real>& times, i
       visit(step);
       x = after;
     };
-    const Status status =
-        problems::walk_reference(problem, State(x), t, next,
-                                 {.order = order, .tolerance = tolerance, .most_steps = 100'000'000}, look);
+    const Status status = problems::integrate_reference(
+        problem, State(x), t, next, {.order = order, .tolerance = tolerance, .most_steps = 100'000'000},
+        look);
     if (!status.ok()) throw std::runtime_error(status.text());
     states.push_back(x);
     t = next;

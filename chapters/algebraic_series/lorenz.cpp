@@ -58,7 +58,7 @@ void put_time(const Motion& m, scene::Show& show) {
 void put_phase(const Motion& m, scene::Show& show) {
   scene::Plot& plot = show.plots("Lorenz: with the printed steps the attractor lacks a wing");
   plot.size(900, 520).data(data_of(m.path));
-  const auto panel = [&](const char* caption, const char* columns, const scene::Look& look) {
+  const auto panel = [&](const char* caption, const char* columns, const scene::CurveStyle& look) {
     plot.panel("{/:Italic u}", "{/:Italic w}")
         .caption(caption)
         .x_range(-20, 22)

@@ -150,7 +150,7 @@ Input read_input(const Request& request, const Coordinates& from, const Coordina
   std::string name = name_of(request.file);
   scene::NumberColumns points =
       scene::parse_numbers(scene::read_whole(request.file), name, from.read, to.write);
-  if (points.rows() == 0) scene::tell_of_no_rows(name);
+  if (points.rows() == 0) scene::print_no_rows(name);
   return {std::move(name), std::move(points)};
 }
 

@@ -39,7 +39,7 @@ void draw(const std::vector<Errors>& all, scene::Show& show) {
   panel.x_range(0, 90).log_y(5e-12, 10).set("xtics 15").set("ytics 100").set("title offset 0,3");
   panel.set("margins screen 0.12, screen 0.97, screen 0.13, screen 0.78");
   panel.key("at screen 0.54, screen 0.90 center top maxrows 2 samplen 2 spacing 1.2 width -9");
-  const auto curve = [&](const std::string& column, const scene::Look& look, const std::string& name) {
+  const auto curve = [&](const std::string& column, const scene::CurveStyle& look, const std::string& name) {
     panel.columns(name, fmt::format("latitude_deg:(column('{0}') < 1e-11 ? 1e-11 : column('{0}'))", column),
                   look);
   };

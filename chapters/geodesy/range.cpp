@@ -83,7 +83,7 @@ std::vector<Errors> over_flattening(bool quick) {
 /// A method with its data column and line style.
 struct Drawn {
   std::string method, column;
-  scene::Look look;
+  scene::CurveStyle look;
 };
 const std::vector<Drawn> all_drawn = {{"fast", "fast_rad", {"lines linewidth 3", 1}},
                                       {"GeographicLib", "geographiclib_rad", {"lines", 3}},

@@ -53,7 +53,7 @@ void put(const std::vector<ProblemTrials>& all, scene::Show& show) {
   HeatMap map{"Requested minus achieved digits, conditioning removed",
               "miss",
               "!  success with fewer than half of the digits      blank: no success",
-              {"conditioning taken out, the worst of all tolerances"},
+              {"conditioning removed; worst of all tolerances"},
               {},
               {},
               {}};
@@ -76,11 +76,11 @@ void put(const std::vector<ProblemTrials>& all, scene::Show& show) {
   show.table(misses, {{"problem", &Row::problem},
                       {"method", &Row::method},
                       {"tolerance", &Row::at, 1},
-                      {"digits to expect", &Row::expected},
-                      {"digits delivered", &Row::delivered},
+                      {"digits expected", &Row::expected},
+                      {"digits achieved", &Row::delivered},
                       {"missing", &Row::worst, 2},
                       {"successes", &Row::successes},
-                      {"of these silent failures", &Row::silent}});
+                      {"silent failures", &Row::silent}});
   for (const char* method : {"series", "adaptive-collocation", "rkn1210", "ode45", "dop853"}) {
     double worst = -16;
     int silent = 0;
@@ -89,10 +89,11 @@ void put(const std::vector<ProblemTrials>& all, scene::Show& show) {
       worst = std::max(worst, row.worst);
       silent += row.silent;
     }
-    show.between(fmt::format("digits that {} misses at most", method), worst, -16, promised,
-                 "errors of the tolerance add up over the steps: a digit and a half for them");
-    show.equals(fmt::format("silent failures of {}, but for the equation that ends", method), silent, 0,
-                "success means at least half of the digits that the tolerance can give");
+    show.between(fmt::format("largest number of digits missing, {}", method), worst, -16, promised,
+                 "local errors accumulate over the steps: one and a half digits allowed");
+    show.equals(
+        fmt::format("silent failures of {}, except on the equation without a solution at the end", method),
+        silent, 0, "success requires at least half of the digits that the tolerance can give");
   }
 }
 
@@ -100,7 +101,7 @@ void put(const std::vector<ProblemTrials>& all, scene::Show& show) {
 
 std::vector<scene::Scene> scenes() {
   return {{.name = "calibration",
-           .title = "Digits delivered against digits asked, every method on every problem",
+           .title = "Requested and achieved digits of each method on each problem",
            .content = scene::Content(put, sweep())}};
 }
 

@@ -33,17 +33,16 @@ void put(const ProblemTrials& p, scene::Show& show) {
     for (const Trial& t : m.trials) most = std::max(most, t.success() ? t.digits() : 0);
   }
   const bool known = p.condition >= 10;  // smaller rounding is below the 15 digits of the figure
-  scene::show_work_precision({.heading = p.problem + ": " + scene::who_leads(lines),
+  scene::show_work_precision({.heading = p.problem + ": " + scene::fastest_by_digits(lines),
                               .work = comparison::work_columns(),
                               .work_label = "right-hand sides evaluated",
                               .groups = comparison::method_groups(),
                               .rounding = known ? p.condition * 0x1p-53 : 0},
                              {lines}, show);
-  const double hardness = std::log10(p.condition), tightest = show.quick() ? 8 : 13;
-  show.between(
-      "digits of the best run", most, p.kind == Kind::extreme ? 3 : tightest - 2 - hardness, 16,
-      "the tightest tolerance, added up over a hundred steps and multiplied by the condition; of the extreme "
-      "as far as the bounded work allows");
+  const double lost_digits = std::log10(p.condition), tightest = show.quick() ? 8 : 13;
+  show.between("digits of the best run", most, p.kind == Kind::extreme ? 3 : tightest - 2 - lost_digits, 16,
+               "the tightest tolerance, accumulated over a hundred steps and multiplied by the condition; "
+               "lower for extreme problems, whose work is limited");
 }
 
 }  // namespace
@@ -52,7 +51,7 @@ std::vector<scene::Scene> scenes() {
   std::vector<scene::Scene> all;
   for (const std::string& problem : problem_names(true))
     all.push_back({.name = "error-vs-time-" + problem,
-                   .title = fmt::format("Problem set, {}: digits against cost", problem),
+                   .title = fmt::format("Problem set, {}: achieved digits and cost", problem),
                    .content = scene::Content(put, sweep_of(problem))});
   return all;
 }

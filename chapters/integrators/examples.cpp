@@ -13,11 +13,10 @@
 namespace nlmech::chapters::integrators::examples {
 namespace {
 
-constexpr const char* independent =
-    "two methods that share nothing but the equation, at a tolerance of 1e-13";
+constexpr const char* independent = "two independent methods at a tolerance of 1e-13";
 
 /// A solution at some times and its difference from an independent one at the end.
-struct Course {
+struct ExampleRun {
   std::vector<std::string> names;            ///< component names
   std::vector<double> t;                     ///< times
   std::vector<std::vector<double>> columns;  ///< values, one column per component
@@ -53,13 +52,13 @@ std::vector<double> equidistant(double end, int count) {
 /// Integrates from the initial values of the file to each of @p times (increasing), with tolerance 1e-13 and
 /// a restart at each time. @p other is empty if the end state is too ill-conditioned to compare.
 /// @throws Failure if one of them fails
-Course course(const program::Equations& equations, const std::vector<double>& times,
-              const std::string& method, const std::string& other) {
+ExampleRun course(const program::Equations& equations, const std::vector<double>& times,
+                  const std::string& method, const std::string& other) {
   const ivp::System system{program::Problem(equations)};
   const std::vector<double> x0 = program::Equations(equations).initial_state("initial state", "");
   const ivp::State begin = Eigen::Map<const Eigen::VectorXd>(x0.data(), static_cast<Eigen::Index>(x0.size()));
   const ivp::Settings settings{.tolerance = 1e-13};
-  Course made{equations.state_names(), {}, std::vector<std::vector<double>>(x0.size()), 0};
+  ExampleRun made{equations.state_names(), {}, std::vector<std::vector<double>>(x0.size()), 0};
   ivp::State size = begin.cwiseAbs();
   const auto go = [&](const std::string& name, bool keep) {
     const auto run = comparison::any_method(name).with(settings);
@@ -84,18 +83,18 @@ Course course(const program::Equations& equations, const std::vector<double>& ti
 
 /// Largest deviation of a quantity from its first value, relative to @p scale, or to that value for 0.
 template <class Quantity>
-double drift(const Course& c, Quantity quantity, double scale = 0) {
+double drift(const ExampleRun& c, Quantity quantity, double scale = 0) {
   const double first = quantity(0U);
   double worst = 0;
   for (std::size_t i = 0; i < c.t.size(); ++i) worst = std::max(worst, std::abs(quantity(i) - first));
   return worst / (scale > 0 ? scale : std::abs(first));
 }
 
-void agree(const Course& c, double bound, scene::Show& show) {
+void agree(const ExampleRun& c, double bound, scene::Show& show) {
   show.at_most("difference of two methods at the end", c.difference, bound, independent);
 }
 
-void double_pendulum(const Course& c, scene::Show& show) {
+void double_pendulum(const ExampleRun& c, scene::Show& show) {
   std::vector<double> x, y;
   const auto &a = c["a"], &b = c["b"], &p = c["a'"], &q = c["b'"];
   for (std::size_t i = 0; i < c.t.size(); ++i) {
@@ -117,21 +116,21 @@ void double_pendulum(const Course& c, scene::Show& show) {
   agree(c, 1e-8, show);
 }
 
-void duffing_attractor(const Course& c, scene::Show& show) {
+void duffing_attractor(const ExampleRun& c, scene::Show& show) {
   // The first sections are the transient.
   const auto after = [](const std::vector<double>& all) {
     return std::vector<double>(all.begin() + 20, all.end());
   };
-  show.plot("Once a period the state falls on folded layers", "{/:Italic x}", "{/:Italic x}'")
+  show.plot("Poincare section of Ueda's oscillator: a folded attractor", "{/:Italic x}", "{/:Italic x}'")
       .curve("", after(c["x"]), after(c["x'"]), {"points pointtype 7 pointsize 0.2", 1});
   show.figure().size(620, 480);
   const auto [low, high] = std::ranges::minmax(after(c["x"]));
   show.between("least position of a section", low, 0.8, 2.2,
-               "Ueda's picture of the attractor: x from about 1 to 4");
+               "Ueda's figure of the attractor: x from about 1 to 4");
   show.between("greatest position of a section", high, 3.2, 4.2, "the same");
 }
 
-void three_bodies(const Course& c, scene::Show& show) {
+void three_bodies(const ExampleRun& c, scene::Show& show) {
   show.plot("Arenstorf's orbit closes after one period", "{/:Italic x}, distances of the Moon",
             "{/:Italic y}")
       .set("size ratio -1")
@@ -148,7 +147,7 @@ void three_bodies(const Course& c, scene::Show& show) {
       "the orbit is closed (Hairer, Norsett and Wanner I, II.0.2); passages of the Moon multiply errors");
 }
 
-void robertson(const Course& c, scene::Show& show) {
+void robertson(const ExampleRun& c, scene::Show& show) {
   std::vector<double> scaled = c["b"];
   for (double& b : scaled) b *= 1e4;
   show.plot("Robertson: b rises at once, a turns to c over ten decades", "time", "concentration")
@@ -162,16 +161,15 @@ void robertson(const Course& c, scene::Show& show) {
   agree(c, 1e-8, show);
 }
 
-void impact(const Course& c, scene::Show& show) {
-  show.plot("A shaken mass turns back at its stop", "time", "position")
+void impact(const ExampleRun& c, scene::Show& show) {
+  show.plot("A driven mass rebounds from a stiff stop", "time", "position")
       .level(1, "stop")
       .curve("", c.t, c["x"]);
-  show.between("greatest position", *std::ranges::max_element(c["x"]), 1.0, 1.5,
-               "the stop gives way a little");
+  show.between("greatest position", *std::ranges::max_element(c["x"]), 1.0, 1.5, "the stop is elastic");
   agree(c, 1e-8, show);
 }
 
-void friction(const Course& c, scene::Show& show) {
+void friction(const ExampleRun& c, scene::Show& show) {
   show.plot("Dry friction: stick and slip", "time", "velocity of the mass")
       .level(0.2, "belt")
       .curve("", c.t, c["x'"]);
@@ -181,24 +179,24 @@ void friction(const Course& c, scene::Show& show) {
     if (std::abs(c["x'"][i] - 0.2) < 1e-9) stuck = std::max(stuck, c["x"][i]);
   }
   show.between("greatest position while it sticks", stuck, 1 - 0.2 * 0.0101, 1 + 1e-9,
-               "F = 1, less what the belt moves between two points of the figure");
+               "F = 1, minus the motion of the belt between two points of the figure");
   agree(c, 1e-9, show);
 }
 
-void van_der_pol(const Course& c, scene::Show& show) {
+void van_der_pol(const ExampleRun& c, scene::Show& show) {
   show.plot("Van der Pol, mu = 1000: drift and jump", "time", "{/:Italic x}").curve("", c.t, c["x"]);
   agree(c, 1e-6, show);
 }
 
-void lorenz(const Course& c, scene::Show& show) {
+void lorenz(const ExampleRun& c, scene::Show& show) {
   show.plot("Lorenz's attractor: two wings, and no period", "{/:Italic u}", "{/:Italic w}")
       .curve("", c["u"], c["w"], scene::thin_lines());
   show.figure().size(620, 480);
   agree(c, 1e-4, show);
 }
 
-void spring_pendulum(const Course& c, scene::Show& show) {
-  scene::Plot& plot = show.plots("A spring pendulum: the energy goes to and fro");
+void spring_pendulum(const ExampleRun& c, scene::Show& show) {
+  scene::Plot& plot = show.plots("Spring pendulum: energy exchanged between spring and swing");
   plot.stacked();
   plot.panel("time, s", "angle, rad").curve("", c.t, c["a"]);
   plot.panel("time, s", "stretch, m").curve("", c.t, c["s"]);
@@ -212,7 +210,7 @@ void spring_pendulum(const Course& c, scene::Show& show) {
   agree(c, 1e-9, show);
 }
 
-void loudspeaker(const Course& c, scene::Show& show) {
+void loudspeaker(const ExampleRun& c, scene::Show& show) {
   scene::Plot& plot = show.plots("A loudspeaker: one equation of first order, one of second");
   plot.stacked();
   std::vector<double> ms, mm;
@@ -229,7 +227,7 @@ struct Drawn {
   const char* title;
   std::vector<double> times;
   const char *method, *other;
-  void (*put)(const Course&, scene::Show&);
+  void (*put)(const ExampleRun&, scene::Show&);
 };
 
 }  // namespace
@@ -244,9 +242,8 @@ std::vector<scene::Scene> scenes() {
        equidistant(17.0652165601579625588917206249, 1500), "series", "odeint-fehlberg78", three_bodies},
       {"robertson", "A stiff reaction", times_of(160, [](int i) { return 1e-5 * std::pow(1e16, i / 160.); }),
        "adaptive-collocation", "cvode-bdf", robertson},
-      {"impact", "A stop that pushes and never pulls: max", equidistant(60, 1500), "series",
-       "adaptive-collocation", impact},
-      {"friction", "A mass that sticks and slips: sign", equidistant(30, 3000), "series", "ode45", friction},
+      {"impact", "A one-sided stop: max", equidistant(60, 1500), "series", "adaptive-collocation", impact},
+      {"friction", "Stick-slip friction: sign", equidistant(30, 3000), "series", "ode45", friction},
       {"van-der-pol", "A relaxation oscillation", equidistant(3000, 1500), "adaptive-collocation",
        "odeint-rosenbrock4", van_der_pol},
       {"lorenz", "Lorenz's attractor", equidistant(25, 2500), "series", "odeint-fehlberg78", lorenz},

@@ -17,7 +17,7 @@ namespace {
 
 using Rows = std::vector<scene::CsvRecord>;
 
-[[noreturn]] void misfit(const std::string& what) {
+[[noreturn]] void throw_mismatch(const std::string& what) {
   throw Failure(
       Status::failure(Outcome::outside_validity,
                       fmt::format("problem set: {} does not fit tables/reference; run problem_set_references "
@@ -30,7 +30,8 @@ double number(const std::string& text) { return std::strtod(text.c_str(), nullpt
 /// Rows of a file of tables/reference without the headings; each must have @p cells cells.
 Rows rows_of(const std::string& file, std::size_t cells) {
   Rows rows = scene::parse_csv(scene::read_whole(scene::data_folder() / "tables" / "reference" / file), file);
-  if (std::ranges::any_of(rows, [cells](const auto& row) { return row.cells.size() != cells; })) misfit(file);
+  if (std::ranges::any_of(rows, [cells](const auto& row) { return row.cells.size() != cells; }))
+    throw_mismatch(file);
   rows.erase(rows.begin());  // headings
   return rows;
 }
@@ -43,11 +44,11 @@ void complete(SetProblem& p, const Rows& states, const Rows& conditions) {
   for (const scene::CsvRecord& row : states) {
     if (row.cells[0] != p.name) continue;
     const std::size_t k = values.size() / size;
-    if (k >= p.times.size() || number(row.cells[1]) != p.times[k]) misfit(p.name);
+    if (k >= p.times.size() || number(row.cells[1]) != p.times[k]) throw_mismatch(p.name);
     values.push_back(std::strtold(row.cells[3].c_str(), nullptr));
   }
   const auto known = std::ranges::find(conditions, p.name, [](const auto& row) { return row.cells[0]; });
-  if (values.size() != p.times.size() * size || known == conditions.end()) misfit(p.name);
+  if (values.size() != p.times.size() * size || known == conditions.end()) throw_mismatch(p.name);
   for (std::size_t k = 0; k < p.times.size(); ++k)
     p.reference.emplace_back(
         Eigen::Map<const Vector<long double, Eigen::Dynamic>>(values.data() + k * size, p.x0.size()));
@@ -56,7 +57,7 @@ void complete(SetProblem& p, const Rows& states, const Rows& conditions) {
   p.flagged.resize(p.x0.size());
   std::istringstream scales(known->cells[6]);
   for (double& scale : p.flagged) scales >> scale;
-  if (!scales) misfit(p.name);
+  if (!scales) throw_mismatch(p.name);
 }
 
 SetProblem made(std::string_view name, Kind kind, double absolute, std::int64_t length, ivp::System system,

@@ -18,14 +18,14 @@ constexpr std::array asked = {3, 6, 9, 12};
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// The fastest method of a group.
-struct Winner {
+struct Fastest {
   std::string method = "none";
   double seconds = infinity;
 };
 
 template <class Of>
-Winner fastest(const ProblemTrials& p, double digits, Of of) {
-  Winner best;
+Fastest fastest(const ProblemTrials& p, double digits, Of of) {
+  Fastest best;
   for (const MethodTrials& m : p.methods) {
     if (!of(m)) continue;
     const double seconds = m.seconds_for(digits).value_or(infinity);
@@ -39,11 +39,11 @@ struct Row {
   std::string problem;
   int digits;
   const ProblemTrials* trials;
-  Winner ours, peer;
-  [[nodiscard]] std::string first() const { return ours.seconds <= peer.seconds ? ours.method : peer.method; }
-  [[nodiscard]] std::optional<double> lead() const {
-    if (!std::isfinite(ours.seconds) || !std::isfinite(peer.seconds)) return {};
-    return peer.seconds / ours.seconds;
+  Fastest own, peer;
+  [[nodiscard]] std::string first() const { return own.seconds <= peer.seconds ? own.method : peer.method; }
+  [[nodiscard]] std::optional<double> ratio() const {
+    if (!std::isfinite(own.seconds) || !std::isfinite(peer.seconds)) return {};
+    return peer.seconds / own.seconds;
   }
 };
 
@@ -125,14 +125,14 @@ void put(const std::vector<ProblemTrials>& all, scene::Show& show) {
       {"problem", &Row::problem},
       {"digits", &Row::digits},
       {"fastest", &Row::first},
-      {"best of ours", [](const Row& r) { return r.ours.method; }},
-      {"its time, ms", [](const Row& r) { return milliseconds(r.ours.seconds); }},
+      {"fastest nlmech method", [](const Row& r) { return r.own.method; }},
+      {"its time, ms", [](const Row& r) { return milliseconds(r.own.seconds); }},
       {"best peer", [](const Row& r) { return r.peer.method; }},
       {"its time, ms ", [](const Row& r) { return milliseconds(r.peer.seconds); }},
-      {"peer over ours", &Row::lead}};
+      {"peer / nlmech time", &Row::ratio}};
   for (const std::string& method : first_choices()) columns.push_back(column_behind(method));
   show.table(rows, columns);
-  show.equals("problems with a solution", problems.size(), 22, "those of the list that have a reference");
+  show.equals("problems with a solution", problems.size(), 22, "number of such problems in the list");
   double least = infinity;
   for (const ProblemTrials* p : problems) {
     if (p->kind == Kind::extreme) continue;  // their digits are limited by the bounded work
@@ -142,9 +142,9 @@ void put(const std::vector<ProblemTrials>& all, scene::Show& show) {
     }
     least = std::min(least, most + std::log10(p->condition));
   }
-  show.between("least digits of the best run on a problem, conditioning taken out", least,
+  show.between("fewest digits of the best run on any problem, conditioning removed", least,
                show.quick() ? 6 : 11, 17,
-               "the tightest tolerance, 1e-13 (1e-8), added up over a hundred steps");
+               "the tightest tolerance, 1e-13 (1e-8), accumulated over a hundred steps");
 }
 
 }  // namespace

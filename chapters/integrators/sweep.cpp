@@ -19,7 +19,7 @@ namespace {
 constexpr double least_digits = 2;  // least expected digits for which silent_failure() is meaningful
 
 // Limits are counts, not times, so that sweeps are reproducible. A sweep ends at a step limit.
-constexpr WorkLimit full = {3, 13, 2, 60'000, 60'000}, look = {4, 8, 4, 4'000, 2'000};
+constexpr WorkLimit full_limit = {3, 13, 2, 60'000, 60'000}, quick_limit = {4, 8, 4, 4'000, 2'000};
 
 /// Step limit of a run: lower for fixed steps of many nodes, ten times higher for a long problem.
 std::int64_t most_steps(const ivp::MethodInfo& info, int size, std::int64_t length, const WorkLimit& effort) {
@@ -129,7 +129,7 @@ MethodTrials trials_of(const SetProblem& problem, const std::string& name, const
     all.trials.push_back(trial(problem, method, settings, effort));
     const Trial& last = all.trials.back();
     const bool is_last = last.status == "refused" || last.status == "step_limit";
-    if (is_last || work_of(last, problem.system.size()) > effort.enough * problem.length) break;
+    if (is_last || work_of(last, problem.system.size()) > effort.most_work * problem.length) break;
   }
   return all;
 }
@@ -183,21 +183,19 @@ bool ProblemTrials::silent_failure(const Trial& trial) const {
 }
 
 scene::Result<ProblemTrials> sweep_of(const std::string& problem) {
-  return {
-      "sweep-" + problem,
-      "every method and peer, tolerances 1e-3 to 1e-13, absolute tolerances by the problem, or equal steps, "
-      "16 "
-      "of them and four times as many from run to run; error: median over 16 times in the last tenth of the "
-      "way, reached by a chain of runs; one thread, median of repeats in 4 ms; a run has 60 000 steps "
-      "(duffing-10000: 600 000, and 60 000 of them for its first tenth), fewer with equal steps of many "
-      "nodes; "
-      "a sweep ends with its first run of more than 60 000 right-hand sides (6 000 000; a Jacobian or "
-      "factorisation counts as one a component)",
-      [problem](bool quick) {
-        const std::vector<SetProblem> all = problem_set();
-        return trials_on(*std::ranges::find(all, problem, &SetProblem::name),
-                         comparison::built_method_names(), quick ? look : full);
-      }};
+  return {"sweep-" + problem,
+          "every method and peer; tolerances 1e-3 to 1e-13 with absolute tolerances of each problem, or 16 "
+          "equal steps and four times as many in each further run; error: median over 16 times in the last "
+          "tenth of the interval, each reached by continuing the run to the time before; one thread, median "
+          "of repeats in 4 ms; at most 60 000 steps a run (duffing-10000: 600 000, of which 60 000 for the "
+          "first tenth), fewer for equal steps with many nodes; "
+          "a sweep ends with its first run of more than 60 000 right-hand sides (6 000 000; a Jacobian or "
+          "factorisation counts as one for each component)",
+          [problem](bool quick) {
+            const std::vector<SetProblem> all = problem_set();
+            return trials_on(*std::ranges::find(all, problem, &SetProblem::name),
+                             comparison::built_method_names(), quick ? quick_limit : full_limit);
+          }};
 }
 
 scene::Result<std::vector<ProblemTrials>> sweep() {

@@ -65,11 +65,11 @@ struct ProblemTrials {
 
 /// Extent of a sweep: tolerances, step limit of a run, and the work after which the sweep of a method ends.
 struct WorkLimit {
-  int loosest;          ///< -log10 of the first tolerance
-  int tightest;         ///< -log10 of the last tolerance
-  int by;               ///< increment of -log10
-  std::int64_t steps;   ///< step limit of a run; lower for fixed steps of many nodes
-  std::int64_t enough;  ///< work_of() of a run above which the sweep ends
+  int loosest;             ///< -log10 of the first tolerance
+  int tightest;            ///< -log10 of the last tolerance
+  int by;                  ///< increment of -log10
+  std::int64_t steps;      ///< step limit of a run; lower for fixed steps of many nodes
+  std::int64_t most_work;  ///< work_of() of a run above which the sweep ends
 };
 
 /// Sweep of every method on one problem.

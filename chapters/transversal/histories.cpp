@@ -40,7 +40,7 @@ Histories all_histories() {
 
 /// Draws a curve up to the first point with |x| >= 1e3, far outside the panel.
 void curve(scene::Panel& panel, const std::string& name, const std::vector<Point>& points,
-           const scene::Look& look) {
+           const scene::CurveStyle& look) {
   const auto inside =
       std::ranges::take_while_view(points, [](const Point& p) { return std::abs(p.x[0]) < 1e3; });
   panel.curve(name, inside, &Point::t, &Point::position, look);

@@ -161,7 +161,7 @@ scene::Answer propagate(const Propagation& p) {
                  .time = *p.until,
                  .every = p.every,
                  .gravity = gravity_of(p),
-                 .seconds = p.limit.value_or(scene::Options::usual_limit)};
+                 .seconds = p.limit.value_or(scene::Options::default_limit)};
   if (p.every) check_rows(*p.until, *p.every);
   check_method(p);
   refuse_other_units("--position " + text_of(start.position), start, p.mu);

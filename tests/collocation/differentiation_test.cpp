@@ -147,7 +147,7 @@ TEST(Differentiation, SaysWhatIsWrongAtBothEnds) {
   EXPECT_EQ(wide.status.outcome(), Outcome::singular_matrix);
   EXPECT_TRUE(tests::holds(wide.status.sentence(),
                            "radial_differentiation: 7 gaussian functions of shape 1e-06 on an interval of "
-                           "1 lose their derivatives to rounding: they count for 2 functions"));
+                           "1 lose their derivatives to rounding: numerically they are 2 functions"));
   EXPECT_TRUE(wide.matrix.allFinite());
 
   const Differentiation narrow = radial_differentiation(lgl_times(7), Kernel::gaussian, 1e6);

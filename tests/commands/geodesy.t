@@ -36,7 +36,7 @@ A file that has a header alone, and columns of names or times, which are passed 
 
   $ echo x,y,z > none.csv
   $ geodesy reverse none.csv
-  none.csv: no row stands behind the header
+  none.csv: no row follows the header
   latitude_deg,longitude_deg,height_m
   $ printf 't,LAT,x,Lon,h\n0.5,30,"a, b",60,100\n' | geodesy forward - > there.csv
   $ head -1 there.csv
@@ -165,7 +165,7 @@ Each ends with 2 and names file, line, column and text:
   $ point --order 7
   geodesy: --order 7: must be a whole number from 1 to 6
   $ point --method magic
-  geodesy: --method magic: there is fast, series
+  geodesy: --method magic: must be one of fast, series
 
 Options of the series mean nothing to the fast method:
 

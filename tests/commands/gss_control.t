@@ -158,7 +158,7 @@ Where no number can be told
 Undamped oscillations some 1e16 radians on, t^2/2J beyond the largest double, a response on a pole. A controlled spacecraft has come to rest:
 
   $ gss step --until 1e15 --at 2
-  gss_control: outside_validity: step: at t = 1e+15 s rounding leaves the phase of the oscillations of y at 2 open, 0.00475* of 0.00475*; ask for an earlier time (glob)
+  gss_control: outside_validity: step: at t = 1e+15 s rounding leaves the phase of the oscillations of y at 2 undetermined (0.00475* of 0.00475*); ask for an earlier time (glob)
   [1]
   $ gss step --until 1e308
   gss_control: non_finite: step: theta is not finite at t = 1e+308 s; ask for an earlier time
@@ -219,7 +219,7 @@ Mistakes
   $ wrong poles --gains 12,0,16,1
   gss_control: --gains 12,0,16,1: 4 numbers where k1,k2,k3 are needed
   $ wrong poles --gains 1,-2,1
-  gss_control: --gains 1,-2,1: k2 = -2: it must be above -2, where the hub no longer feels the appendages
+  gss_control: --gains 1,-2,1: k2 = -2: it must be above -2, at which the appendages exert no torque on the hub
   $ wrong poles --gains -1,0,16
   gss_control: --gains -1,0,16: k1 = -1: it must be at least 0
   $ wrong poles --gains 1,nan,1

@@ -33,9 +33,9 @@ Mistakes:
   $ refused hermitian peak --problem laier-duffing --method laier --step x
   hermitian: --step x: not a finite number
   $ refused hermitian peak --problem laier-duffing --method laire --step 0.1
-  hermitian: --method laire: there is laier, argyris, newmark, hoff, bazzi
+  hermitian: --method laire: must be one of laier, argyris, newmark, hoff, bazzi
   $ refused hermitian peak --problem lorenz --method laier --step 0.1
-  hermitian: --problem lorenz: there is laier-duffing, laier-van-der-pol
+  hermitian: --problem lorenz: must be one of laier-duffing, laier-van-der-pol
   $ refused hermitian peak --problem laier-duffing --step 0.1
   --method is required
   Run with --help for more information.

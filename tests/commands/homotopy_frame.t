@@ -105,19 +105,19 @@ Every path that does not come to its end says so, and all points found are print
   $ wc -l < path.csv
   4
   $ frame beam.toml > path.csv
-  homotopy: step_limit: frame: all points found are printed, and a path did not get to its end: frame: 200 steps end at a load factor of *, before the limit or branch point that they are to meet; allow more steps, or longer ones (turn), or say where it is to end (until) (glob)
+  homotopy: step_limit: frame: all points found are printed, and a path did not get to its end: frame: 200 steps end at a load factor of *, before the requested limit or branch point; allow more steps, or longer ones (turn), or give the load factor at which it ends (until) (glob)
   [1]
   $ grep -c -e maximum -e minimum path.csv
   0
   [1]
   $ sed 's/^EA = .*/EA = 4.32e7/' frames/lee.toml > slender.toml
   $ frame slender.toml > path.csv
-  homotopy: step_limit: frame: all points found are printed, and a path did not get to its end: frame: 200 steps end at a load factor of *, before 3.71*; allow more steps, or longer ones (turn), or say where it is to end (until) (glob)
+  homotopy: step_limit: frame: all points found are printed, and a path did not get to its end: frame: 200 steps end at a load factor of *, before 3.71*; allow more steps, or longer ones (turn), or give the load factor at which it ends (until) (glob)
   [1]
   $ grep -c -e maximum -e minimum path.csv
   1
   $ frame frames/toggle.toml --turn 0.002 > path.csv
-  homotopy: step_limit: frame: all points found are printed, and a path did not get to its end: frame: 200 steps end at a load factor of *, before the limit or branch point that they are to meet; allow more steps, or longer ones (turn), or say where it is to end (until) (glob)
+  homotopy: step_limit: frame: all points found are printed, and a path did not get to its end: frame: 200 steps end at a load factor of *, before the requested limit or branch point; allow more steps, or longer ones (turn), or give the load factor at which it ends (until) (glob)
   [1]
   $ grep -c -e maximum -e minimum path.csv
   0
@@ -138,7 +138,7 @@ A bar that is 1 long and 1 stiff has no length left under a load of 1; steps who
 
   $ sed 's/EA = 1000/EA = 1/; s/y = -1/x = -1/; s/\[supports\]/&\nB = ["y", "rotation"]/' beam.toml > bar.toml
   $ frame bar.toml --elements 1 --until 2 > path.csv
-  homotopy: step_underflow: frame: all points found are printed, and a path did not get to its end: frame: at a load factor of 1 a beam-column at (0, 0) has * of its length left, and the path ends: members shorten in proportion to their force, all the way (glob)
+  homotopy: step_underflow: frame: all points found are printed, and a path did not get to its end: frame: at a load factor of 1 a beam-column at (0, 0) has * of its length left, and the path ends: members shorten in proportion to their force, down to zero length (glob)
   [1]
   $ frame beam.toml --until 1e-300
   load_factor,B.x,B.y,B.rotation,mesh_error,negative_eigenvalues,kind
@@ -178,7 +178,7 @@ Each with its line:
   $ bad 's/B = \[1, 0\]/&\nB = [2, 0]/'
   homotopy: bad.toml, line 4, column 5: Error while parsing key-value pair: cannot redefine existing array 'B'
   $ bad 's/B = \[1, 0\]/B = [0, 0.0]/'
-  homotopy: bad.toml, line 3: node B is where node A is, at (0, 0)
+  homotopy: bad.toml, line 3: node B is at the position of node A, (0, 0)
   $ bad 's/B = \[1, 0\]/&\nC = [2, 0]/'
   homotopy: bad.toml, line 4: node C has no member
   $ bad 's/"B"\]/"b"]/'
@@ -202,15 +202,15 @@ Each with its line:
   $ bad 's/A = \["x"/Z = ["x"/'
   homotopy: bad.toml, line 9: there is no node Z
   $ bad 's/"rotation"/"y"/'
-  homotopy: bad.toml, line 3: node B can move along y and no member is strained: nothing holds it, or the frame is a mechanism; give it a support or a member
+  homotopy: bad.toml, line 3: node B can move along y and no member is strained: it is unsupported, or the frame is a mechanism; give it a support or a member
   $ bad '/A = \["x"/d'
-  homotopy: bad.toml, line 2: node A can move along x and no member is strained: nothing holds it, or the frame is a mechanism; give it a support or a member
+  homotopy: bad.toml, line 2: node A can move along x and no member is strained: it is unsupported, or the frame is a mechanism; give it a support or a member
   $ bad 's/y = -1/z = -1/'
   homotopy: bad.toml, line 11: loads.B.z = -1: a load has x, y, moment
   $ bad 's/y = -1/y = 0/'
   homotopy: bad.toml, line 11: there is no load, or all of them are 0
   $ bad 's/B = { y/A = { y/'
-  homotopy: bad.toml, line 11: load on A.y, which is held
+  homotopy: bad.toml, line 11: load on A.y, which is fixed
   $ bad 's/\[loads\]/[load]/'
   homotopy: bad.toml, line 10: load = B = { y = -1 }: no such key; there are nodes, members, supports, loads, displacements, masses, damping, imperfection
   $ bad '1s/.*/[nodes/; 2,$d'
@@ -230,16 +230,16 @@ Of load cases, displacements, imperfections and damping:
   $ other '[loads.other]\nZ = { y = 1 }\n'
   homotopy: two.toml, line 13: there is no node Z
   $ other '[loads.other]\nA = { x = 2 }\n'
-  homotopy: two.toml, line 13: load on A.x, which is held
+  homotopy: two.toml, line 13: load on A.x, which is fixed
   $ other '[loads.other]\nB = { y = 0 }\n'
   homotopy: two.toml, line 13: there is no load, or all of them are 0
   $ other '[displacements.other]\nA = { y = 1 }\n'
-  homotopy: two.toml, line 13: displacement of A.y, which is held
+  homotopy: two.toml, line 13: displacement of A.y, which is fixed
   $ more() { { cat beam.toml; printf "$1"; } > more.toml; shift; refused homotopy frame more.toml "$@"; }
   $ more '[displacements]\nZ = { y = 1 }\n'
   homotopy: more.toml, line 13: there is no node Z
   $ more '[displacements]\nA = { y = 1 }\n'
-  homotopy: more.toml, line 13: displacement of A.y, which is held
+  homotopy: more.toml, line 13: displacement of A.y, which is fixed
   $ more '[imperfection]\nmode = 0\namplitude = 1\n'
   homotopy: more.toml, line 13: imperfection.mode = 0: a whole number from 1 to 100000 is needed
   $ more '[damping]\nmass = -1\n' --dynamic --time 1
@@ -255,7 +255,7 @@ Mistakes in options
   $ dynamic
   homotopy: --dynamic needs a --time at which it ends
   $ wrong frames/lee.toml --dynamic --time 1
-  homotopy: frames/lee.toml, line 11: a motion in time needs a mass of this member, per length: something that it moves has none
+  homotopy: frames/lee.toml, line 11: a motion in time needs a mass per length of this member: one of its displacements moves no mass
   $ dynamic --time 1 --history ramp
   homotopy: --history ramp needs a --duration
   $ dynamic --time 1 --duration 1
@@ -287,4 +287,4 @@ An option that the mode does not heed changes nothing, which its user cannot see
   homotopy: --turn: of a path alone; leave it or --dynamic out
   $ wrong frames/level-brace.toml --dynamic --time 1 --steps 100
   frame: imperfect by 0.01 along the shape of the bifurcation at load factor 0.99999* (glob)
-  homotopy: frames/level-brace.toml, line 8: a motion in time needs a mass of this member, per length: something that it moves has none
+  homotopy: frames/level-brace.toml, line 8: a motion in time needs a mass per length of this member: one of its displacements moves no mass

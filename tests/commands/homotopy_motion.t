@@ -58,7 +58,7 @@ Taylor series of mpmath. Under growing loads it is refused:
   $ holds < fall.csv 's := lambda z: 1000*(1 - 1/hypot(z[0], z[1]))' \
   >   'z := odefun(lambda t, z: [z[2], z[3], -s(z)*z[0], -9.81 - s(z)*z[1]], 0, [1, 0, 0, 0])(1)' 'x = z[0] - 1 +- 1e-6' 'y = z[1] +- 1e-6'
   $ homotopy frame pendulum.toml
-  homotopy: pendulum.toml, line 3: node B can move along y and no member is strained: nothing holds it, or the frame is a mechanism; give it a support or a member
+  homotopy: pendulum.toml, line 3: node B can move along y and no member is strained: it is unsupported, or the frame is a mechanism; give it a support or a member
   [2]
 
 A rod of stiffness k = EA/l with a mass m at its end under a sudden load P moves by P/k (1 - cos(w t)), w^2 = k/m, as long as strains are small.

@@ -170,8 +170,8 @@ With 1000 elements rounding of the displacements makes more of the residual than
   >   solve 0.44 --load 43.79 --elements 1000 --solver $solver --tolerance 1e-10 || cat said.txt
   >   solve 0.44 --load 43.79 --elements 1000 --solver $solver | holds 'status = "success"' 'bound > 1e-10'
   > done
-  homotopy: not_converged: energy-trust-region: |F| = * at the end is above the tolerance, 2.19e-09, and at the level of rounding: changes of x in its last digits alone make * of it; take a tolerance of * or more, or coarser equations (glob)
-  homotopy: not_converged: riks: |F| = * at the end is above the tolerance, 2.19e-09, and at the level of rounding: changes of x in its last digits alone make * of it; take a tolerance of * or more, or coarser equations (glob)
+  homotopy: not_converged: energy-trust-region: |F| = * at the end is above the tolerance, 2.19e-09, but at the level of rounding: changes of x in its last digits alone make |F| = *; take a tolerance of * or more, or coarser equations (glob)
+  homotopy: not_converged: riks: |F| = * at the end is above the tolerance, 2.19e-09, but at the level of rounding: changes of x in its last digits alone make |F| = *; take a tolerance of * or more, or coarser equations (glob)
 
 Mistakes
 --------
@@ -187,7 +187,7 @@ Mistakes
   $ wrong limit-points --height 13
   homotopy: --height 13: Toggle: a height of 13 with members of length 12.94
   $ wrong limit-points --height 0.44 --model wooden
-  homotopy: --model wooden: there is element, williams
+  homotopy: --model wooden: must be one of element, williams
   $ wrong limit-points --height 0.44 --elements 0
   homotopy: --elements 0: must be a whole number from 1 to 10000
   $ wrong solve
@@ -209,7 +209,7 @@ Mistakes
   $ wrong solve --height 0.44 --load 43 --solver magic
   homotopy: --solver magic: there are newton, damped-newton, *, energy-trust-region, riks, crisfield, gdc* (glob)
   $ wrong solve --height 0.44 --load 43 --model wooden
-  homotopy: --model wooden: there is element, williams
+  homotopy: --model wooden: must be one of element, williams
   $ wrong solve --height 0.44 --load 43 --elements 0
   homotopy: --elements 0: must be a whole number from 1 to 10000
   $ wrong solve --height 0.44 --load 43 --elements 1.5

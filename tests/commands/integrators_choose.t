@@ -11,9 +11,9 @@ The ranks with their reasons, and on standard error the command that runs the fi
   integrators integrate --equation "x'' + 0.1 x' + x + a x^3 = 0.2 cos(1.1 t); a = 3" --set a=4 --initial "x=1, x'=0" --until 20 --method series --tolerance *e-11 (glob)
   $ cat ranks.csv
   rank,method,tolerance,seconds,reason
-  1,series,*,*,"9 digits where errors grow 5.1 times; not stiff (*); smooth, *; a right-hand side takes * s; about * right-hand sides; ran to the end" (glob)
-  2,*,*,*,"next by the same rule; about * right-hand sides; ran to the end" (glob)
-  3,*,*,*,"next by the same rule; about * right-hand sides; ran to the end" (glob)
+  1,series,*,*,"9 digits, errors amplified 5.1 times; not stiff (*); smooth, *; a right-hand side takes * s; about * right-hand sides; test run over the whole interval" (glob)
+  2,*,*,*,"next by the same rule; about * right-hand sides; test run over the whole interval" (glob)
+  3,*,*,*,"next by the same rule; about * right-hand sides; test run over the whole interval" (glob)
   $ holds --each 'n >= 2' 'rank = i + 1' 'tolerance > 0.9e-13' 'tolerance < 1e-7' 'seconds > 0' < ranks.csv
   $ choose --equation "$equation" --initial "x=1, x'=0" --until 20 --set a=4 --digits 6 2> command.txt > ranks.csv
   $ method=$(sed -n 2p ranks.csv | cut -d, -f 2) tolerance=$(sed -n 2p ranks.csv | cut -d, -f 3)
@@ -64,11 +64,11 @@ Mistakes:
   $ refused integrators choose --equation "$equation" --initial "x=1, x'=0" --until 20 --digits 0
   integrators: --digits 0: must be a whole number from 1 to 14
   $ refused integrators choose --equation "$equation" --initial "x=1, x'=0" --until 0
-  integrators: --until 0: is where it begins; there is nothing to choose for
+  integrators: --until 0: is the start time; give another end
   $ refused integrators choose --equation "$equation" --initial "x=1, x'=0" --until 20 --set b=1
-  integrators: --set b: the equation has no such definition; there is a
+  integrators: --set b: the equation has no such definition; choose one of a
   $ refused integrators choose --equation "$equation" --initial "x=1, x'=0"
-  integrators: --until: give the time at which it ends, or t <= ... in the text
+  integrators: --until: missing; give the time at which the run ends, or t <= ... in the text
   $ refused integrators choose --until 1
   integrators: give one of --problem NAME, --equation TEXT and --file NAME.ode
   $ refused integrators choose --equation "x' = -y" --initial x=1 --until 1

@@ -49,7 +49,7 @@ exp(-5 t) times 1e-10 stays below the absolute tolerance, and nothing of it is k
 
   $ tiny() { integrate "x' = -5 x; y' = x - y; z' = -z" --initial "x=1e-10, y=1, z=0" --until 1 "$@"; }
   $ tiny 2>&1 > rows.csv
-  integrators: x stays below the absolute tolerance 1e-09: none of its digits is determined; take a smaller --absolute-tolerance
+  integrators: x stays below the absolute tolerance 1e-09: none of its digits is certain; take a smaller --absolute-tolerance
   $ tiny --absolute-tolerance 1e-20 | holds 'x = 1e-10*exp(-5) +- 1e-18'
 
 What is refused
@@ -61,7 +61,7 @@ What is refused
     E = x'^2/2 + V
                  ^
   $ columns "r" "r = 3"
-  integrators: --columns:1:1: r has a meaning already; take another name
+  integrators: --columns:1:1: r is already defined; take another name
     r = 3
     ^
   $ columns "x"

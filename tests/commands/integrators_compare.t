@@ -89,7 +89,7 @@ Methods of equal steps take the step, the others the tolerances:
   $ both() { compare --equation "x'' = -x" --initial "x=1, x'=0" --until 2 --methods rk4,ode45 --tolerances 1e-3,1e-6 "$@" 2> said.txt | cut -d, -f 1-3,7-; }
   $ both
   method,setting,status,note
-  rk4,tolerance 1e-09,unsuitable,"rk4: it takes equal steps: give a step, or a method that chooses its steps, as series or dop853"
+  rk4,tolerance 1e-09,unsuitable,"rk4: it takes equal steps: give a step, or a method with adaptive steps, as series or dop853"
   ode45,tolerance 0.001,success,
   ode45,tolerance 1e-06,success,
   $ both --step 0.1
@@ -117,7 +117,7 @@ Over eight periods errors of steps add up to more than a hundred tolerances, whi
   $ compare --problem duffing --until 50 --methods hoff,ode45 --tolerance 1e-8 2> said.txt > rows.csv
   $ cut -d, -f 1,7- rows.csv
   method,note
-  hoff,"off by 1.* tolerances, since one holds the error of each step, and not what these add up to" (glob)
+  hoff,"off by 1.* tolerances; a tolerance bounds the error of each step, not their sum" (glob)
   ode45,
   $ holds --where method=hoff 'digits < 4' < rows.csv
   $ compare --problem duffing --until 50 --methods rk4 --step 0.1 2> said.txt | cut -d, -f 1,7

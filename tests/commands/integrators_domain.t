@@ -21,13 +21,13 @@ A power series begins these solutions; then every method goes on. sin(t)/t, Bess
 Where no series begins, the reason:
 
   $ integrate "x'' + 2 x'/t + x = 0" --initial "x=1, x'=1" --until 1
-  integrators: outside_validity: the equations are singular at the start t = 0, where a denominator is zero: no smooth solution begins with these initial values: what is divided has to be zero there too (x' = 0 in x'' + 2 x'/t = 0)
+  integrators: outside_validity: the equations are singular at the start t = 0, where a denominator is zero: these initial values have no smooth solution: the numerator must be zero there too (x' = 0 in x'' + 2 x'/t = 0)
   [1]
   $ integrate "x' = x/t" --initial x=0 --until 1
-  integrators: outside_validity: the equations are singular at the start t = 0, where a denominator is zero: several solutions begin with these initial values; start beside it
+  integrators: outside_validity: the equations are singular at the start t = 0, where a denominator is zero: these initial values have several solutions; start at another time
   [1]
   $ integrate "x' = x/t^2" --initial x=0 --until 1
-  integrators: outside_validity: the equations are singular at the start t = 0, where a denominator is zero: it is no regular singular point, so no power series begins there; start beside it
+  integrators: outside_validity: the equations are singular at the start t = 0, where a denominator is zero: it is not a regular singular point, so that no power series exists; start at another time
   [1]
 
 Denominators that become zero
@@ -38,9 +38,9 @@ C sin(t) for every C beyond pi; but sin(t)/t is regular at 0, and a run may end 
   $ for method in series ode45 "rk4 --step 0.01"; do
   >   integrate "sin(t) x' = cos(t) x" --from 1 --initial x=1 --until 4 --method $method
   > done
-  integrators: outside_validity: a denominator of the equations becomes zero at t = 3.14159265: many solutions go on from there, so none is determined beyond; end the run before
-  integrators: outside_validity: a denominator of the equations becomes zero at t = 3.14159265: many solutions go on from there, so none is determined beyond; end the run before
-  integrators: outside_validity: a denominator of the equations becomes zero at t = 3.14159265: many solutions go on from there, so none is determined beyond; end the run before
+  integrators: outside_validity: a denominator of the equations becomes zero at t = 3.14159265: the solution beyond is not unique; end the run before
+  integrators: outside_validity: a denominator of the equations becomes zero at t = 3.14159265: the solution beyond is not unique; end the run before
+  integrators: outside_validity: a denominator of the equations becomes zero at t = 3.14159265: the solution beyond is not unique; end the run before
   [1]
   $ for method in series dop853 ode45; do
   >   integrate "x' = 1; y' = y/x" --initial "x=-1, y=1" --until 2 --method $method 2> said.txt; grep -c 't = 1: many solutions' said.txt
@@ -79,7 +79,7 @@ An argument that touches zero, 1 - sin(t)^2, and one that would become negative:
 
   $ integrate "x' = cos(t); y' = sqrt(1 - x^2)" --initial "x=0, y=0" --until 3 | holds 'y = 2 - sin(3) +- 1e-6'
   $ integrate "y' = sqrt(1 - x); x' = 1" --initial "x=0, y=0" --until 3
-  integrators: outside_validity: the argument of a square root, a power with a fraction or an arc becomes negative at t = 1, and the equations do not say how the solution goes on; end the run before
+  integrators: outside_validity: the argument of a square root, a power with a fraction or an arc becomes negative at t = 1, and the equations do not define the solution beyond; end the run before
   [1]
 
 abs under a root is passed by every method:
@@ -92,12 +92,12 @@ Starts with several solutions
 -----------------------------
 
   $ integrate "x' = sign(x)" --initial x=0 --until 1
-  integrators: several solutions begin at t = 0: both sides of a switch lead away from it; the run takes the side where its function is positive
+  integrators: the solution from t = 0 is not unique: on both sides of a switching surface it leaves the surface; this run takes the side where the switching function is positive
   t,x
   0,0
   1,1
   $ integrate "x' = sqrt(x)" --initial x=0 --until 1
-  integrators: several solutions begin at t = 0: the argument of a root is zero there, and may stay so or not; the run takes the one for which it stays zero
+  integrators: the solution from t = 0 is not unique: the argument of a root is zero there and may stay zero or not; this run takes the solution for which it stays zero
   t,x
   0,0
   1,0

@@ -53,16 +53,16 @@ Double zeros are rows, and standard error says that rounding decides about them:
 
   $ swing() { integrate "x'' = -x" --initial "x=1, x'=0" --until 10 --event "$@"; }
   $ swing "x^2=0" | holds --where 'event=x^2=0' 'n = 3' 't = pi*(i + 0.5) +- 1e-8'
-  integrators: x^2=0 touches zero 3 times to within the tolerance, first at t = 1.57079633: it may also pass twice there, or not reach it
+  integrators: x^2=0 touches zero 3 times to within the tolerance, first at t = 1.57079633: it may cross zero twice there or not reach it
   $ swing "x=1" | holds --where 'event=x=1' 'n = 1' 't = 2*pi +- 1e-8'
-  integrators: x=1 touches zero 1 times to within the tolerance, first at t = 6.28318531: it may also pass twice there, or not reach it
+  integrators: x=1 touches zero 1 times to within the tolerance, first at t = 6.28318531: it may cross zero twice there or not reach it
   $ swing "x^2 + x'^2 = 2 x^2 + 2 x'^2 - 1" > /dev/null
-  integrators: * cannot be told from zero between t = * (glob)
+  integrators: * cannot be distinguished from zero between t = * (glob)
 
 An event that is zero throughout has no row, and is named:
 
   $ integrate "x' = -x" --initial x=0 --until 5 --event x=0
-  integrators: x=0 cannot be told from zero between t = 0 and 5: rows may be missing
+  integrators: x=0 cannot be distinguished from zero between t = 0 and 5: rows may be missing
   t,x,event
   0,0,
   5,0,
@@ -98,7 +98,7 @@ The same in a file, by another method:
 Its bounces end after 1 + 2 0.8/0.2 = 9 times the first fall, at 4.06 s:
 
   $ integrators integrate --file ball.ode --until 5
-  integrators: outside_validity: events that change the state follow each other without end at t = 4.06*; end the run before, or at one of them (glob)
+  integrators: outside_validity: events that change the state accumulate at t = 4.06*; end the run before, or at one of them (glob)
   [1]
 
 A dose of 5 at 0, 24, ..., 240 h, of which exp(-2.4) is left after a day:
@@ -137,16 +137,16 @@ Mistakes
 
   $ decay() { integrate "x' = -x; x(0) = 1" --until 2 "$@"; }
   $ decay --event "a: x=0.5" --set-at "b: x=2"
-  integrators: --set-at b: x=2: no --event has the name b
+  integrators: --set-at b: x=2: no --event has the name b; name one of them
   [2]
   $ decay --event "a: x=0.5" --set-at "a: z=2"
-  integrators: --set-at a: z=2: z=2: say one of x = its new value
+  integrators: --set-at a: z=2: z=2: must be one of x = its new value
   [2]
   $ decay --event "a: x=0.5" --set-at "a: x=2; x=3"
-  integrators: --set-at a: x=2; x=3: x gets a second value; give one
+  integrators: --set-at a: x=2; x=3: x has two values; give one
   [2]
   $ decay --event "a: x=0.5" --set-at "x=2"
-  integrators: --set-at x=2: say the name of an event, and what changes there: "bounce: y' = -0.8 y'"
+  integrators: --set-at x=2: give the name of an event and what it changes: "bounce: y' = -0.8 y'"
   [2]
   $ decay --event "a: x=0.5" --set-at "a: x=z"
   integrators: --set-at:1:1: z is not defined: it has neither a derivative (z') nor a definition (z = ...)
@@ -154,14 +154,14 @@ Mistakes
     ^
   [2]
   $ integrate "x' = -x; x(0) = 1" --until -2 --event "a: x=0.5" --set-at "a: x=2"
-  integrators: --until -2: events that change the state go forwards in time, from 0
+  integrators: --until -2: is before the start, 0; events that change the state need a later end
   [2]
   $ decay --event "a: x=0.5 end after z"
-  integrators: --event x=0.5 end after z: end after z: say a whole number of events, from 1 to 1e9
+  integrators: --event x=0.5 end after z: end after z: must be a whole number of events, from 1 to 1e9
   [2]
   $ decay --event "a: t = 0:0:3"
-  integrators: --event t = 0:0:3: say the first time, a positive distance and a last time that is not earlier, as t = 0:24:240
+  integrators: --event t = 0:0:3: give the first time, a positive interval and a last time that is not earlier, as t = 0:24:240
   [2]
   $ integrators compare --file ball.ode
-  integrators: when y = 0 falling: compare takes no events; integrate does
+  integrators: when y = 0 falling: compare does not support events; take integrate, or remove them
   [2]

@@ -129,25 +129,25 @@ What is refused
     x' = x(t-1)
          ^
   $ equation "x' = floor(x)" --initial x=1
-  integrators: --equation:1:12: floor is known of numbers and of a t + b with numbers a and b alone; where a state or another function of time reaches a known value c, write step(... - c)
+  integrators: --equation:1:12: floor takes a number, or a t + b with numbers a and b; for a state or another function of time that reaches a known value c, write step(... - c)
     x' = floor(x)
                ^
   $ equation "x' = mod(t, 1e-9)" --initial x=1
-  integrators: --until 1: the equations jump more than a million times before, by floor, ceil, frac or mod; give an earlier end, or longer periods
+  integrators: --until 1: floor, ceil, frac or mod jump more than a million times before this time; give an earlier end, or longer periods
   $ refused integrators integrate --equation "x' = -x" --initial x=1 --until 2*q
   integrators: --until:1:3: q is not defined: it has neither a derivative (q') nor a definition (q = ...)
     2*q
       ^
   $ refused integrators integrate --equation "x' = -x" --initial x=1 --until 2*x
-  integrators: --until:1:1: a time is a number, or an expression of definitions that are
+  integrators: --until:1:1: a time must be a number, or an expression of constants
     2*x
     ^^^
   $ equation "x' = -x" --initial x=1 --every 1-2
   integrators: --every 1-2: must be positive
   $ equation "x' = -x" --initial x=1 --at 0.5,1.5
-  integrators: --at 1.5: is outside of the run, which goes from 0 to 1
+  integrators: --at 1.5: is outside the run, from 0 to 1
   $ equation "x' = -x" --initial x=1 --section x=0.5 --at 0.5
-  integrators: --section shows its own rows alone: give neither --event, --every nor --at with it
+  integrators: --section prints only its own rows; leave out --event, --every and --at
   $ loaded() { equation "x' = -x + table(\"$1\")" --initial x=1; }
   $ loaded nosuch.csv
   integrators: table nosuch.csv: there is no such file
@@ -156,16 +156,16 @@ What is refused
   $ printf '0,0\n1,2\n1,3\n' > bad.csv && loaded bad.csv
   integrators: table bad.csv: line 3: the time 1 does not come after 1
   $ printf '0,0,1\n' > bad.csv && loaded bad.csv
-  integrators: table bad.csv: line 1: a row has two cells, time and value, and this one 3
+  integrators: table bad.csv: line 1: a row must have two cells, time and value; this one has 3
   $ printf '0,0\n' > bad.csv && loaded bad.csv
   integrators: table bad.csv: fewer than two rows
   $ printf '0,0\n0.5,0\n' > short.csv && loaded short.csv
   integrators: --until 1: the run goes from 0 to 1, and the tables of the equations from 0 to 0.5
   $ equation "x' = table(load.csv)" --initial x=1
-  integrators: --equation:1:12: the name of a file stands in quotation marks: table("load.csv")
+  integrators: --equation:1:12: the name of a file must be in quotation marks: table("load.csv")
     x' = table(load.csv)
                ^
   $ equation "x' = table(\"load.csv)" --initial x=1
-  integrators: --equation:1:12: the name of a file ends with a quotation mark
+  integrators: --equation:1:12: the name of a file must end with a quotation mark
     x' = table("load.csv)
                ^

@@ -16,23 +16,23 @@ The text of an equation, with its place
     x'' = -x
     ^^^
   $ equation "x' = -x" --initial "x=1, x=2"
-  integrators: --initial:1:6: given a second time
+  integrators: --initial:1:6: given twice
     x=1, x=2
          ^
   $ equation "x' = -x" --problem lorenz
   integrators: give one of --problem NAME, --equation TEXT and --file NAME.ode
   $ equation "x' = -a x; a = 1" --set b=1 --initial x=1
-  integrators: --set b: the equation has no such definition; there is a
+  integrators: --set b: the equation has no such definition; choose one of a
   $ equation "x' = -x" --initial x=1 --event z=0
   integrators: --event:1:1: z is not defined: it has neither a derivative (z') nor a definition (z = ...)
     z=0
     ^
   $ equation "x' = -x" --initial x=1 --event "x'=0"
-  integrators: --event:1:1: x' may not stand here: it is no component of the state
+  integrators: --event:1:1: x' is not allowed here: it is not a component of the state
     x'=0
     ^^
   $ equation "x' = -x" --initial x=1 --section x=1 --every 1
-  integrators: --section shows its own rows alone: give neither --event, --every nor --at with it
+  integrators: --section prints only its own rows; leave out --event, --every and --at
   $ refused integrators integrate --until 1
   integrators: give one of --problem NAME, --equation TEXT and --file NAME.ode
   $ refused integrators integrate --until 1 --method rk4
@@ -42,9 +42,9 @@ The text of an equation, with its place
   An equation follows --equation.
   Run with --help for more information.
   $ refused integrators integrate --equation "x'=-x" --initial 1 --method rk4
-  integrators: --until: give the time at which it ends, or t <= ... in the text
+  integrators: --until: missing; give the time at which the run ends, or t <= ... in the text
   $ refused integrators compare --equation "x'^2 = x" --initial x=1 --until 1 --methods all
-  integrators: --equation:1:1: x' stands in a power; a highest derivative has to stand linearly
+  integrators: --equation:1:1: x' is in a power; a highest derivative must occur linearly
     x'^2 = x
     ^^
 
@@ -53,7 +53,7 @@ The options of a run
 
   $ run() { refused integrators integrate --equation "x'' = -x + a; a = 0; x(0) = 1; x'(0) = 0" "$@"; }
   $ run
-  integrators: --until: give the time at which it ends, or t <= ... in the text
+  integrators: --until: missing; give the time at which the run ends, or t <= ... in the text
   $ run --until nan
   integrators: --until nan: not a finite number
   $ run --until inf
@@ -78,11 +78,11 @@ The options of a run
   $ run --until 1 --tolerance 1e-6 --step 0.1
   integrators: --step 0.1 --tolerance 1e-06: give a step or a tolerance, not both
   $ run --until 1 --method nosuch
-  integrators: --method: there is no method 'nosuch'; there is euler, *, rbf-coll, *, odeint-dopri5, * (glob)
+  integrators: --method: there is no method 'nosuch'; choose one of euler, *, rbf-coll, *, odeint-dopri5, * (glob)
   $ run --until 1 --method ode45 --step 0.1
-  integrators: --method: ode45: it chooses its steps itself; give a tolerance, not a step
+  integrators: --method: ode45: its steps are adaptive; give a tolerance, not a step
   $ run --until 1 --method rk4 --nodes 7
-  integrators: --method: rk4: it has no nodes to choose
+  integrators: --method: rk4: it has no setting nodes
   $ run --until 1 --largest-step 0
   integrators: --largest-step 0: must be positive
   $ run --until 1 --largest-step -1
@@ -90,9 +90,9 @@ The options of a run
   $ run --until 1 --largest-step inf
   integrators: --largest-step inf: not a finite number
   $ run --until 1 --largest-step 0.1 --method rk4
-  integrators: --largest-step 0.1: rk4 takes equal steps; give --step, or a method that chooses its steps
+  integrators: --largest-step 0.1: rk4 takes equal steps; give --step, or a method with adaptive steps
   $ run --until 1 --largest-step 0.1 --step 0.1
-  integrators: --step 0.1 --largest-step 0.1: give equal steps or a bound on chosen ones, not both
+  integrators: --step 0.1 --largest-step 0.1: give equal steps or a bound on adaptive steps, not both
   $ run --until 1 --event ''
   integrators: --event: an empty text
   $ run --until 1 --event 'x<0'
@@ -104,7 +104,7 @@ The options of a run
     =0
     ^
   $ run --until 1 --event 'x=0=1'
-  integrators: --event:1:4: an equation has one sign =
+  integrators: --event:1:4: an equation must have exactly one sign =
     x=0=1
        ^
   $ run --until 1 --event 'x=0 sideways'
@@ -116,7 +116,7 @@ The options of a run
     x=0 end
         ^^^
   $ run --until 1 --section x=0 --event x=1
-  integrators: --section shows its own rows alone: give neither --event, --every nor --at with it
+  integrators: --section prints only its own rows; leave out --event, --every and --at
   $ run --until 1 --initial y=1
   integrators: --initial:1:1: no component of the state; these are x, x'
     y=1
@@ -126,7 +126,7 @@ The options of a run
     x''=1
     ^^^
   $ run --until 1 --initial 'x=1, x=2'
-  integrators: --initial:1:6: given a second time
+  integrators: --initial:1:6: given twice
     x=1, x=2
          ^
   $ run --until 1 --initial x=1/0
@@ -134,7 +134,7 @@ The options of a run
     x=1/0
         ^
   $ run --until 1 --initial "x=x'"
-  integrators: --initial:1:3: an initial value is a number, or an expression of definitions that are
+  integrators: --initial:1:3: an initial value must be a number, or an expression of constants
     x=x'
       ^^
   $ run --until 1 --initial x=nan
@@ -146,13 +146,13 @@ The options of a run
   $ run --until 1 --initial 1,two
   integrators: --initial 1,two: 'two' is not a finite number
   $ run --until 1 --set a
-  integrators: --set a: say name=value
+  integrators: --set a: must be name=value
   $ run --until 1 --set a=nan
   integrators: --set a=nan: the value is not a number
   $ run --until 1 --set a=1 a=2
-  integrators: --set a=2: a is set twice, by a=1 too
+  integrators: --set a=2: a is set twice, also by a=1
   $ run --until 1 --set x=2
-  integrators: --set x: the equation has no such definition; there is a
+  integrators: --set x: the equation has no such definition; choose one of a
   $ run --until 1 --problem lorenz
   integrators: give one of --problem NAME, --equation TEXT and --file NAME.ode
   $ run --until 1 --file a.ode
@@ -170,7 +170,7 @@ Problems of the library
     x=1, y=2
          ^
   $ duffing --initial 'x=1, x=2'
-  integrators: --initial:1:6: given a second time
+  integrators: --initial:1:6: given twice
     x=1, x=2
          ^
   $ duffing --initial "x'=oops"
@@ -182,21 +182,21 @@ Problems of the library
     y=0
     ^
   $ duffing --set mass=1
-  integrators: --set mass: the equation has no such definition; there is hardening, natural_frequency
+  integrators: --set mass: the equation has no such definition; choose one of hardening, natural_frequency
   $ refused integrators integrate --problem pendulum --until 1 --method rk4
-  integrators: --problem pendulum: there is no such problem; there is arenstorf, blow-up, *, duffing, *, three-dof, * (glob)
+  integrators: --problem pendulum: there is no such problem; choose one of arenstorf, blow-up, *, duffing, *, three-dof, * (glob)
   $ duffing --method magic
-  integrators: --method: there is no method 'magic'; there is euler, *, rbf-coll, *, odeint-dopri5, * (glob)
+  integrators: --method: there is no method 'magic'; choose one of euler, *, rbf-coll, *, odeint-dopri5, * (glob)
   $ duffing --method rk4 --set stiffness=2
-  integrators: --set stiffness: the equation has no such definition; there is hardening, natural_frequency
+  integrators: --set stiffness: the equation has no such definition; choose one of hardening, natural_frequency
   $ duffing --method rk4 --set hardening
-  integrators: --set hardening: say name=value
+  integrators: --set hardening: must be name=value
   $ duffing --method rk4 --set hardening=two
   integrators: --set hardening=two: the value is not a number
   $ duffing --method rk4 --set hardening=2 --set hardening=3
-  integrators: --set hardening=3: hardening is set twice, by hardening=2 too
+  integrators: --set hardening=3: hardening is set twice, also by hardening=2
   $ duffing --method rk4 --set hardening=2 natural_frequency=1 hardening=2
-  integrators: --set hardening=2: hardening is set twice, by hardening=2 too
+  integrators: --set hardening=2: hardening is set twice, also by hardening=2
   $ duffing --method rk4 --initial 1
   integrators: --initial 1: 1 numbers for the 2 components x,x' of duffing: x'' = -natural_frequency^2 x - hardening x^3
   $ duffing --method rk4 --initial 1,2,3
@@ -214,7 +214,7 @@ Problems of the library
     soon
     ^^^^
   $ duffing --method rk4 --from -x
-  integrators: --from:1:1: a time is a number, or an expression of definitions that are
+  integrators: --from:1:1: a time must be a number, or an expression of constants
     -x
     ^^
   $ duffing --method rk4 --step 0
@@ -241,15 +241,15 @@ What a method does not have
 ---------------------------
 
   $ duffing --method rk4
-  integrators: --method: rk4: it takes equal steps: give a step, or a method that chooses its steps, as series or dop853
+  integrators: --method: rk4: it takes equal steps: give a step, or a method with adaptive steps, as series or dop853
   $ duffing --method rk4 --tolerance 1e-9
-  integrators: --method: rk4: it takes equal steps: give a step, or a method that chooses its steps, as series or dop853
+  integrators: --method: rk4: it takes equal steps: give a step, or a method with adaptive steps, as series or dop853
   $ duffing --method rk4 --step 0.1 --tolerance 1e-9
   integrators: --step 0.1 --tolerance 1e-09: give a step or a tolerance, not both
   $ duffing --method rk4 --absolute-tolerance 1e-9
-  integrators: --method: rk4: an absolute tolerance is for methods that choose their steps
+  integrators: --method: rk4: an absolute tolerance needs a method with adaptive steps
   $ duffing --method rk4 --nodes 7
-  integrators: --method: rk4: it has no nodes to choose
+  integrators: --method: rk4: it has no setting nodes
   $ duffing --method rbf-coll --nodes 1
   integrators: --nodes 1: must be a whole number from 2 to 200
   $ duffing --method rbf-coll --nodes 201
@@ -259,9 +259,9 @@ What a method does not have
   $ duffing --method rbf-coll --shape 0
   integrators: --shape 0: must be positive
   $ duffing --method lgl-coll --shape 1
-  integrators: --method: lgl-coll: it has no shape to choose
+  integrators: --method: lgl-coll: it has no setting shape
   $ duffing --method ode45 --step 0.1
-  integrators: --method: ode45: it chooses its steps itself; give a tolerance, not a step
+  integrators: --method: ode45: its steps are adaptive; give a tolerance, not a step
   $ duffing --method ode45 --tolerance 1e-17
   integrators: --method: ode45: relative_tolerance must be between 2.22045e-14 and 0.1, not 1e-17
   $ refused integrators integrate --problem robertson --until 1 --method newmark --step 0.1
@@ -274,33 +274,33 @@ Of a comparison
 
   $ compare() { refused integrators compare --problem duffing --until 1 --methods "$@"; }
   $ compare rk4,magic
-  integrators: --methods: there is no method 'magic'; there is euler, *, rbf-coll, *, odeint-dopri5, * (glob)
+  integrators: --methods: there is no method 'magic'; choose one of euler, *, rbf-coll, *, odeint-dopri5, * (glob)
   $ compare rk4,
   integrators: --methods: there is no method ''; there is euler, *, rbf-coll, *, odeint-dopri5, * (glob)
   $ compare rk4,radau-coll --absolute-tolerance 1e-9
-  integrators: --absolute-tolerance 1e-09: none of the methods rk4,radau-coll chooses its steps
+  integrators: --absolute-tolerance 1e-09: none of the methods rk4,radau-coll has adaptive steps
   $ compare ode45,series --step 0.1 --tolerance 1e-6
-  integrators: --step 0.1: the methods ode45,series choose their steps; give a tolerance alone
+  integrators: --step 0.1: the methods ode45,series have adaptive steps; give a tolerance only
   $ compare rk4,rk6 --step 0.1 --tolerance 1e-6
-  integrators: --tolerance 1e-06: none of the methods rk4,rk6 chooses its steps; give --step alone
+  integrators: --tolerance 1e-06: none of the methods rk4,rk6 has adaptive steps; give --step only
   $ compare ode45,dop853 --step 0.1
   integrators: reference: Taylor series of order 22 and Taylor series of order 28 agree to * digits (glob)
-  integrators: ode45: it chooses its steps itself; give a tolerance, not a step
-  integrators: dop853: it chooses its steps itself; give a tolerance, not a step
-  integrators: --methods: none of them is for this: ode45: it chooses its steps itself; give a tolerance, not a step; dop853: it chooses its steps itself; give a tolerance, not a step
+  integrators: ode45: its steps are adaptive; give a tolerance, not a step
+  integrators: dop853: its steps are adaptive; give a tolerance, not a step
+  integrators: --methods: none of them suits the problem: ode45: its steps are adaptive; give a tolerance, not a step; dop853: its steps are adaptive; give a tolerance, not a step
   $ compare rk4,ode45 --nodes 7
-  integrators: --nodes 7: none of the methods rk4,ode45 has nodes to choose
+  integrators: --nodes 7: none of the methods rk4,ode45 has the setting nodes
   $ compare lgl-coll --shape 7
-  integrators: --shape 7: none of the methods lgl-coll has shape to choose
+  integrators: --shape 7: none of the methods lgl-coll has the setting shape
   $ sweep() { refused integrators compare --equation "x' = -x" --initial x=1 --until 1 --tolerances "$@"; }
   $ sweep 1e-12:1e-3
-  integrators: --tolerances 1e-12:1e-3: goes from the coarse one to the tight one, as 1e-3:1e-12
+  integrators: --tolerances 1e-12:1e-3: must be the larger tolerance first, as 1e-3:1e-12
   $ sweep 1e-3:
-  integrators: --tolerances 1e-3:: a sweep is from a tolerance to a tighter one, as 1e-3:1e-12
+  integrators: --tolerances 1e-3:: must be a larger and a smaller tolerance, as 1e-3:1e-12
   $ sweep :
-  integrators: --tolerances :: a sweep is from a tolerance to a tighter one, as 1e-3:1e-12
+  integrators: --tolerances :: must be a larger and a smaller tolerance, as 1e-3:1e-12
   $ sweep 1e-3:1e-6:1e-9
-  integrators: --tolerances 1e-3:1e-6:1e-9: a sweep is from a tolerance to a tighter one, as 1e-3:1e-12
+  integrators: --tolerances 1e-3:1e-6:1e-9: must be a larger and a smaller tolerance, as 1e-3:1e-12
   $ sweep 1e-3,,1e-6
   integrators: --tolerances 1e-3,,1e-6: '' is not a finite number
   $ sweep 0
@@ -312,19 +312,19 @@ Of a comparison
   $ sweep 1e-3:0
   integrators: --tolerances 0: must be positive
   $ sweep 1:1e-300
-  integrators: --tolerances 1:1e-300: more than thirty decades
+  integrators: --tolerances 1:1e-300: more than thirty decades; give a shorter sweep
   $ sweep few
   integrators: --tolerances few: 'few' is not a finite number
   $ sweep 1e-3 --tolerance 1e-6
-  integrators: --tolerances: give no --tolerance with it
+  integrators: --tolerances: excludes --tolerance; give one of them
   $ sweep 1e-3 --methods rk4,rk6 --step 0.1
-  integrators: --tolerances: none of the methods rk4,rk6 chooses its steps; give --step alone
+  integrators: --tolerances: none of the methods rk4,rk6 has adaptive steps; give --step only
   $ sweep 1e-3 --methods ode45,ode45
   integrators: --methods: ode45 is given twice
   $ sweep 1e-3 --methods ode45,,rk4
   integrators: --methods: there is no method ''; there is euler, *, rbf-coll, *, odeint-dopri5, * (glob)
   $ sweep 1e-3 --methods all,rk4
-  integrators: --methods: there is no method 'all'; there is euler, *, rbf-coll, *, odeint-dopri5, * (glob)
+  integrators: --methods: there is no method 'all'; choose one of euler, *, rbf-coll, *, odeint-dopri5, * (glob)
 
 Files
 -----
@@ -335,7 +335,7 @@ Files
   $ file .
   integrators: .: is a folder, not a file
   $ file /dev/zero
-  integrators: --file /dev/zero: is a device; - is standard input
+  integrators: --file /dev/zero: is a device; give a file, or - for standard input
   $ printf '' > empty.ode
   $ file empty.ode
   integrators: empty.ode:1:1: there is no unknown: a derivative is written x' or x''
@@ -376,7 +376,7 @@ Whatever is wrong, the terminal gets no control character and no endless line:
     (((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((
                                                       ^
   $ equation "x' = $(head -c 20000 /dev/zero | tr '\0' q)" --initial x=1
-  integrators: --equation:1:6: a name has at most 60 characters
+  integrators: --equation:1:6: a name must have at most 60 characters
     x' = qqqqqqqqqqqqqqqqqqqqqqqqq
          ^^^^^^^^^^^^^^^^^^^^^^^^^
   $ equation "$(printf "x' = \303(")" --initial x=1

@@ -26,10 +26,10 @@ Runs that end with success and are far off: multistep formulas and extrapolation
 leap of van der Pol's equation, cos 1e4 = -0.9521 and cn of the Duffing oscillator, each by two methods of other kinds.
 
   $ integrators integrate --problem van-der-pol --set mu=266.85 --until 200 --tolerance 4.2e-10 --method gsl-msadams
-  integrators: not_converged: gsl-msadams: verified by integration, x at t = 200 is off by * times the tolerance *; the tolerance holds the error of each step, and not what these add up to: take --tolerance 1e-* or another method (--no-verify prints the run as it is; *) (glob)
+  integrators: not_converged: gsl-msadams: verified by integration, x at t = 200 is off by * times the tolerance *; the tolerance bounds the error of each step, not their sum: take --tolerance 1e-* or another method (--no-verify prints the unverified run; *) (glob)
   [1]
   $ duffing --set natural_frequency=1e4 --initial 1,0 --until 1 --tolerance 1e-6 --method gsl-bsimp
-  integrators: not_converged: gsl-bsimp: verified by integration, x' at t = 1 is off by * times the tolerance *; the tolerance holds the error of each step, and not what these add up to: take --tolerance 1e-* or another method (--no-verify prints the run as it is; *) (glob)
+  integrators: not_converged: gsl-bsimp: verified by integration, x' at t = 1 is off by * times the tolerance *; the tolerance bounds the error of each step, not their sum: take --tolerance 1e-* or another method (--no-verify prints the unverified run; *) (glob)
   [1]
 Half of the nine digits asked for are enough; standard error says how many there are:
 
@@ -63,6 +63,6 @@ Methods of chosen steps are refused with a step:
 
   $ refused integrators compare --problem duffing --until 1 --methods ode45,cvode-bdf --step 0.1
   integrators: reference: Taylor series of order 22 and Taylor series of order 28 agree to * digits (glob)
-  integrators: ode45: it chooses its steps itself; give a tolerance, not a step
-  integrators: cvode-bdf: it chooses its steps itself; give a tolerance, not a step
-  integrators: --methods: none of them is for this: ode45: it chooses its steps itself; give a tolerance, not a step; cvode-bdf: it chooses its steps itself; give a tolerance, not a step
+  integrators: ode45: its steps are adaptive; give a tolerance, not a step
+  integrators: cvode-bdf: its steps are adaptive; give a tolerance, not a step
+  integrators: --methods: none of them suits the problem: ode45: its steps are adaptive; give a tolerance, not a step; cvode-bdf: its steps are adaptive; give a tolerance, not a step

@@ -40,7 +40,7 @@ Names, comments and markup of gnuplot in an equation stay what they are:
 What never moves, backwards, over decades:
 
   $ for value in 0 1 -3e-200 7e200; do integrators integrate --equation "x' = 0" --initial x=$value --until 3 --plot a.svg > rows.csv; done
-  integrators: x stays below the absolute tolerance 1e-09: none of its digits is determined; take a smaller --absolute-tolerance
+  integrators: x stays below the absolute tolerance 1e-09: none of its digits is certain; take a smaller --absolute-tolerance
   $ for until in 1e6 1e-2; do
   >   integrators integrate --file "$TESTDIR/../../chapters/integrators/examples/robertson.ode" --until $until --plot a.svg > rows.csv
   > done
@@ -78,22 +78,22 @@ Nothing is overwritten but a picture of these commands, and no folder is made:
   >   refused integrators integrate --problem duffing --until 1 --plot $file
   >   refused integrators compare --problem duffing --until 1 --plot $file
   > done
-  integrators: --plot mine.svg: is there and is no picture of such a command, which overwrites nothing else; give another name, or move it
-  integrators: --plot mine.svg: is there and is no picture of such a command, which overwrites nothing else; give another name, or move it
-  integrators: --plot folder.svg: is there and is no picture of such a command, which overwrites nothing else; give another name, or move it
-  integrators: --plot folder.svg: is there and is no picture of such a command, which overwrites nothing else; give another name, or move it
-  integrators: --plot link.svg: is there and is no picture of such a command, which overwrites nothing else; give another name, or move it
-  integrators: --plot link.svg: is there and is no picture of such a command, which overwrites nothing else; give another name, or move it
+  integrators: --plot mine.svg: exists and was not drawn by nlmech, so it is not overwritten; give another name, or move it
+  integrators: --plot mine.svg: exists and was not drawn by nlmech, so it is not overwritten; give another name, or move it
+  integrators: --plot folder.svg: exists and was not drawn by nlmech, so it is not overwritten; give another name, or move it
+  integrators: --plot folder.svg: exists and was not drawn by nlmech, so it is not overwritten; give another name, or move it
+  integrators: --plot link.svg: exists and was not drawn by nlmech, so it is not overwritten; give another name, or move it
+  integrators: --plot link.svg: exists and was not drawn by nlmech, so it is not overwritten; give another name, or move it
   integrators: --plot nowhere/a.svg: there is no such folder
   integrators: --plot nowhere/a.svg: there is no such folder
   integrators: --plot mine.svg/a.svg: there is no such folder
   integrators: --plot mine.svg/a.svg: there is no such folder
-  integrators: --plot a.png: needs a name.svg
-  integrators: --plot a.png: needs a name.svg
-  integrators: --plot .svg: needs a name.svg
-  integrators: --plot .svg: needs a name.svg
-  integrators: --plot -: needs a name.svg
-  integrators: --plot -: needs a name.svg
+  integrators: --plot a.png: must end in .svg
+  integrators: --plot a.png: must end in .svg
+  integrators: --plot .svg: must end in .svg
+  integrators: --plot .svg: must end in .svg
+  integrators: --plot -: must end in .svg
+  integrators: --plot -: must end in .svg
   integrators: --plot aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa... (403 bytes) (5004 bytes): File name too long
   integrators: --plot aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa... (403 bytes) (5004 bytes): File name too long
   $ cat mine.svg

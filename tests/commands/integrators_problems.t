@@ -177,7 +177,7 @@ Taylor series; the bounds leave what each motion amplifies:
   $ series projectile --until 9.84601516944855 | holds 't = 9.84601516944855' 'x = 38476.6981780052 +- 1e-4'
   $ series bodies --until 3000 --tolerance 1e-13 | holds 't = 3000' 'y4 = 3.071464269641001 +- 1e-6'
   $ series bodies --until 1 | sed -n 1p
-  integrators: z1, z2, z3, z1', z2', z3' stay below the absolute tolerance 1e-09: none of their digits is determined; take a smaller --absolute-tolerance
+  integrators: z1, z2, z3, z1', z2', z3' stay below the absolute tolerance 1e-09: none of their digits is certain; take a smaller --absolute-tolerance
   t,x1,y1,z1,x2,y2,z2,x3,y3,z3,x4,y4,z4,x1',y1',z1',x2',y2',z2',x3',y3',z3',x4',y4',z4'
 
 With the published step and order, 20, Lorenz's end is another one than that of the solution:
@@ -204,7 +204,7 @@ They end with 1, print nothing, and say the method, where it stopped and what to
   integrators: time_limit: * (glob)
   [1]
   $ integrate --problem laier-van-der-pol --set mu=1000 --initial 2,0 --until 2000 --step 0.125 --method laier
-  integrators: wrong_branch: laier: Newton's iteration of the step of 0.125 from t = 807* converged, but the error estimate is * of the displacement: its root need not continue the solution; take a smaller step, or a tolerance in its place (glob)
+  integrators: wrong_branch: laier: Newton's iteration of the step of 0.125 from t = 807* converged, but the error estimate is * of the displacement: its root need not continue the solution; take a smaller step, or a tolerance instead (glob)
   [1]
   $ mtl van-der-pol --set mu=1000 --until 10 --step 1
   integrators: non_finite: mtl: the exponential of the linear part overflows over the block of 3 from t = 0; take a smaller step or tolerance (a program can choose another linear part)

@@ -35,7 +35,7 @@ Series moves several rows at a time: each is what its own run prints, with event
   $ echo 3,-9,1 >> starts.csv
   $ cubic() { integrators integrate --equation "x'' + 0.1 x' + a x^3 = 0; a = 1; x(0) = 1; x'(0) = 0" --method series --event x=0 --no-verify "$@"; }
   $ cubic --states starts.csv --threads 1 > whole.csv
-  integrators: 1 of the runs failed; the first is row 26: step_underflow: series: a step of * does not move t = 0.206304* the solution may be singular there, else loosen the tolerance, or take a longer step where it is given (glob)
+  integrators: 1 of the runs failed; the first is row 26: step_underflow: series: a step of * does not move t = 0.206304* the solution may be singular there, else loosen the tolerance, or take a longer step if it is given (glob)
   [1]
   $ cubic --states starts.csv --threads 3 2> said.txt | cmp - whole.csv
   $ tail -1 whole.csv
@@ -73,9 +73,9 @@ They stand in the file or on the command line, not in both; a parameter of that 
   integrators: ends.csv: line 2: --every 1e-08: more than 10 million rows
   $ printf 'x\n1\n2\n' > two.csv
   $ wrong --states two.csv
-  integrators: two.csv: has no column until; give it, or --until T for all rows
+  integrators: two.csv: has no column until; add one, or give --until T for all rows
   $ wrong
-  integrators: --until: give the time at which it ends, or t <= ... in the text
+  integrators: --until: missing; give the time at which the run ends, or t <= ... in the text
 
 An initial state is asked for if an unknown has no column:
 
@@ -108,7 +108,7 @@ No column of the answer is there twice, and X is not x; a file of no rows, and o
   $ holds 'x = 2*exp(-1) +- 1e-8' < rows.csv
   $ echo x > starts.csv
   $ decay
-  starts.csv: no row stands behind the header
+  starts.csv: no row follows the header
   row,t,x,status
   $ printf '1\n2\n' > starts.csv
   $ refused integrators integrate --equation "x' = -x" --states starts.csv --until 1
@@ -169,10 +169,10 @@ Mistakes
   $ lorenz --states bad.csv
   integrators: bad.csv: line 3, column 2 (r): 'x' is not a finite number
   $ lorenz --states foreign.csv
-  integrators: foreign.csv: none of its columns is an unknown or a parameter; there are u, v, w, sigma, r, b
+  integrators: foreign.csv: none of its columns is an unknown or a parameter; choose from u, v, w, sigma, r, b
   $ lorenz --states bad.csv --plot a.svg
-  integrators: --plot a.svg: --states draws none
+  integrators: --plot a.svg: runs of --states are not drawn; leave one of them out
   $ lorenz --states - < /dev/null
   integrators: standard input: is empty; the first line must name the columns some of u,v,w,sigma,r,b,until
   $ lorenz --threads 2
-  integrators: --threads 2: is about --states
+  integrators: --threads 2: applies to --states only; leave it out

@@ -39,5 +39,5 @@ A force that turns 160 000 times is verified; one that turns too often for the l
 
   $ integrators integrate --equation "x' = cos(10 t)" --initial x=0 --until 1e5 | holds 'x = sin(10**6)/10 +- 1e-7'
   $ integrators integrate --equation "x' = cos(1000 t)" --initial x=0 --until 1e5 --limit 5
-  integrators: time_limit: a force of the frequency 1000 turns 1.6e+07 times from t = 0 to 100000, which takes 8 s at least, more than the limit of 5 s; take an earlier end, or the mean of the force
+  integrators: time_limit: a force of frequency 1000 goes through 1.6e+07 periods from t = 0 to 100000, which takes at least 8 s, more than the limit of 5 s; take an earlier end, or replace the force by its mean
   [1]

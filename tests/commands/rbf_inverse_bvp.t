@@ -56,7 +56,7 @@ the greatest slope, 1/w, over some 4 w, so that x' is off by 4e-9, and x by 4e-7
 Where there is no solution it says so: half a period from 0 to another value, and a load that is too large:
 
   $ bvp "x'' + pi^2 x = 0" --begin x=0 --end x=0.5 --until 1
-  rbf_inverse: singular_matrix: bvp: Newton's matrix is singular (pivots 1 to *, iteration *): with these equations the conditions leave a solution undetermined or admit none; change the conditions, or start elsewhere; 20 cubics at random lead to none either; try a --guess (glob)
+  rbf_inverse: singular_matrix: bvp: Newton's matrix is singular (pivots 1 to *, iteration *): with these equations the conditions do not determine the solution or admit none; change the conditions, or start elsewhere; 20 cubics at random lead to none either; try a --guess (glob)
   [1]
   $ bvp "x'' + 4 exp(x) = 0" --begin x=0 --end x=0.5 --until 1
   rbf_inverse: newton_diverged: bvp: * 20 cubics at random lead to none either; try a --guess (glob)
@@ -90,7 +90,7 @@ Mistakes
   $ ends --tolerance 0
   rbf_inverse: --tolerance 0: must be from 1e-13 to 0.1
   $ ends --set b=2
-  rbf_inverse: --set b: the equation has no such definition; there is a
+  rbf_inverse: --set b: the equation has no such definition; choose one of a
   $ text() { refused rbf_inverse bvp --equation "$1" --until 1 --begin x=1 --end x=0; }
   $ text "x'' = x; x(0) = 1"
   rbf_inverse: --equation: values at a time, as x(0) = 1, are given by --begin and --end here

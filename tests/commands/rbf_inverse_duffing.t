@@ -47,7 +47,7 @@ Mistakes
   --final-time is required
   Run with --help for more information.
   $ wrong --case wrong --final-time 2
-  rbf_inverse: --case wrong: there is free, fixed, x1x1, x1x2, x2x1, x2x2, final-only, harmonic
+  rbf_inverse: --case wrong: must be one of free, fixed, x1x1, x1x2, x2x1, x2x2, final-only, harmonic
   $ wrong --case free --final-time 0
   rbf_inverse: --final-time 0: must be from 1e-06 to 1000
   $ wrong --case free --final-time -1

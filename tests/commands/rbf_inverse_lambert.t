@@ -49,7 +49,7 @@ Half of a circle, in the plane that is asked for, has unit speed:
   $ half="--from 1,0,0 --to -1,0,0 --time 3.141592653589793 --mu 1"
   $ lambert $half --plane 0,-2,0 | holds 'norm([vx0, vy0, vz0 - 1]) <= 1e-14'
   $ refused rbf_inverse lambert $half
-  rbf_inverse: --from 1,0,0 --to -1,0,0 --time 3.141592653589793: lambert: the positions are opposite (a transfer by 180 degrees), so that every plane through them will do; give the normal of one
+  rbf_inverse: --from 1,0,0 --to -1,0,0 --time 3.141592653589793: lambert: the positions are opposite (a transfer by 180 degrees), so that the plane is undetermined; give its normal
 
 Not a mistake, but no arc either: two revolutions take longer.
 
@@ -65,7 +65,7 @@ Mistakes
   --from is required
   Run with --help for more information.
   $ wrong --from 1,2 --to 1,2,3 --time 1
-  rbf_inverse: --from 1,2: 2 numbers where 3 are needed
+  rbf_inverse: --from 1,2: 2 numbers; 3 are needed
   $ wrong --from 1,2,x --to 1,2,3 --time 1
   rbf_inverse: --from 1,2,x: 'x' is not a finite number
   $ wrong --from 1,2,nan --to 1,2,3 --time 1
@@ -83,7 +83,7 @@ Mistakes
   $ wrong --from 1,0,0 --to 2,0,0 --time 1 --mu 1
   rbf_inverse: --from 1,0,0 --to 2,0,0 --time 1: lambert: the positions lie in one direction from the centre (a transfer by 0 or 360 degrees) at distances 1 and 2; no plane is determined and the arc is a straight line; move one of them
   $ wrong --from 1,0,0 --to 0,1,0 --time 1e-200 --mu 1
-  rbf_inverse: --from 1,0,0 --to 0,1,0 --time 1e-200: lambert: a flight of 1e-200, T = 6.34e-201 in Izzo's measure, is too short for velocities in double precision to tell
+  rbf_inverse: --from 1,0,0 --to 0,1,0 --time 1e-200: lambert: a flight of 1e-200, T = 6.34e-201 in Izzo's measure, is too short to be determined by velocities in double precision
   $ options() { refused rbf_inverse lambert $printed "$@"; }
   $ options --revolutions 1
   rbf_inverse: --revolutions 1: needs --branch low or high
@@ -94,7 +94,7 @@ Mistakes
   $ options --branch low
   rbf_inverse: --branch low: means nothing without revolutions
   $ options --revolutions 1 --branch middle
-  rbf_inverse: --branch middle: there is low, high
+  rbf_inverse: --branch middle: must be one of low, high
   $ options --plane 0,0,0
   rbf_inverse: --plane 0,0,0: a normal cannot be 0
   $ options --zonal 1e-3
@@ -104,7 +104,7 @@ Mistakes
   $ options --zonal 1e-3 --radius -1
   rbf_inverse: --radius -1: must be positive
   $ options --method shooting
-  rbf_inverse: --method shooting: there is izzo, collocation
+  rbf_inverse: --method shooting: must be one of izzo, collocation
   $ options --method collocation --long-way
   rbf_inverse: --method collocation --long-way: from simple guesses Newton's iteration ends on the short way; use --method izzo
   $ options --method collocation --revolutions 1 --branch low

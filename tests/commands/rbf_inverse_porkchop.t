@@ -47,11 +47,11 @@ In the current folder, when the numbers are written, over an older picture of th
   <!-- drawn by a command of nlmech -->
   $ cp two.toml input.svg
   $ refused rbf_inverse porkchop input.svg --grid 5x5 --plot
-  rbf_inverse: --plot input.svg: is there and is no picture of such a command, which overwrites nothing else; give another name, or move it
+  rbf_inverse: --plot input.svg: exists and was not drawn by nlmech, so it is not overwritten; give another name, or move it
   $ cmp two.toml input.svg
   $ echo '<svg>of somebody else</svg>' > two.svg
   $ refused rbf_inverse porkchop two.toml --grid 5x5 --plot
-  rbf_inverse: --plot two.svg: is there and is no picture of such a command, which overwrites nothing else; give another name, or move it
+  rbf_inverse: --plot two.svg: exists and was not drawn by nlmech, so it is not overwritten; give another name, or move it
   $ rm two.svg
   $ refused rbf_inverse porkchop two.toml --grid 3x9 --plot
   rbf_inverse: --grid 3x9: --plot needs 4x4 or more

@@ -40,7 +40,7 @@ Scenes, help, version
   fixture
   $ fixture double --help | grep -e 'file TEXT' -e '--limit'
     file TEXT=-                 CSV file; - is standard input
-    --limit NUMBER=60           wall time at most, s
+    --limit NUMBER=60           stop after this much wall time, s
   $ ls
   data
 
@@ -58,7 +58,7 @@ Wrong use
   A subcommand is required
   Run with --help for more information.
   $ refused fixture run
-  fixture: run: name scenes, or say --all; 'list' shows what there is
+  fixture: run: no scene is named; give names, or --all; 'list' prints the names
   $ refused fixture run fig-9
   fixture: fixture has no scene 'fig-9'; it has fig-1, fig-2, table-1, both, fig-3.14
   $ refused fixture run fig-1 fig-9
@@ -76,7 +76,7 @@ Wrong use
   The following argument was not expected: --png
   Run with --help for more information.
   $ refused fixture run fig-1 --no-plots --png
-  fixture: run: --png draws what --no-plots leaves out; give one of them
+  fixture: run: --png and --no-plots exclude each other; give one of them
   $ refused fixture run fig-1 --out a --out b
   --out: At Most 1 required but received 2
   Run with --help for more information.
@@ -117,7 +117,7 @@ Messages repeat little of what was typed, and no control character:
   Could not convert: --quick = aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa... (100000 bytes)
   Run with --help for more information.
   $ printf '\033[2J\033]0;title\007\n' | refused fixture double
-  fixture: standard input: line 1: there is no column x; the header must name x, separated by commas, and is '\x1b[2J\x1b]0;title\x07'; cells are separated by commas alone, and numbers have a decimal point
+  fixture: standard input: line 1: there is no column x; the header must name x, separated by commas, and is '\x1b[2J\x1b]0;title\x07'; separate cells by commas and write numbers with a decimal point
   $ refused fixture run "$clear"
   fixture: fixture has no scene '\x1b[2J'; it has fig-1, fig-2, table-1, both, fig-3.14
   $ refused fixture "$clear"
@@ -136,10 +136,10 @@ The environment may hold kernels to a smaller instruction set; an unknown one en
   $ largest=$(set_of '')
   $ [ "$(set_of $largest)" = $largest ]
   $ for wrong in sse9 AVX2 'avx2 ' "$(printf '\033[31m')"; do NLMECH_INSTRUCTION_SET=$wrong refused fixture list | sed "s/it has .*$largest\$/it has .../"; done
-  fixture: NLMECH_INSTRUCTION_SET=sse9: no instruction set of this processor; it has ...
-  fixture: NLMECH_INSTRUCTION_SET=AVX2: no instruction set of this processor; it has ...
-  fixture: NLMECH_INSTRUCTION_SET=avx2 : no instruction set of this processor; it has ...
-  fixture: NLMECH_INSTRUCTION_SET=\x1b[31m: no instruction set of this processor; it has ...
+  fixture: NLMECH_INSTRUCTION_SET=sse9: is not an instruction set of this processor; choose one of ...
+  fixture: NLMECH_INSTRUCTION_SET=AVX2: is not an instruction set of this processor; choose one of ...
+  fixture: NLMECH_INSTRUCTION_SET=avx2 : is not an instruction set of this processor; choose one of ...
+  fixture: NLMECH_INSTRUCTION_SET=\x1b[31m: is not an instruction set of this processor; choose one of ...
   $ rm -r out
 
 A user's own numbers

@@ -155,7 +155,7 @@ Mistakes
   $ run --until 1 --mu -1
   two_body_series: --mu -1: must be positive
   $ run --until 1 --method euler
-  two_body_series: --method euler: there is series, rkn1210, kepler
+  two_body_series: --method euler: must be one of series, rkn1210, kepler
   $ run --until 1 --tolerance 0
   two_body_series: --tolerance 0: must be from 1e-18 to 0.1
   $ run --until 1 --tolerance 1

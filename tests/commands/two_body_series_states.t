@@ -58,7 +58,7 @@ rows too:
   $ propagate orbit.csv --mu 1 --until 1 | cmp - first.csv
   $ echo x,y,z,vx,vy,vz > orbit.csv
   $ propagate orbit.csv --mu 1 --until 1
-  orbit.csv: no row stands behind the header
+  orbit.csv: no row follows the header
   row,t,x,y,z,vx,vy,vz,status
 
 Failures
@@ -121,7 +121,7 @@ So many revolutions that no digit is left end the closed form, at the last row t
   outside_validity
   1
 
-What is not done in time says so in its row; without a limit a file takes as long as it takes:
+What is not done in time says so in its row; a file has no limit by default:
 
   $ ellipses 2000 > orbits.csv
   $ for method in series kepler; do
@@ -134,7 +134,7 @@ What is not done in time says so in its row; without a limit a file takes as lon
   $ propagate forever.csv --mu 1 --until 1e9 --zonal 1e-3 --radius 0.1 --limit 0.3 --threads 1 2> said.txt > rows.csv
   [1]
   $ holds --each 'n = 400' 'status = "time_limit"' < rows.csv
-  $ two_body_series propagate --help | grep -c 'as long as it takes'
+  $ two_body_series propagate --help | grep -c 'none with'
   1
 
 Mistakes
@@ -158,7 +158,7 @@ Nothing is printed of a file with a mistake, wherever it stands:
   $ printf "x,y,z,vx,vy,until\n$row\n" | bad
   two_body_series: bad.csv: line 1: there is no column vz; the header must name x,y,z,vx,vy,vz, separated by commas, and is 'x,y,z,vx,vy,until'
   $ printf 'JDTDB;X;Y;Z;VX;VY;VZ\n1;1;0;0;0;1;0\n' | bad
-  two_body_series: bad.csv: line 1: there is no column x; the header must name x,y,z,vx,vy,vz, separated by commas, and is 'JDTDB;X;Y;Z;VX;VY;VZ'; cells are separated by commas alone, and numbers have a decimal point
+  two_body_series: bad.csv: line 1: there is no column x; the header must name x,y,z,vx,vy,vz, separated by commas, and is 'JDTDB;X;Y;Z;VX;VY;VZ'; separate cells by commas and write numbers with a decimal point
   $ echo $row | bad
   two_body_series: bad.csv: line 1: '1,0,0,0,1,0,5' does not name the columns; the first line must name x,y,z,vx,vy,vz
   $ echo x,y,z,vx,vy,vz,x,until | bad
@@ -166,7 +166,7 @@ Nothing is printed of a file with a mistake, wherever it stands:
   $ printf '' | bad
   two_body_series: bad.csv: is empty; the first line must name the columns x,y,z,vx,vy,vz
   $ printf "name,$head\na,$row\n# a comment, late\n" | bad
-  two_body_series: bad.csv: line 3, column 2 (x): 'late' is not a finite number; comments stand before the header
+  two_body_series: bad.csv: line 3, column 2 (x): 'late' is not a finite number; put comments before the header
   $ printf 'x,y,z,vx,vy,vz\n1,0,0,0,1,0\n' | bad
   two_body_series: bad.csv: has no column until; give it, or --until T for all rows
   $ printf "$head\n$row\n" | bad --until 3
@@ -176,7 +176,7 @@ Nothing is printed of a file with a mistake, wherever it stands:
   $ printf "$head\n\"1,0,0\n" | bad
   two_body_series: bad.csv: line 2: a quote is never closed
   $ head -c 3145728 /dev/zero | tr '\0' x | bad
-  two_body_series: bad.csv: line 1: more than 1048576 bytes; this is no table
+  two_body_series: bad.csv: line 1: more than 1048576 bytes; a line of a table is shorter
   $ printf "$head\n7000,0,0,0,7.5,0,5\n" > km.csv
   $ refused two_body_series propagate --states km.csv
   two_body_series: km.csv: line 2: x,y,z = 7000,0,0: without --mu lengths are metres about the Earth, and this orbit stays within 7000 m of its centre; give --mu in your units (398600.4418 for kilometres and seconds)

@@ -69,11 +69,11 @@ TEST(CostCurves, RunEverySettingOfEveryMethod) {
 
 // The first run takes more right-hand sides than the limit after which a curve ends.
 TEST(CostCurves, EndAfterADearRunButNotBeforeThreePoints) {
-  const double dear = 1.0 / (1.1 * static_cast<double>(enough_right_hand_sides));
+  const double dear = 1.0 / (1.1 * static_cast<double>(most_right_hand_sides));
   const std::vector<MethodSweep> euler = {by_steps("euler", {}, Kind::classical, dear, halves, false)};
   EXPECT_EQ(cost_curves(saddle(1), euler, false).front().attempts.size(), 3u);
   EXPECT_EQ(cost_curves(saddle(1), euler, true).front().attempts.size(), 1u);
-  const double enough = 1.0 / (1.1 * static_cast<double>(enough_for_a_look));
+  const double enough = 1.0 / (1.1 * static_cast<double>(most_right_hand_sides_quick));
   const std::vector<MethodSweep> seen = {by_steps("euler", {}, Kind::classical, 2.2 * enough, halves, true)};
   EXPECT_EQ(cost_curves(saddle(1), seen, true).front().attempts.size(), 2u) << "a half of that, then twice";
   // The first run takes a tenth of the limit, doubled by each halving: the fifth is the first above it, and
@@ -110,7 +110,7 @@ TEST(MethodLines, KnowTheirGroupsAndPeers) {
   EXPECT_EQ(groups.at(line_of("three", Kind::own).group).name, "Hermitian operators");
   EXPECT_EQ(line_of("cvode-bdf", Kind::implicit).side, scene::Side::peer);
   EXPECT_EQ(line_of("Kepler", Kind::closed_form).side, scene::Side::floor);
-  EXPECT_EQ(line_of("rk4", Kind::classical).side, scene::Side::ours);
+  EXPECT_EQ(line_of("rk4", Kind::classical).side, scene::Side::library);
 }
 
 }  // namespace

@@ -95,7 +95,7 @@ TEST(DefaultMethod, AnswersWhatIsForced) {
                              .order = problem.printed_order(""),
                              .limits = {.seconds = 60},
                              .verify = true};
-    const ivp::MethodInfo& method = usual_method(problem, options);
+    const ivp::MethodInfo& method = default_method(problem, options);
     try {
       const Trajectory run = trajectory(problem, options, method);
       const std::string last = run.rows.substr(run.rows.rfind('\n', run.rows.size() - 2) + 1);
@@ -109,7 +109,7 @@ TEST(DefaultMethod, AnswersWhatIsForced) {
 }
 
 /// Integration from @p x0 by the default method, or by another one if its result is wrong.
-Trajectory usual_run(const std::string& text, double x0, double end) {
+Trajectory default_run(const std::string& text, double x0, double end) {
   const auto problem = typed_problem(program::SourceText("equation", text), {});
   const RunOptions options{.x0 = State::Constant(1, x0),
                            .t0 = 0,
@@ -119,7 +119,7 @@ Trajectory usual_run(const std::string& text, double x0, double end) {
                            .order = problem.printed_order(""),
                            .limits = {.seconds = 60},
                            .verify = true};
-  return usual_trajectory(problem, options, usual_method(problem, options));
+  return default_trajectory(problem, options, default_method(problem, options));
 }
 
 // Cases where long steps may miss a feature: a switch so steep that its derivatives underflow, a pulse after
@@ -136,7 +136,7 @@ TEST(DefaultMethod, MissesNoSwitchAndNoPulse) {
         Leap{"x' = sign(sin(pi t))", 0, 160.5, 0.5}, Leap{"x' = max(sign(sin(pi t)), 0)", 0, 101, 51},
         Leap{"x' = 1 - 2 max(sign(x), 0)", 1, 3, 0}}) {
     SCOPED_TRACE(leap.text);
-    const Trajectory run = usual_run(leap.text, leap.x0, leap.end);
+    const Trajectory run = default_run(leap.text, leap.x0, leap.end);
     const std::string last = run.rows.substr(run.rows.rfind('\n', run.rows.size() - 2) + 1);
     EXPECT_NEAR(std::stod(last.substr(last.find(',') + 1)), leap.exact, 1e-7 * (1 + leap.exact));
     EXPECT_EQ(run.remark, "");
@@ -145,7 +145,7 @@ TEST(DefaultMethod, MissesNoSwitchAndNoPulse) {
 
 TEST(DefaultMethod, ReportsTheUsualMethodWhereNoneArrives) {
   try {
-    (void)usual_run("x' = x^2", 1, 2);
+    (void)default_run("x' = x^2", 1, 2);
     ADD_FAILURE() << "it ends at t = 1";
   } catch (const Failure& failure) {
     EXPECT_NE(std::string(failure.what()).find("series"), std::string::npos) << failure.what();

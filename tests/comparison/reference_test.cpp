@@ -71,7 +71,7 @@ TEST(Agree, SaysWhyThereIsNone) {
 // rounding errors of 1e-16.
 TEST(ReferenceOf, TheDuffingOscillatorByTaylorSeries) {
   for (const double end : {20.0, -20.0}) {
-    const std::vector<double> times = look_at(0, end, 16);
+    const std::vector<double> times = times_to_check(0, end, 16);
     ASSERT_EQ(times.size(), 16U);
     EXPECT_EQ(times.back(), end);
     const Reference r = reference_of(problems::TextProblem("duffing"), {1, 0}, 0, times, {}, {});
@@ -90,9 +90,9 @@ TEST(ReferenceOf, TheDuffingOscillatorByTaylorSeries) {
 // show only that it is far. (log cosh(675) - log cosh(475))/100 = 2 to 400 digits; sqrt(pi)/2 to 1e-4343.
 TEST(ReferenceOf, SeriesDoNotLeapAcrossWhatTheirCoefficientsDoNotShow) {
   const auto end_of = [](const std::string& equation, double end) {
-    const WorkLimit effort{.largest_step = watchful_step(0, end, 1e9)};
+    const WorkLimit effort{.largest_step = reference_step_limit(0, end, 1e9)};
     const Reference r = reference_of(ivp::testing::typed_problem(equation), ivp::State::Zero(1), 0,
-                                     look_at(0, end, 16), {}, effort);
+                                     times_to_check(0, end, 16), {}, effort);
     EXPECT_TRUE(r.status.ok() && r.first.extended) << r.text();
     return static_cast<double>(r.states(0, 15));
   };
@@ -127,7 +127,7 @@ TEST(ReferenceOf, RobertsonByTwoMethods) {
 // transitions.
 TEST(ReferenceOf, StiffVanDerPolByTwoMethods) {
   const Reference r = reference_of(problems::TextProblem("van-der-pol", {{"mu", 1000}}), {2, 0}, 0,
-                                   look_at(0, 2000, 8), {}, {});
+                                   times_to_check(0, 2000, 8), {}, {});
   if (!r.status.ok()) GTEST_SKIP() << "this build has one stiff method alone: " << r.text();
   EXPECT_LT(r.uncertainty(), 1e-9) << r.text();
   EXPECT_NEAR(static_cast<double>(r.states(0, 7)), 1.706167732170483, 1e-9);
@@ -145,15 +145,16 @@ TEST(ReferenceOf, ChaosBeyondExtendedPrecisionIsSaid) {
 }
 
 TEST(ReferenceOf, NoWayToGoIsTheInitialState) {
-  const Reference r = reference_of(problems::TextProblem("duffing"), {0.5, -2}, 3, look_at(3, 3, 64), {}, {});
+  const Reference r =
+      reference_of(problems::TextProblem("duffing"), {0.5, -2}, 3, times_to_check(3, 3, 64), {}, {});
   ASSERT_TRUE(r.status.ok()) << r.text();
   EXPECT_EQ(r.states.cast<double>().col(0), Eigen::Vector2d(0.5, -2));
 }
 
 TEST(LookAt, TimesAreFiniteHoweverFarTheEnd) {
-  EXPECT_EQ(look_at(0, 1e308, 64).size(), 64U);
-  for (const double t : look_at(-1e308, 1e308, 64)) EXPECT_TRUE(std::isfinite(t));
-  EXPECT_EQ(look_at(1, std::nextafter(1, 2), 64).size(), 1U);
+  EXPECT_EQ(times_to_check(0, 1e308, 64).size(), 64U);
+  for (const double t : times_to_check(-1e308, 1e308, 64)) EXPECT_TRUE(std::isfinite(t));
+  EXPECT_EQ(times_to_check(1, std::nextafter(1, 2), 64).size(), 1U);
 }
 
 TEST(ReferenceOf, GivesUpWithinItsWork) {

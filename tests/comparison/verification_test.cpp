@@ -23,7 +23,7 @@ program::Problem saddle() { return ivp::testing::typed_problem("x'' = x"); }
 template <class Problem>
 Verification verdict(const Problem& problem, const problems::StateOf<double, Problem>& x0, double end,
                      double error, const Tolerance& tolerance, const WorkLimit& effort = {}) {
-  const std::vector<double> times = look_at(0, end, 16);
+  const std::vector<double> times = times_to_check(0, end, 16);
   const Reference expected = reference_of(problem, x0, 0, times, tolerance / 10, effort);
   Verified run{times, Eigen::MatrixXd(x0.size(), 16), tolerance};
   if (expected.status.ok()) run.states = expected.states.template cast<double>();
@@ -71,7 +71,7 @@ TEST(Verify, DigitsOfWhatDecaysAreRelativeToItsSize) {
 // An initial error a in x and v becomes a (cosh t + sinh t) = a exp(t).
 TEST(Amplification, OfTheSaddleIsTheExponential) {
   const double a = 1e-9;
-  const std::vector<double> times = look_at(0, 5, 16);
+  const std::vector<double> times = times_to_check(0, 5, 16);
   const Reference expected = reference_of(saddle(), {1, -1}, 0, times, {}, {});
   ASSERT_TRUE(expected.status.ok());
   const Eigen::MatrixXd weight = Eigen::MatrixXd::Constant(2, 16, a);
@@ -88,7 +88,7 @@ TEST(Amplification, OfTheSaddleIsTheExponential) {
 // by omega'(A) e t. The products of sixteen matrices may overestimate it only by a factor.
 TEST(Amplification, OfAnOscillatorGrowsWithTimeAlone) {
   for (const double end : {100.0, 1600.0}) {
-    const std::vector<double> times = look_at(0, end, 16);
+    const std::vector<double> times = times_to_check(0, end, 16);
     const Reference expected = reference_of(problems::TextProblem("duffing"), {1, 0}, 0, times, {}, {});
     ASSERT_TRUE(expected.status.ok());
     Eigen::MatrixXd moved;
@@ -207,7 +207,7 @@ TEST(Remark, NamesWhatToChange) {
   EXPECT_EQ(text_of(), "not verified: no reference");
   v.verdict = Verdict::ended;
   EXPECT_NE(text_of().find("FAILED"), std::string::npos) << text_of();
-  EXPECT_NE(text_of().find("seems to end on the way"), std::string::npos) << text_of();
+  EXPECT_NE(text_of().find("seems to end before the final time"), std::string::npos) << text_of();
   v.verdict = Verdict::right;
   v.tolerances = 99;
   EXPECT_EQ(text_of(), "");

@@ -113,8 +113,8 @@ TEST(NamedFrames, RefuseWhatMakesNoFrame) {
   expect_refused(with([](M& m) { m.loads.clear(); }), ModelPart::loads, 0, "no load");
   expect_refused(with([](M& m) { m.loads[0].value = NAN; }), ModelPart::loads, 0, "middle.y = nan");
   expect_refused(with([](M& m) { m.nodes[2].x = HUGE_VAL; }), ModelPart::nodes, 2, "right");
-  expect_refused(with([](M& m) { m.nodes[2].name = "left"; }), ModelPart::nodes, 2, "stands twice");
-  expect_refused(with([](M& m) { m.nodes[2].x = 0; }), ModelPart::nodes, 2, "where node left is");
+  expect_refused(with([](M& m) { m.nodes[2].name = "left"; }), ModelPart::nodes, 2, "is given twice");
+  expect_refused(with([](M& m) { m.nodes[2].x = 0; }), ModelPart::nodes, 2, "position of node left");
   expect_refused(with([](M& m) { m.nodes.push_back({"alone", 5, 5}); }), ModelPart::nodes, 3, "alone has no");
   expect_refused(with([](M& m) { m.members[1].second = "rihgt"; }), ModelPart::members, 1, "no node rihgt");
   expect_refused(with([](M& m) { m.members[1].second = "middle"; }), ModelPart::members, 1, "to itself");
@@ -123,9 +123,9 @@ TEST(NamedFrames, RefuseWhatMakesNoFrame) {
   expect_refused(with([](M& m) { m.members[0].radius = 0.1; }), ModelPart::members, 0, "does not span");
   expect_refused(with([](M& m) { m.members[0].elements = 1 << 30; }), ModelPart::members, 0, "more than");
   expect_refused(with([](M& m) { m.nodes[1].x = 4.9e-324, m.nodes[1].y = 0; }), ModelPart::members, 0,
-                 "cannot be told apart");
+                 "are too short for the rounding");
   expect_refused(with([](M& m) { m.supports[0].node = "x"; }), ModelPart::supports, 0, "no node x");
-  expect_refused(with([](M& m) { m.loads[0].node = "left"; }), ModelPart::loads, 0, "left.y, which is held");
+  expect_refused(with([](M& m) { m.loads[0].node = "left"; }), ModelPart::loads, 0, "left.y, which is fixed");
 }
 
 // Mechanisms, and the node that the message names.
@@ -290,10 +290,10 @@ TEST(GivenDisplacements, AreRefusedWhereTheyContradict) {
   const FrameModel good = driven(models::truss(), -1);
   FrameModel m = good;
   m.displacements.push_back(m.displacements[0]);
-  expect(m, ModelPart::displacements, "apex.y stands twice");
+  expect(m, ModelPart::displacements, "apex.y is given twice");
   m = good;
   m.displacements[0].node = "left";
-  expect(m, ModelPart::displacements, "left.y, which is held");
+  expect(m, ModelPart::displacements, "left.y, which is fixed");
   m = good;
   m.displacements[0].value = NAN;
   expect(m, ModelPart::displacements, "apex.y = nan");

@@ -74,7 +74,7 @@ TEST_P(EveryIntegrator, LandsOnTheEnd) {
 TEST_P(EveryIntegrator, NoticesThatTimeHasNoRoomForAStep) {
   for (const double step : {0.5, 100.0}) {
     const auto far =
-        with(by_steps() ? step : usual_tolerance)(System(Oscillator{}), {1, 0}, 1e16, 1e16 + 64, {}, {});
+        with(by_steps() ? step : default_tolerance)(System(Oscillator{}), {1, 0}, 1e16, 1e16 + 64, {}, {});
     if (integrator().label == "series") {
       EXPECT_NEAR(far.x[0], std::cos(64), most_off());
     } else {
@@ -124,7 +124,7 @@ TEST_P(EveryIntegrator, KeepsToItsSteps) {
     if (row().is_peer()) continue;
     EXPECT_EQ(trials, most);
     if (by_steps() && !row().has(points_setting)) {
-      EXPECT_NEAR(solution.t, most * usual_step, 4 * eps);
+      EXPECT_NEAR(solution.t, most * default_step, 4 * eps);
     }
   }
 }
@@ -280,7 +280,7 @@ TEST_P(EveryIntegrator, NeverLooksAcrossAJump) {
     EXPECT_EQ(solution.t, t1);
   };
   for (const double step : {0.1, 0.03, 0.07, 0.01}) {
-    const NamedIntegrator integrate = with(by_steps() ? step : usual_tolerance);
+    const NamedIntegrator integrate = with(by_steps() ? step : default_tolerance);
     for (const double end : {0.3, 1.0}) check(integrate, 0, end);
     check(integrate, 0.3, 1);
     for (const double begin : {0.3, 0.4, 1.0}) check(integrate, begin, 0);
@@ -306,7 +306,7 @@ TEST_P(EveryIntegrator, NeverLooksAcrossAKink) {
   std::mt19937 random(3);
   for (const bool forwards : {true, false}) {
     for (const double step : {0.1, 0.01})
-      expect_kink(with(by_steps() ? step : usual_tolerance), 0.3, forwards, room);
+      expect_kink(with(by_steps() ? step : default_tolerance), 0.3, forwards, room);
     for (int k = 0; k < 20 && !by_steps(); ++k)
       expect_kink(with(1e-6), static_cast<double>(random() % 1'000'000 + 1) / 1'000'001, forwards, room);
   }
@@ -358,7 +358,7 @@ TEST_P(EveryIntegrator, FailsWhereNothingIsFinite) {
     if (by_steps() || !implicit) {
       EXPECT_EQ(on_the_way.status.outcome(), Outcome::non_finite) << on_the_way.status.text();
     }
-    EXPECT_LE(on_the_way.t, 0.5 + (by_steps() ? usual_step : row().is_peer() || implicit ? 0 : 1e-6));
+    EXPECT_LE(on_the_way.t, 0.5 + (by_steps() ? default_step : row().is_peer() || implicit ? 0 : 1e-6));
     EXPECT_GT(on_the_way.t, 0.5 - before);
     EXPECT_NEAR(on_the_way.x[0], std::cos(on_the_way.t), most_off());
     const auto at_once = run(system, {1, 0}, 0.75, 1);

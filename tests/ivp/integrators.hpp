@@ -111,7 +111,7 @@ class EveryIntegrator : public ::testing::TestWithParam<std::string> {
     return !by_steps() && row().second_order_only && row().steps == Steps::both;
   }
 
-  static constexpr double usual_step = 0.01, usual_tolerance = 1e-9;
+  static constexpr double default_step = 0.01, default_tolerance = 1e-9;
 
   /// The integrator with a step size or a tolerance. Gaussians get a fixed shape parameter: with the default,
   /// which follows the step size, they do not converge.
@@ -125,12 +125,12 @@ class EveryIntegrator : public ::testing::TestWithParam<std::string> {
   static Solution run(const System& system, const State& x0, double t0, double t1,
                       const Observer& observer = {},
                       const Limits& limits = {.steps = 1'000'000, .seconds = 20}) {
-    return with(by_steps() ? usual_step : usual_tolerance)(system, x0, t0, t1, observer, limits);
+    return with(by_steps() ? default_step : default_tolerance)(system, x0, t0, t1, observer, limits);
   }
   /// Largest error of such an integration where nothing grows: that of forward Euler on a cosine is 0.005 a
   /// unit of time.
   [[nodiscard]] static double most_off() {
-    return by_steps() ? 0.03 : multiple_of_tolerance(row().name) * usual_tolerance;
+    return by_steps() ? 0.03 : multiple_of_tolerance(row().name) * default_tolerance;
   }
 
   /// Expects that a failure names the method and the time, and returns the last finite state.

@@ -26,7 +26,7 @@ using namespace oracle;
 constexpr InstructionSet all_sets[] = {InstructionSet::baseline, InstructionSet::avx2,
                                        InstructionSet::avx512};
 
-double error_of(const Solution& c, const Flight& f) {
+double error_of(const Solution& c, const PropagationRequest& f) {
   return relative_distance(c.x.position, kepler(f.start, f.until, f.gravity.mu).position);
 }
 
@@ -42,8 +42,9 @@ std::vector<std::uint64_t> bits_of(const Solution& c) {
 }
 
 /// Ellipses, hyperbolas, falls into the centre, both directions of time, zonal fields, and invalid data.
-Flight random_flight() {
-  Flight f{random_state(*between(0.5, 2), 1, *between(0, 1.8), *between(0, pi)), *between(-20, 20), {}};
+PropagationRequest random_flight() {
+  PropagationRequest f{
+      random_state(*between(0.5, 2), 1, *between(0, 1.8), *between(0, pi)), *between(-20, 20), {}};
   f.gravity.mu = *rc::gen::element(0.5, 1.0, 1.7);
   switch (*rc::gen::inRange(0, 12)) {
     case 0: f.until = 0; break;
@@ -61,7 +62,7 @@ Flight random_flight() {
 // The error bound of AnalyticContinuation; derivation: continuation_test.cpp.
 RC_GTEST_PROP(Ensemble, ErrorFollowsTheTolerance, ()) {
   const double tolerance = std::pow(10, *between(-15, -4));
-  std::vector<Flight> flights;
+  std::vector<PropagationRequest> flights;
   for (int i = 0; i < 5; ++i)
     flights.push_back({random_state(1, 1, *between(0.3, 1.8), *between(0.3, 2.8)), *between(-10, 10), {}});
   for (const InstructionSet set : all_sets) {
@@ -80,7 +81,7 @@ RC_GTEST_PROP(Ensemble, ErrorFollowsTheTolerance, ()) {
 // Every order, and orbits up to e = 0.99: as for a single orbit, the default tolerance leaves rounding errors
 // only.
 TEST(Ensemble, DefaultIsAtTheLevelOfRounding) {
-  std::vector<Flight> flights;
+  std::vector<PropagationRequest> flights;
   for (const double e : {0., 0.1, 0.3, 0.5, 0.7, 0.9, 0.99})
     flights.push_back({at_periapsis(e), 2 * pi * 20.25, {}});
   for (int order = 8; order <= 32; order += 2) {
@@ -97,7 +98,7 @@ TEST(Ensemble, DefaultIsAtTheLevelOfRounding) {
 // Bitwise equal results for a single orbit, other neighbours in the lanes, another order of the catalogue,
 // and any number of threads; equal for AVX2 and AVX-512.
 RC_GTEST_PROP(Ensemble, SameBitsWhateverFliesBeside, ()) {
-  std::vector<Flight> flights;
+  std::vector<PropagationRequest> flights;
   const int count = *rc::gen::inRange(1, 70);
   for (int i = 0; i < count; ++i) flights.push_back(random_flight());
   const TaylorEnsemble method{
@@ -109,7 +110,7 @@ RC_GTEST_PROP(Ensemble, SameBitsWhateverFliesBeside, ()) {
   std::iota(order.begin(), order.end(), 0);
   std::shuffle(order.begin(), order.end(), std::mt19937(*rc::gen::arbitrary<unsigned>()));
   order.resize(static_cast<std::size_t>(*rc::gen::inRange(1, count + 1)));
-  std::vector<Flight> others;
+  std::vector<PropagationRequest> others;
   for (const std::size_t i : order) others.push_back(flights[i]);
   for (const InstructionSet set : all_sets) {
     const bool rounds_alike =
@@ -128,11 +129,13 @@ RC_GTEST_PROP(Ensemble, SameBitsWhateverFliesBeside, ()) {
 
 // The error in any units equals that in units with mu = 1 and r = 1.
 RC_GTEST_PROP(Ensemble, UnitsDoNotMatter, ()) {
-  const Flight f{random_state(1, 1, *between(0.3, 1.8), *between(0.3, 2.8)), *between(-10, 10), {}};
+  const PropagationRequest f{
+      random_state(1, 1, *between(0.3, 1.8), *between(0.3, 2.8)), *between(-10, 10), {}};
   const int length = *rc::gen::inRange(-300, 300), time = *rc::gen::inRange(-300, 300);
-  Flight g{{f.start.position * std::ldexp(1, length), f.start.velocity * std::ldexp(1, length - time)},
-           std::ldexp(f.until, time),
-           {}};
+  PropagationRequest g{
+      {f.start.position * std::ldexp(1, length), f.start.velocity * std::ldexp(1, length - time)},
+      std::ldexp(f.until, time),
+      {}};
   RC_PRE(std::abs(3 * length - 2 * time) < 1000);
   g.gravity.mu = std::ldexp(1, 3 * length - 2 * time);
   const Solution end = propagate_all(std::span(&g, 1))[0];
@@ -151,7 +154,7 @@ struct InnerRow {
 
 // Rows in between are at the requested multiples and use the same series; they do not change the end state.
 RC_GTEST_PROP(Ensemble, RowsBetween, ()) {
-  std::vector<Flight> flights;
+  std::vector<PropagationRequest> flights;
   for (int i = 0; i < 3; ++i)
     flights.push_back({random_state(1, 1, *between(0.3, 1.8), *between(0.3, 2.8)), *between(-10, 10), {}});
   flights[2].gravity.zonal[0] = 1e-300;  // practically a point mass, but in the lanes of zonal fields
@@ -178,7 +181,7 @@ RC_GTEST_PROP(Ensemble, RowsBetween, ()) {
 
 TEST(Ensemble, FailuresAreTheirOwn) {
   const double inf = std::numeric_limits<double>::infinity();
-  std::vector<Flight> flights(7, Flight{at_periapsis(0.5), 40, {}});
+  std::vector<PropagationRequest> flights(7, PropagationRequest{at_periapsis(0.5), 40, {}});
   flights[0].start.position.setZero();
   flights[1].start.velocity[2] = inf;
   flights[2].gravity.mu = 0;
@@ -203,9 +206,9 @@ TEST(Ensemble, FailuresAreTheirOwn) {
 // In its own units the end time exceeds the range of double.
 TEST(Ensemble, AFlightThatCannotGoOnKnowsItsTime) {
   const Gravity zonal{.radius = 1e-300, .zonal = {1e-3}};
-  const std::vector<Flight> flights = {{{{1e-300, 0, 0}, {0, 1, 0}}, 86400, {}},
-                                       {{{1e-300, 0, 0}, {0, 1, 0}}, 86400, zonal},
-                                       {{{1, 0, 0}, {1e200, 0, 0}}, 1e300, {}}};
+  const std::vector<PropagationRequest> flights = {{{{1e-300, 0, 0}, {0, 1, 0}}, 86400, {}},
+                                                   {{{1e-300, 0, 0}, {0, 1, 0}}, 86400, zonal},
+                                                   {{{1, 0, 0}, {1e200, 0, 0}}, 1e300, {}}};
   for (const Solution& end : propagate_all(flights)) {
     EXPECT_FALSE(end.status.ok());
     EXPECT_EQ(end.t, 0) << end.status.text();
@@ -215,7 +218,7 @@ TEST(Ensemble, AFlightThatCannotGoOnKnowsItsTime) {
 // A day in the Earth's field with several tolerances: a step has an error of one tolerance, amplified as in
 // Kepler's motion, to the per mille of J_2. The rounding error of a day is added.
 TEST(Ensemble, ZonalFlightsFollowTheTolerance) {
-  const Flight f{low_orbit, 86400, earth(6)};
+  const PropagationRequest f{low_orbit, 86400, earth(6)};
   const Solution exact = propagate(f.start, 0, f.until, f.gravity);
   const double kappa = kepler_condition(f.start, f.until, f.gravity.mu).position;
   for (const InstructionSet set : all_sets) {
@@ -234,7 +237,7 @@ TEST(Ensemble, ZonalFlightsFollowTheTolerance) {
 // Fall into the centre of an oblate body: fails as AnalyticContinuation does, at a time in the user's units,
 // with each row once.
 TEST(Ensemble, AZonalFlightThatFails) {
-  Flight f{{{7e6, 0, 0}, {0, 0, 0}}, 86400, earth(2)};
+  PropagationRequest f{{{7e6, 0, 0}, {0, 0, 0}}, 86400, earth(2)};
   std::vector<double> times;
   const InnerRows rows{50, [&](std::size_t, double t, const State&) { times.push_back(t); }};
   const Solution end = propagate_all(std::span(&f, 1), {}, rows)[0];
@@ -251,7 +254,7 @@ TEST(Ensemble, AZonalFlightThatFails) {
 // for a point mass.
 TEST(Ensemble, ZonalStepsMoveTheTime) {
   for (const double until : {1e40, -1e40}) {
-    std::vector<Flight> flights(2, Flight{low_orbit, until, earth(2)});
+    std::vector<PropagationRequest> flights(2, PropagationRequest{low_orbit, until, earth(2)});
     flights[1].gravity = earth();
     for (const Solution& end : propagate_all(flights)) {
       EXPECT_EQ(end.status.outcome(), Outcome::step_underflow) << end.status.text();
@@ -265,7 +268,7 @@ TEST(Ensemble, ZonalStepsMoveTheTime) {
 // start.
 TEST(Ensemble, SecondsAreOfTheWhole) {
   for (const int degree : {0, 2}) {
-    const std::vector<Flight> flights(200, Flight{low_orbit, 1e10, earth(degree)});
+    const std::vector<PropagationRequest> flights(200, PropagationRequest{low_orbit, 1e10, earth(degree)});
     std::vector<double> shown(flights.size());
     const InnerRows rows{3600, [&](std::size_t i, double t, const State&) { shown[i] = t; }};
     const auto ends = propagate_all(flights, {.threads = 1}, rows, {.seconds = 0.2});
@@ -280,7 +283,7 @@ TEST(Ensemble, SecondsAreOfTheWhole) {
 }
 
 TEST(Ensemble, RefusesOptions) {
-  const std::vector<Flight> none;
+  const std::vector<PropagationRequest> none;
   EXPECT_THROW((void)propagate_all(none, {.tolerance = 0}), std::invalid_argument);
   EXPECT_THROW((void)propagate_all(none, {.order = 7}), std::invalid_argument);
   EXPECT_THROW((void)propagate_all(none, {.order = 9}), std::invalid_argument);

@@ -80,10 +80,10 @@ TEST(Zonal, DayInExtendedPrecision) {
 
 // Single orbits and several in SIMD lanes.
 TEST(Zonal, DayInDoublePrecision) {
-  std::vector<Flight> flights;
+  std::vector<PropagationRequest> flights;
   for (const Day& d : days) flights.push_back({state_from<double>(d.start), day, earth(2)});
   std::vector<Solution> ends = propagate_all(flights);
-  for (const Flight& flight : flights)
+  for (const PropagationRequest& flight : flights)
     ends.push_back(propagate(flight.start, 0, day, flight.gravity, AnalyticContinuation{}));
   for (std::size_t k = 0; k < ends.size(); ++k) {
     ASSERT_TRUE(ends[k].status.ok()) << ends[k].status.text();
@@ -105,7 +105,7 @@ TEST(Zonal, AllHarmonics) {
   ASSERT_TRUE(c.status.ok());
   const Vector3<Quad> d = c.x.position.cast<Quad>() - exact.position;
   EXPECT_LT(length(d), Quad(1e-5));
-  const Flight flight{start, day / 4, g};
+  const PropagationRequest flight{start, day / 4, g};
   const Vector3<Quad> in_lanes =
       propagate_all(std::span(&flight, 1))[0].x.position.cast<Quad>() - exact.position;
   EXPECT_LT(length(in_lanes), Quad(1e-5));

@@ -29,78 +29,78 @@ TEST(Mistake, IsPointedAt) {
       {"x'' + ab = 0; a = 1; b = 2", "E:1:7: ab is not defined; a product is written a b\n"},
       {"x'' + = 0", "E:1:7: expected a number, a name or (\n  x'' + = 0\n        ^"},
       {"x'' + (x = 0", "E:1:10: expected an operator or )\n"},
-      {"x'' + x", "E:1:8: expected an operator or =, and here the text ends\n"},
-      {"x'' = x = 0", "E:1:9: an equation has one sign =\n"},
-      {"x''^2 = x",
-       "E:1:1: x'' stands in a power; a highest derivative has to stand linearly\n  x''^2 = x\n  ^^^"},
-      {"sin(x') = x", "E:1:5: x' stands in a function; a highest derivative has to stand linearly\n"},
+      {"x'' + x", "E:1:8: expected an operator or =, but the text ends here\n"},
+      {"x'' = x = 0", "E:1:9: an equation must have exactly one sign =\n"},
+      {"x''^2 = x", "E:1:1: x'' is in a power; a highest derivative must occur linearly\n  x''^2 = x\n  ^^^"},
+      {"sin(x') = x", "E:1:5: x' is in a function; a highest derivative must occur linearly\n"},
       {"x' y' = x; y' = 1",
-       "E:1:4: y' stands in a product with another one; a highest derivative has to stand linearly\n"},
-      {"1/x' = x", "E:1:3: x' stands in a divisor; a highest derivative has to stand linearly\n"},
+       "E:1:4: y' is in a product with another one; a highest derivative must occur linearly\n"},
+      {"1/x' = x", "E:1:3: x' is in a divisor; a highest derivative must occur linearly\n"},
       {"x + 1 = 0", "E:1:1: there is no unknown: a derivative is written x' or x''\n"},
-      {"x'' = 1; x + x' = 0", "E:1:10: no highest derivative of an unknown stands here; there are x''\n"},
-      {"x'' = y'", "E:1:7: y': there is no equation left for it\n"},
+      {"x'' = 1; x + x' = 0",
+       "E:1:10: this equation has no highest derivative of an unknown; it needs one of x''\n"},
+      {"x'' = y'", "E:1:7: y': no equation determines it\n"},
       {"x' = 1; x' = 2", "E:1:9: there are more equations than unknowns (x')\n"},
       {"x' + y' = 1; 2 x' + 2 y' = 3", "E:1:1: x': the equations do not determine it\n"},
-      {"x'' - x'' = 3", "E:1:1: no highest derivative of an unknown stands here; there are x''\n"},
+      {"x'' - x'' = 3",
+       "E:1:1: this equation has no highest derivative of an unknown; it needs one of x''\n"},
       {"x' = a(1 + x); a = 2",
        "E:1:6: a is no function; for a product write a*(...), or a blank before the bracket\n"},
       {"x' = -arctan(x)", "E:1:7: arctan is not a function here; atan is\n  x' = -arctan(x)\n        ^^^^^^"},
       {"x' = Sin(x)", "E:1:6: Sin is not a function here; sin is\n"},
       {"x' = sine(x)", "E:1:6: sine is not a function here; sin is\n"},
       {"x' = pow(x, 2)", "E:1:6: pow is not a function here; ^ is\n"},
-      {"x' = gamma(x)", "E:1:6: gamma is not a function here; there are sqrt exp log ln "},
-      {"x' = besselj(0, x)", "E:1:6: besselj is not a function here; there are sqrt exp log ln "},
+      {"x' = gamma(x)", "E:1:6: gamma is not a function here; functions are sqrt exp log ln "},
+      {"x' = besselj(0, x)", "E:1:6: besselj is not a function here; functions are sqrt exp log ln "},
       {"x' = gamma(1 + x); gamma = 2",
        "E:1:6: gamma is no function; for a product write gamma*(...), or a blank before the bracket\n"},
       {"x' = k(1 + x)",
        "E:1:6: k is no function; for a product write k*(...), or a blank before the bracket\n"},
       {"x' = -x(t - 1)",
        "E:1:7: x at another time: delays are not supported; for a product write x*(...), or a blank before"},
-      {"x' = -x(t)", "E:1:7: an unknown is written x, without the time\n"},
+      {"x' = -x(t)", "E:1:7: write an unknown as x, without the time\n"},
       {"x' = if(x, 1, 2)", "E:1:10: expected an operator or one of < <= > >=\n"},
       {"x' = if(x = 1, 1, 2)", "E:1:11: expected an operator or one of < <= > >=\n"},
-      {"x' = if(0 < x < 1, 1, 2)", "E:1:15: two comparisons are joined by and\n"},
-      {"x' = if(x < 1, 2)", "E:1:6: if has 3 arguments, and here 2\n"},
+      {"x' = if(0 < x < 1, 1, 2)", "E:1:15: join two comparisons by and\n"},
+      {"x' = if(x < 1, 2)", "E:1:6: if takes 3 arguments, not 2\n"},
       {"x' = if((x < 1 and t < 1, 2, 3)", "E:1:12: expected an operator or )\n"},
-      {"x' = if(x < 1, x', 3)",
-       "E:1:16: x' stands in a function; a highest derivative has to stand linearly\n"},
+      {"x' = if(x < 1, x', 3)", "E:1:16: x' is in a function; a highest derivative must occur linearly\n"},
       {"x' = floor(x)", "E:1:12: floor is known of numbers and of a t + b with numbers a and b alone; "},
       {"x' = frac(sin(t))", "E:1:11: frac is known of numbers and of a t + b with numbers a and b alone; "},
-      {"x' = mod(t, x)", "E:1:13: the second argument of mod is a number other than 0\n"},
-      {"x' = mod(t, 1 - 1)", "E:1:13: the second argument of mod is a number other than 0\n"},
-      {"x' = table(\"a.csv\")", "E:1:6: there are no tables here\n"},
-      {"x' = table(a)", "E:1:12: the name of a file stands in quotation marks: table(\"load.csv\")\n"},
+      {"x' = mod(t, x)", "E:1:13: the second argument of mod must be a number other than 0\n"},
+      {"x' = mod(t, 1 - 1)", "E:1:13: the second argument of mod must be a number other than 0\n"},
+      {"x' = table(\"a.csv\")", "E:1:6: tables are not supported here\n"},
+      {"x' = table(a)", "E:1:12: the name of a file must be in quotation marks: table(\"load.csv\")\n"},
       {"x' = table(\"a\", 2)", "E:1:17: expected the word steps\n"},
-      {"x' = table(\"a", "E:1:12: the name of a file ends with a quotation mark\n"},
+      {"x' = table(\"a", "E:1:12: the name of a file must end with a quotation mark\n"},
       {"x' = sin(\"a\")", "E:1:10: a second derivative is written with two primes, x''\n"},
-      {"x' = acosh(0.5) x", "E:1:6: this is no real number\n"},
+      {"x' = acosh(0.5) x", "E:1:6: the result is not a real number\n"},
       {"x' = sin x", "E:1:6: sin is a function, and needs its argument in brackets: sin(...)\n"},
-      {"x' = sin^2(x)", "E:1:9: a power of a function is written sin(...)^2\n"},
-      {"x' = atan2(x)", "E:1:6: atan2 has 2 arguments, and here 1\n"},
-      {"x' = x ** 2", "E:1:8: a power is written with ^\n"},
-      {"x' = x 2", "E:1:8: a number stands before what it multiplies; else write * or ^\n"},
+      {"x' = sin^2(x)", "E:1:9: write a power of a function as sin(...)^2\n"},
+      {"x' = atan2(x)", "E:1:6: atan2 takes 2 arguments, not 1\n"},
+      {"x' = x ** 2", "E:1:8: write a power with ^\n"},
+      {"x' = x 2", "E:1:8: a number must precede what it multiplies; else write * or ^\n"},
       {"x' = a/b x; a = 1; b = 2", "E:1:10: is this (a/b) x or a/(b x)? Set brackets, or write *\n"},
-      {"x' = 1.2.3", "E:1:6: a number has one decimal point\n"},
+      {"x' = 1.2.3", "E:1:6: a number must have at most one decimal point\n"},
       {"x' = 1e999", "E:1:6: this number is beyond the range of double precision\n"},
       {"x' = x $ 2", "E:1:8: $ has no meaning here\n"},
       {"x\" = 2", "E:1:2: a second derivative is written with two primes, x''\n"},
-      {"x' = (a)'", "E:1:9: a prime stands directly behind the name of an unknown\n"},
+      {"x' = (a)'", "E:1:9: a prime must directly follow the name of an unknown\n"},
       {"x''''' = 1", "E:1:1: derivatives go up to order 4\n"},
-      {"t' = 1", "E:1:1: t is the time\n"},
+      {"t' = 1", "E:1:1: t is reserved for the time\n"},
       {"x' = x; sin = 2", "E:1:9: sin is a function, and needs its argument in brackets: sin(...)\n"},
-      {"x' = a; a = b; b = a", "E:1:20: the definition of a leads back to itself\n"},
-      {"x' = a; a = 1; a = 2", "E:1:16: a is defined a second time\n"},
+      {"x' = a; a = b; b = a", "E:1:20: the definition of a depends on itself\n"},
+      {"x' = a; a = 1; a = 2", "E:1:16: a is defined twice\n"},
       {"x' = e^x", "E:1:6: e is not defined; write exp(1), or exp(x) for e^x\n"},
-      {"x' = 1; x(0) = 1; x(0) = 2", "E:1:19: given a second time\n"},
-      {"x'' = 1; x(0) = 1; x'(1) = 2", "E:1:20: another initial value is at the time 0\n"},
+      {"x' = 1; x(0) = 1; x(0) = 2", "E:1:19: given twice\n"},
+      {"x'' = 1; x(0) = 1; x'(1) = 2", "E:1:20: another initial value is given at time 0\n"},
       {"x' = 1; x(0) = x",
-       "E:1:16: an initial value is a number, or an expression of definitions that are\n"},
+       "E:1:16: an initial value must be a number, or an expression of constants\n"},
       {"x' = 1; x''(0) = 1", "E:1:9: no component of the state; these are x\n"},
-      {"x' = y\ny' = 2 x +\nz' = 1", "E:3:4: an equation has one sign =\n"},
+      {"x' = y\ny' = 2 x +\nz' = 1", "E:3:4: an equation must have exactly one sign =\n"},
       {"x'' = \u2212x", "E:1:7: a minus sign is typed -\n  x'' = \u2212x\n        ^"},
       {"x'' = x\u00b2", "E:1:8: a square is typed ^2\n  x'' = x\u00b2\n         ^"},
-      {"x'' = 30\u00b0", "E:1:9: angles are in radians: a degree is pi/180\n"},
+      {"x'' = 30\u00b0", "E:1:9: angles are in radians: write a degree as pi/180\n"},
       {"x\u2032 = 1", "E:1:2: a derivative is typed with a straight prime, x'\n"},
       {"x' = x \xff", "E:1:8: \\xff has no meaning here\n  x' = x \\xff\n         ^^^^"},
       {"x' =\t\t$", "E:1:7: $ has no meaning here\n  x' =\\t\\t$\n          ^"},
@@ -109,36 +109,37 @@ TEST(Mistake, IsPointedAt) {
       {"\xEF\xBB\xBFx' = y",
        "E:1:6: y is not defined: it has neither a derivative (y') nor a definition (y = ...)\n  x' = y\n     "
        "  ^"},
-      {"x' = 1..2", "E:1:6: a number has one decimal point\n"},
+      {"x' = 1..2", "E:1:6: a number must have at most one decimal point\n"},
       {"x' = 1e400", "E:1:6: this number is beyond the range of double precision\n"},
-      {"x' = 1e200^2", "E:1:6: this is infinite, or beyond the range of double precision\n"},
+      {"x' = 1e200^2", "E:1:6: the result is infinite, or beyond the range of double precision\n"},
       {"x' = 1 + x/(2 - 2)", "E:1:12: a division by zero\n"},
-      {"x' = log(a) x; a = -1", "E:1:6: this is no real number\n  x' = log(a) x; a = -1\n       ^^^^^^"},
+      {"x' = log(a) x; a = -1",
+       "E:1:6: the result is not a real number\n  x' = log(a) x; a = -1\n       ^^^^^^"},
       {"x'/0 = 1", "E:1:4: a division by zero\n"},
-      {"x' = x - 1 = 2", "E:1:12: an equation has one sign =\n"},
+      {"x' = x - 1 = 2", "E:1:12: an equation must have exactly one sign =\n"},
       {"x' = 2 x)", "E:1:9: expected an operator or the end of the equation\n"},
-      {"x' = (x; y' = 1", "E:1:8: expected an operator or ), and here the equation ends\n"},
-      {"x' = [x]", "E:1:6: brackets are round\n"},
+      {"x' = (x; y' = 1", "E:1:8: expected an operator or ), but the equation ends here\n"},
+      {"x' = [x]", "E:1:6: only round brackets are allowed\n"},
       {"x' = x, y' = 1", "E:1:7: expected an operator or the end of the equation\n"},
-      {"x'(1 + x') = 1", "E:1:4: the time of an initial value is a number"},
+      {"x'(1 + x') = 1", "E:1:4: the time of an initial value must be a number"},
       {"x' x' = 1", "E:1:4: x' stands in a product with another one"},
-      {"x'' + 2^x'' = 0", "E:1:9: x'' stands in an exponent; a highest derivative has to stand linearly\n"},
-      {"x'' = abs(x'')", "E:1:11: x'' stands in a function; a highest derivative has to stand linearly\n"},
-      {"x(t) = 1; x' = 1", "E:1:3: the time of an initial value is a number"},
+      {"x'' + 2^x'' = 0", "E:1:9: x'' is in an exponent; a highest derivative must occur linearly\n"},
+      {"x'' = abs(x'')", "E:1:11: x'' is in a function; a highest derivative must occur linearly\n"},
+      {"x(t) = 1; x' = 1", "E:1:3: the time of an initial value must be a number"},
       {"x' = 1; x(0) 1 = 2", "E:1:9: x is no function; for a product write x*(...)"},
-      {"x' = 1; t >= 2", "E:1:9: of the time the end is given alone: t <= 10\n"},
-      {"x' = 1; t <= 2; t < 3", "E:1:17: given a second time\n"},
-      {"x' = 1; x >= 0; x >= 1", "E:1:17: given a second time\n"},
-      {"x' = 1; x >= 1; x <= 0", "E:1:17: no value is within both bounds\n"},
+      {"x' = 1; t >= 2", "E:1:9: a condition on t must be an upper bound, the end: t <= 10\n"},
+      {"x' = 1; t <= 2; t < 3", "E:1:17: given twice\n"},
+      {"x' = 1; x >= 0; x >= 1", "E:1:17: given twice\n"},
+      {"x' = 1; x >= 1; x <= 0", "E:1:17: the lower bound is above the upper bound\n"},
       {"x' = a; a = 1; a > 1", "E:1:16: this does not hold: a is 1\n"},
-      {"x' = a; a = x; a > 1", "E:1:16: what a condition is about is a number"},
-      {"x' = 1; x <= x", "E:1:14: a bound is a number"},
-      {"x' = 1; 2 x <= 1", "E:1:9: a condition begins with the time, a component or a definition\n"},
-      {"x' = 1; x' <= 1", "E:1:9: what a condition is about is a number"},
+      {"x' = a; a = x; a > 1", "E:1:16: the left side of a condition must be a number"},
+      {"x' = 1; x <= x", "E:1:14: a bound must be a number"},
+      {"x' = 1; 2 x <= 1", "E:1:9: a condition must start with t, a component or a definition\n"},
+      {"x' = 1; x' <= 1", "E:1:9: the left side of a condition must be a number"},
       {"x' = 1; x < 1 = 2", "E:1:15: expected an operator or the end of the condition\n"},
-      {"x' = 1; conserved x'", "E:1:19: x' may not stand here: it is no component of the state\n"},
+      {"x' = 1; conserved x'", "E:1:19: x' is not allowed here: it is not a component of the state\n"},
       {"x' = 1; conserved x = 2", "E:1:9: conserved is not defined"},
-      {"x' = 1; conserved (x", "E:1:21: expected an operator or ), and here the text ends\n"},
+      {"x' = 1; conserved (x", "E:1:21: expected an operator or ), but the text ends here\n"},
       {"x' = 1; t \u2264 1", "E:1:11: this is typed <=\n"},
       {"", "E:1:1: there is no unknown: a derivative is written x' or x''\n"},
   };
@@ -152,15 +153,15 @@ TEST(Mistake, InColumns) {
     std::vector<Equations::Column> columns;
     return tests::thrown<InputError>([&] { equations.read_columns("C", text, columns); });
   };
-  const Case cases[] = {{"E = x^2 +", "C:1:10: expected a number, a name or (, and here the text ends\n"},
+  const Case cases[] = {{"E = x^2 +", "C:1:10: expected a number, a name or (, but the text ends here\n"},
                         {"E = y", "C:1:5: y is not defined"},
                         {"E", "C:1:1: E is not defined"},
                         {"x", "C:1:1: x is a column already\n"},
-                        {"E = x; E = 2 x", "C:1:8: E has a meaning already; take another name\n"},
+                        {"E = x; E = 2 x", "C:1:8: E is already defined; take another name\n"},
                         {"r; r", "C:1:4: r is a column already\n"},
-                        {"r = 3", "C:1:1: r has a meaning already; take another name\n"},
-                        {"x'' = 3", "C:1:1: x'' has a meaning already; take another name\n"},
-                        {"2 x", "C:1:1: a column is name = expression, or the name of a definition\n"},
+                        {"r = 3", "C:1:1: r is already defined; take another name\n"},
+                        {"x'' = 3", "C:1:1: x'' is already defined; take another name\n"},
+                        {"2 x", "C:1:1: a column must be name = expression, or the name of a definition\n"},
                         {"E = x = 2", "C:1:7: expected an operator, = or the end of the column\n"},
                         {";", "C:1:1: there is no column\n"}};
   for (const Case& c : cases)
@@ -168,18 +169,20 @@ TEST(Mistake, InColumns) {
 }
 
 TEST(Mistake, OfASetting) {
-  EXPECT_EQ(refusal("x' = a; a = 1", {{"b", 2}}), "--set b: the equation has no such definition; there is a");
-  EXPECT_EQ(refusal("x' = a; a = 1", {{"x", 2}}), "--set x: the equation has no such definition; there is a");
+  EXPECT_EQ(refusal("x' = a; a = 1", {{"b", 2}}),
+            "--set b: the equation has no such definition; choose one of a");
+  EXPECT_EQ(refusal("x' = a; a = 1", {{"x", 2}}),
+            "--set x: the equation has no such definition; choose one of a");
   EXPECT_EQ(refusal("x' = 1", {{"t", 2}}), "--set t: the equation has no such definition");
-  EXPECT_EQ(refusal("x' = a; a = 1", {{"a", std::nan("")}}), "--set a: a finite number, and this is nan");
-  EXPECT_EQ(refusal("x' = a; a = 1; a > 0", {{"a", -2}}),
-            "--set a=-2: the equations have a meaning for a > 0 alone");
+  EXPECT_EQ(refusal("x' = a; a = 1", {{"a", std::nan("")}}), "--set a: must be a finite number, not nan");
+  EXPECT_EQ(refusal("x' = a; a = 1; a > 0", {{"a", -2}}), "--set a=-2: the equations require a > 0");
   EXPECT_EQ(refusal("x' = a; a = 1; a > 0", {{"a", 2}}), "");
   // Conditions are checked before the expressions that they protect.
   EXPECT_EQ(refusal("x' = 1/a; b = 1/a; a = 1; a > 0; x(0) = 1/a", {{"a", 0}}),
-            "--set a=0: the equations have a meaning for a > 0 alone");
+            "--set a=0: the equations require a > 0");
   const std::string derived = refusal("x' = b; b = 2 a; a = 1; b > 0", {{"a", -1}});
-  EXPECT_TRUE(derived.starts_with("E:1:25: this does not hold: b is -2 with what --set gives\n")) << derived;
+  EXPECT_TRUE(derived.starts_with("E:1:25: this does not hold: b is -2 with the values of --set\n"))
+      << derived;
   EXPECT_EQ(refusal("x' = 1/a; a = 1", {{"a", 0}}).substr(0, 26), "E:1:8: a division by zero\n");
 }
 
@@ -190,11 +193,11 @@ TEST(Mistake, OfAnInitialState) {
   };
   EXPECT_EQ(refused("x=1, x'=2"),
             "E:1:14: an initial value is missing: --initial y=...\n  x'' + y = 0; y' = x\n               ^^");
-  EXPECT_EQ(refused("x=1, x=2"), "--initial:1:6: given a second time\n  x=1, x=2\n       ^");
+  EXPECT_EQ(refused("x=1, x=2"), "--initial:1:6: given twice\n  x=1, x=2\n       ^");
   EXPECT_EQ(refused("x=1, z=2"),
             "--initial:1:6: no component of the state; these are x, y, x'\n  x=1, z=2\n       ^");
   EXPECT_EQ(refused("x=1, y"),
-            "--initial:1:7: expected an operator or =, and here the text ends\n  x=1, y\n        ^");
+            "--initial:1:7: expected an operator or =, but the text ends here\n  x=1, y\n        ^");
   EXPECT_EQ(refused("x=1/0, y=1, x'=1"), "--initial:1:5: a division by zero\n  x=1/0, y=1, x'=1\n      ^");
 }
 
@@ -208,7 +211,8 @@ TEST(Mistake, DepthIsBounded) {
   std::string chain = "x' = a0; a5000 = 1";
   for (int i = 0; i < 5000; ++i) chain += ";a" + std::to_string(i) + "=a" + std::to_string(i + 1);
   EXPECT_TRUE(tests::holds(refusal(chain), "definitions are nested too deeply here"));
-  EXPECT_TRUE(tests::holds(refusal(std::string(61, 'x') + "' = 1"), "a name has at most 60 characters"));
+  EXPECT_TRUE(
+      tests::holds(refusal(std::string(61, 'x') + "' = 1"), "a name must have at most 60 characters"));
   EXPECT_TRUE(tests::holds(refusal(std::string(1'000'001, ' ')), "longer than 1000000 bytes"));
 }
 
@@ -230,7 +234,7 @@ TEST(Mistake, GrowthIsBounded) {
     sum += fmt::format(" + x{}'", i);
     product += fmt::format(" (1 + t/{})", i);
   }
-  const char* const too_many = "the equations come to more than 1000000 operations here";
+  const char* const too_many = "the equations have more than 1000000 operations";
   EXPECT_TRUE(tests::holds(refusal(product + "; " + sum), too_many));
   std::string copies = "0 = F";
   for (int i = 0; i < 100'000; ++i) copies += "+F";

@@ -194,7 +194,7 @@ int program(const std::vector<std::string>& words) {
   scene::Commands commands("program");
   commands.add("work", "all kinds of options", declare, [](const Typed& t) {
     for (const std::string& s : t.set) {
-      if (s.find('=') == std::string::npos) throw InputError(fmt::format("--set {}: say name=value", s));
+      if (s.find('=') == std::string::npos) throw InputError(fmt::format("--set {}: must be name=value", s));
     }
     return fmt::format("{},{},{},{},{}\n", t.positive, t.number, t.whole, t.list.size(), t.flag);
   });

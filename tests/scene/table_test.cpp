@@ -257,7 +257,7 @@ TEST(ParseNumbers, SaysWhatTheHeaderMustBe) {
   EXPECT_EQ(complaint("a,b,c\n1,2,3\n"), "points.csv: line 1: there is no column x" + must + "a,b,c'");
   EXPECT_EQ(complaint("x;y;z\n"),
             "points.csv: line 1: there is no column x" + must +
-                "x;y;z'; cells are separated by commas alone, and numbers have a decimal point");
+                "x;y;z'; separate cells by commas and write numbers with a decimal point");
   EXPECT_EQ(complaint("x,y,z,X,x\n"), "points.csv: line 1: two columns are called x: 'x,y,z,X,x'");
   EXPECT_EQ(complaint("1,2,3\nx,y,z\n"), "points.csv: line 2, column 1 (x): 'x' is not a finite number");
   EXPECT_EQ(complaint("0,1,2,3\n"),
@@ -278,7 +278,7 @@ TEST(ParseNumbers, ReportsTheFirstFaultOfTheFileAndItsPlace) {
   EXPECT_EQ(complaint("z,y,X\n4,5,6, 7 ,8\n"),
             "points.csv: line 2, column 4: '7 ,8' is beyond the 3 columns z,y,X");
   EXPECT_EQ(complaint("1,2,3\n4,1e-400,6\n"),
-            "points.csv: line 2, column 2 (y): '1e-400' is nearer to 0 than any double but 0, which is above "
+            "points.csv: line 2, column 2 (y): '1e-400' is smaller in magnitude than the smallest double, "
             "4.9e-324; write 0");
 }
 
@@ -438,11 +438,11 @@ TEST(Catalogue, PortionsAreWeighed) {
   const tests::TemporaryFolder folder;
   write_whole(folder.path() / "a.csv", "a\n3\n4\n9\n1\n1\n");
   Catalogue catalogue((folder.path() / "a.csv").string(), {"a"}, {}, {});
-  catalogue.weigh_by([](const std::vector<double>& row) { return row[0]; });
+  catalogue.set_row_weight([](const std::vector<double>& row) { return row[0]; });
   for (const std::size_t rows : {2U, 1U, 2U, 0U}) EXPECT_EQ(catalogue.next({5}).line.size(), rows);
   // Portions of heavy rows also contain several rows, up to a maximum weight.
   Catalogue heavy((folder.path() / "a.csv").string(), {"a"}, {}, {});
-  heavy.weigh_by([](const std::vector<double>& row) { return 10 * row[0]; });
+  heavy.set_row_weight([](const std::vector<double>& row) { return 10 * row[0]; });
   for (const std::size_t rows : {3U, 2U, 0U})
     EXPECT_EQ(heavy.next({.weight = 5, .rows = 4, .most = 150}).line.size(), rows);
   EXPECT_EQ(portion_for(100, 3).rows, 48U);

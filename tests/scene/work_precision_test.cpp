@@ -85,12 +85,12 @@ TEST(WorkPrecision, WhatIsNeitherFastNorOfInterestIsGreyAndUnnamed) {
 
 TEST(WorkPrecision, AStripSaysWhoIsFastest) {
   const std::string script = shown({}, one_problem()).figure->script;
-  EXPECT_TRUE(tests::holds(script, "set label '32 times before one'"));
-  EXPECT_TRUE(tests::holds(script, "set label 'level with two'"));
+  EXPECT_TRUE(tests::holds(script, "set label '32 times as fast as one'"));
+  EXPECT_TRUE(tests::holds(script, "set label 'as fast as two'"));
   EXPECT_TRUE(tests::holds(script, "set label 'alone'"));
   std::vector<ProblemLines> coarse = one_problem();
   coarse[0].lines.pop_back();
-  EXPECT_TRUE(tests::holds(shown({}, coarse).figure->script, "set label 'nobody'"));
+  EXPECT_TRUE(tests::holds(shown({}, coarse).figure->script, "set label 'no method'"));
 }
 
 TEST(WorkPrecision, OneProblemHasAPanelOfWork) {
@@ -115,7 +115,7 @@ TEST(WorkPrecision, SeveralProblemsHaveAPanelEach) {
 TEST(WorkPrecision, RoundingIsALevelThatSaysWhatItIs) {
   const std::string script = shown({.rounding = 1e-12}, one_problem()).figure->script;
   EXPECT_TRUE(tests::holds(script, "one rounding of the data"));
-  EXPECT_TRUE(tests::holds(script, "rounding was kinder than at its worst")) << "two has no error at all";
+  EXPECT_TRUE(tests::holds(script, "rounding errors below the worst case")) << "two has no error at all";
   EXPECT_TRUE(tests::holds(script, "first 12 to graph 1, first 12"));
   EXPECT_FALSE(tests::holds(shown({}, one_problem()).figure->script, "rounding"));
 }

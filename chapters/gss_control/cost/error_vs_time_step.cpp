@@ -34,7 +34,7 @@ struct History {
 using Compute = std::function<History()>;
 
 enum Group : std::size_t { residue_sums, inversion, truncation };
-constexpr std::array sides = {scene::Side::subject, scene::Side::ours, scene::Side::peer};
+constexpr std::array sides = {scene::Side::subject, scene::Side::library, scene::Side::peer};
 
 std::vector<double> end_times() { return equidistant(3, 6, 16); }
 

@@ -29,7 +29,7 @@ struct Words {
   std::optional<int> steps, branches;
   std::optional<double> until, turn;
   std::string load_case;
-  double limit = scene::Options::usual_limit;
+  double limit = scene::Options::default_limit;
   Stopwatch time = {};
   DynamicWords dynamic;
   /// Remaining wall time, s; at least 1e-3.

@@ -80,7 +80,7 @@ algebraic::Report run(const algebraic::NamedSolver& method, algebraic::Equations
     const double components = std::sqrt(static_cast<double>(equations.size()));
     const peers::Kinsol kinsol{.tolerance = method.tolerance * method.scale / components,
                                .iterations = method.iterations};
-    return held_to_tolerance(method, equations, x, peers::find_root(kinsol, equations, x));
+    return checked_against_tolerance(method, equations, x, peers::find_root(kinsol, equations, x));
   }
   const auto names = algebraic::solver_names();
   if (std::find(names.begin(), names.end(), method.name) == names.end())

@@ -59,8 +59,8 @@ Walked walk(const std::string& name, int elements, const frames::PathOptions& ho
   return {std::move(frame), std::move(paths)};
 }
 
-void put_shape(const Walked& w, const Eigen::VectorXd& x, const std::string& name, const scene::Look& look,
-               scene::Panel& panel) {
+void put_shape(const Walked& w, const Eigen::VectorXd& x, const std::string& name,
+               const scene::CurveStyle& look, scene::Panel& panel) {
   const Shape shape = shape_of(w.frame.frame, x);
   panel.curve(name, shape.x, shape.y, look);
 }

@@ -38,7 +38,7 @@ void check_least_slopes(const LoadCurve& williams, const LoadCurve& element, sce
 
 /// Draws the load-deflection curves of both models.
 void draw(scene::Panel& panel, const LoadCurve& williams, const LoadCurve& element, double end,
-          const std::function<scene::Look(int)>& look) {
+          const std::function<scene::CurveStyle(int)>& look) {
   const std::vector<double> at = deflections_to(end);
   panel.curve(
       "Williams' equation", at, std::identity(), [&](double d) { return williams.load(d); }, look(1));

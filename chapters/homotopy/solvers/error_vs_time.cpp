@@ -145,7 +145,7 @@ Toggle measure(const Setting& setting, bool quick) {
     line.method = solver;
     line.group = group_of(solver);
     const bool treated = solver == trust_region || line.group + 1 == groups.size();  // homotopies
-    line.side = solver == kinsol ? scene::Side::peer : treated ? scene::Side::subject : scene::Side::ours;
+    line.side = solver == kinsol ? scene::Side::peer : treated ? scene::Side::subject : scene::Side::library;
     if (solver == kinsol && !peers::kinsol_available()) continue;
     for (const double tolerance : {1e-2, 1e-4, 1e-6, 1e-8, 1e-10}) {
       if (quick && tolerance != 1e-4 && tolerance != 1e-8) continue;

@@ -67,7 +67,7 @@ std::vector<Jump> pairs(const Stepped& steps, bool up) {
 }
 
 /// Small triangles: up for loading, down for unloading.
-scene::Look triangles(bool up, int style) {
+scene::CurveStyle triangles(bool up, int style) {
   return {up ? "points pointtype 8 pointsize 0.7" : "points pointtype 10 pointsize 0.7", style};
 }
 

@@ -26,13 +26,13 @@ struct Component {
   double low = HUGE_VAL, high = -HUGE_VAL;
 
   void curve(const std::string& name, const std::vector<double>& t, const Eigen::MatrixXd& z,
-             const scene::Look& look) {
+             const scene::CurveStyle& look) {
     const Eigen::VectorXd values = k < 2 ? Eigen::VectorXd(z.row(k)) : Eigen::VectorXd(-z.row(3));
     low = std::min(low, values.minCoeff());
     high = std::max(high, values.maxCoeff());
     panel.curve(name, t, {values.begin(), values.end()}, look);
   }
-  void curve(const std::string& name, const bvp::Extremal& at_nodes, const scene::Look& look) {
+  void curve(const std::string& name, const bvp::Extremal& at_nodes, const scene::CurveStyle& look) {
     curve(name, at_nodes.solution.node_times(), at_nodes.solution.node_values(), look);
   }
 };

@@ -111,7 +111,7 @@ void put_history(const CollocatedTransfer& printed, const CollocatedTransfer& po
   scene::Panel& right = plot.panel("time (s)", fmt::format("difference ({})", part.unit));
   right.caption("Differences").log_y(part.least, part.most).x_range(0, 4500).set("xtics 0,1000");
   right.set("bmargin at screen 0.31").key("at screen 0.78, screen 0.01 center bottom maxrows 3 samplen 3");
-  const auto curve = [&](const char* name, const std::vector<Apart>& all, const scene::Look& look) {
+  const auto curve = [&](const char* name, const std::vector<Apart>& all, const scene::CurveStyle& look) {
     const auto apart = [](const Apart& a) { return a.distance > 0; };  // omits the common start
     right.curve(name, all | std::views::filter(apart), &Apart::t, &Apart::distance, look);
   };

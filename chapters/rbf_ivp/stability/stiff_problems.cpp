@@ -17,7 +17,7 @@ template <class Problem>
 Stiff by_series(std::string name, const Problem& problem, double end, double rate) {
   const auto& x0 = problem.initial_state();
   ivp::LongState reference;
-  const Status status = problems::walk_reference<long double>(
+  const Status status = problems::integrate_reference<long double>(
       problem, x0.template cast<long double>(), 0, end, {.most_steps = 2'000'000},
       [&](const auto& /*step*/, const auto& x) { reference = x; });
   if (!status.ok()) throw Failure(status);

@@ -26,7 +26,7 @@ using two_body::revolution;
 /// Orbits over some twenty revolutions with reference final positions.
 struct Orbits {
   std::string name;
-  std::vector<orbit::Flight> flights;
+  std::vector<orbit::PropagationRequest> flights;
   std::vector<orbit::Vector3<double>> ends;
   std::vector<double> errors;  ///< median errors at which times are compared
 };
@@ -67,7 +67,7 @@ using Way = std::function<std::vector<orbit::Solution>(double tolerance)>;
 Way one_by_one(const Shared& orbits) {
   return [orbits](double tolerance) {
     std::vector<orbit::Solution> ends;
-    for (const orbit::Flight& f : orbits->flights)
+    for (const orbit::PropagationRequest& f : orbits->flights)
       ends.push_back(orbit::propagate(f.start, 0, f.until, f.gravity,
                                       orbit::AnalyticContinuation{.tolerance = tolerance}));
     return ends;
@@ -82,7 +82,7 @@ Way in_lanes(const Shared& orbits, InstructionSet set) {
 
 /// Multiply-adds of a step of order @p n: two sums of products and some twenty others per order about a point
 /// mass (kernels/ensemble.hpp), products of 22 pairs of series in a field to J6 (acceleration.hpp).
-double multiply_adds_of(const orbit::Flight& flight, double n) {
+double multiply_adds_of(const orbit::PropagationRequest& flight, double n) {
   return flight.gravity.degree() == 0 ? n * n + 20 * n : 11 * n * n;
 }
 

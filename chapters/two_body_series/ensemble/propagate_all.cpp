@@ -39,7 +39,7 @@ class OrbitCatalogue {
   }
 
   [[nodiscard]] int print() {
-    catalogue_.weigh_by([this](const std::vector<double>& row) { return 1 + lines_between(row); });
+    catalogue_.set_row_weight([this](const std::vector<double>& row) { return 1 + lines_between(row); });
     scene::print_catalogue(catalogue_,
                            {.header = fmt::format("row,t,x,y,z,vx,vy,vz{},status",
                                                   catalogue_.columns().rest_names({"row", "t", "status"})),
@@ -88,8 +88,8 @@ class OrbitCatalogue {
     return {{row[x], row[y], row[z]}, {row[vx], row[vy], row[vz]}};
   }
 
-  [[nodiscard]] orbit::Flight flight(const std::vector<double>& row) const {
-    orbit::Flight f{start_of(row), 0, request_.field};
+  [[nodiscard]] orbit::PropagationRequest flight(const std::vector<double>& row) const {
+    orbit::PropagationRequest f{start_of(row), 0, request_.field};
     f.until = request_.until ? *request_.until : row[until];
     f.gravity.mu = catalogue_.has("mu") ? row[mu] : request_.mu.value_or(earth_mu);
     return f;
@@ -112,7 +112,8 @@ class OrbitCatalogue {
 
   /// Adds the line of a computed state and updates the result of the orbit with its accuracy.
   void add_computed(std::string& lines, std::int64_t row, double t, const orbit::State& s,
-                    const std::string& rest, const orbit::Flight& f, EnsembleResult& ended) const {
+                    const std::string& rest, const orbit::PropagationRequest& f,
+                    EnsembleResult& ended) const {
     const bool by_steps = request_.method != "kepler";
     Accuracy a = accuracy_of(s, f.start, t, f.gravity,
                              {request_.method, by_steps ? std::optional(request_.tolerance) : std::nullopt});
@@ -136,7 +137,7 @@ class OrbitCatalogue {
   }
 
   [[nodiscard]] std::string by_series(const scene::CatalogueRows& rows) {
-    std::vector<orbit::Flight> flights;
+    std::vector<orbit::PropagationRequest> flights;
     for (const auto& row : rows.numbers) flights.push_back(flight(row));
     const auto row_of = [&rows](std::size_t i) { return rows.first + static_cast<std::int64_t>(i); };
     std::vector<std::string> between(request_.every ? flights.size() : 0);
@@ -170,7 +171,7 @@ class OrbitCatalogue {
     return text;
   }
 
-  [[nodiscard]] orbit::KeplerSolution moved(const orbit::Flight& f, double time) const {
+  [[nodiscard]] orbit::KeplerSolution moved(const orbit::PropagationRequest& f, double time) const {
     if (watch_.seconds() > request_.seconds)
       return {f.start, failed_with(Outcome::time_limit, "kepler: {} seconds were used up; allow more",
                                    request_.seconds)};
@@ -181,7 +182,7 @@ class OrbitCatalogue {
     std::vector<EnsembleResult> ended(rows.numbers.size());
     std::string text = scene::lines_in_threads(
         rows.numbers.size(), request_.threads, [&](std::size_t i, std::string& lines) {
-          const orbit::Flight f = flight(rows.numbers[i]);
+          const orbit::PropagationRequest f = flight(rows.numbers[i]);
           const double end = std::abs(f.until), sign = f.until < 0 ? -1 : 1;
           // The row of a failed orbit has the time reached and the state there.
           double reached = 0;

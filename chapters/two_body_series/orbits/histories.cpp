@@ -50,7 +50,7 @@ void draw(const Records& r, const Orbit& orbit, scene::Show& show) {
   panel.key("at screen 0.545, screen 0.9 center top horizontal maxrows 1 samplen 2.5 width -3");
   scene::Table data({{"curve", 3, true}, {"orbit"}, {"error"}});
   int number = 0;
-  const auto add = [&](const char* name, const EnergyRecord& record, const scene::Look& look) {
+  const auto add = [&](const char* name, const EnergyRecord& record, const scene::CurveStyle& look) {
     panel.columns(name, "orbit:(column('error') > 0 ? column('error') : 2e-17)", look, number);
     add_curve(data, ++number, record, period_of(orbit));
   };

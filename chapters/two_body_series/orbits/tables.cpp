@@ -104,7 +104,7 @@ void draw(const std::vector<Line>& lines, const Orbit& orbit, double ratio, scen
                               {"ours", &Line::ours},
                               {"published_ms", &Line::published_ms},
                               {"time_ms", &Line::milliseconds}}));
-  const scene::Look dots{"points pointtype 7 pointsize 1.1", 1},
+  const scene::CurveStyle dots{"points pointtype 7 pointsize 1.1", 1},
       rings{"points pointtype 6 pointsize 2 linewidth 1.6 linecolor rgb ink", 3};
   const auto add_panel = [&](const char* x_label, double left, double right) -> scene::Panel& {
     scene::Panel& panel = plot.panel(x_label, "");

@@ -49,7 +49,7 @@ std::string sentence(const char* name, Outcome outcome, const Report& report, in
       [[fallthrough]];
     default:
       return fmt::format(
-          "{}: updates are not short enough after {} of {} iterations, |F| = {:.3g}; allow "
+          "{}: not converged after {} of {} iterations, |F| = {:.3g}; allow "
           "more, damp them, or start closer",
           name, report.statistics.newton_iterations, iterations, report.last);
   }

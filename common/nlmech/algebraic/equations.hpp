@@ -109,7 +109,7 @@ struct Report {
   double least = 0;       ///< smallest |F| of all iterates
   double last = 0;        ///< |F| at the last iterate, which is in x
   double time = 0;        ///< fictitious time of the last iterate; 0 for methods that have none
-  double bound = 0;       ///< bound on `last` applied by held_to_tolerance(); else 0
+  double bound = 0;       ///< bound on `last` applied by checked_against_tolerance(); else 0
 };
 
 /// Throws std::invalid_argument, naming @p what, unless @p x has as many components as there are equations.

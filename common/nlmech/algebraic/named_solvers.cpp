@@ -121,7 +121,7 @@ Report find_root(const NamedSolver& method, Equations& equations, Eigen::VectorX
   const auto* const entry = std::find_if(std::begin(entries), std::end(entries),
                                          [&](const Entry& e) { return e.name == method.name; });
   if (entry == std::end(entries))
-    throw invalid_argument("no solver is called '{}'; there are {}", method.name,
+    throw invalid_argument("there is no solver '{}'; choose one of {}", method.name,
                            fmt::join(solver_names(), ", "));
   const std::string_view name = method.name;
   require_option(name, method.tolerance > 0 && std::isfinite(method.tolerance), "tolerance", method.tolerance,
@@ -132,7 +132,7 @@ Report find_root(const NamedSolver& method, Equations& equations, Eigen::VectorX
   require_option(name, std::isfinite(method.tolerance * method.scale), "tolerance times scale",
                  method.tolerance * method.scale, "finite");
   Report report = entry->solve({method.tolerance * method.scale, method.iterations, equations, x, observer});
-  return held_to_tolerance(method, equations, x, std::move(report));
+  return checked_against_tolerance(method, equations, x, std::move(report));
 }
 
 namespace {
@@ -164,8 +164,8 @@ Status missed(const NamedSolver& method, Equations& equations, const Eigen::Vect
     return {};
   }
   return failed_with(is_success ? Outcome::not_converged : report.status.outcome(),
-                     "{}: |F| = {:.3g} at the end is above the tolerance, {:.3g}, and at the level of "
-                     "rounding: changes of x in its last digits alone make {:.3g} of it; take a tolerance of "
+                     "{}: |F| = {:.3g} at the end is above the tolerance, {:.3g}, but at the level of "
+                     "rounding: changes of x in its last digits alone make |F| = {:.3g}; take a tolerance of "
                      "{:.1g} or more, or coarser equations",
                      method.name, report.last, report.bound, rounding, 2 * report.last / method.scale);
 }
@@ -173,8 +173,8 @@ Status missed(const NamedSolver& method, Equations& equations, const Eigen::Vect
 }  // namespace
 
 //! [held to the tolerance]
-Report held_to_tolerance(const NamedSolver& method, Equations& equations, const Eigen::VectorXd& x,
-                         Report report) {
+Report checked_against_tolerance(const NamedSolver& method, Equations& equations, const Eigen::VectorXd& x,
+                                 Report report) {
   Eigen::VectorXd f(equations.size());
   equations.residual(x, f);
   const Status of_equations = equations.status();

@@ -39,14 +39,14 @@ struct NamedSolver {
 /// Checks a solver's report against |F| at @p x. A success above the tolerance becomes `not_converged`. With
 /// `to_rounding` a failure at the rounding level becomes a success. A success for which the equations report
 /// `wrong_branch` at x becomes that failure. Sets `last` and `bound`; does not count its evaluations of F.
-[[nodiscard]] Report held_to_tolerance(const NamedSolver& method, Equations& equations,
-                                       const Eigen::VectorXd& x, Report report);
+[[nodiscard]] Report checked_against_tolerance(const NamedSolver& method, Equations& equations,
+                                               const Eigen::VectorXd& x, Report report);
 
 /// Solves by name. `scalar-homotopy` is Eq. 2.11, `fixed-point` 2.15 and `newton-homotopy` 2.16 with Euler's
 /// method of step size 1; the other solvers are documented in their headers. `energy-trust-region` needs a
 /// Potential. It and the path methods `riks`, `crisfield` and `gdc` iterate to rounding; the tolerance is
 /// checked afterwards. A path method takes its start for the structure at rest.
-/// @return the outcomes of the solver's own find_root() and of held_to_tolerance()
+/// @return the outcomes of the solver's own find_root() and of checked_against_tolerance()
 /// @throws std::invalid_argument for an unknown name, with all names in the text, for options out of range,
 /// or if x has another size than the equations; std::logic_error if the equations do not offer what the
 /// solver needs

@@ -19,12 +19,12 @@ constexpr int substeps = 8;  // of the implicit midpoint rule per piece of the c
 
 /// Classifies by the eigenvalues of the Hessian of the cost on the directions v with r v = 0 for every row r
 /// of @p held. The rows must be linearly independent.
-SecondOrder classify(const MatrixXd& hessian, const std::vector<Eigen::RowVectorXd>& held) {
-  const auto count = static_cast<Index>(held.size());
+SecondOrder classify(const MatrixXd& hessian, const std::vector<Eigen::RowVectorXd>& conditions) {
+  const auto count = static_cast<Index>(conditions.size());
   MatrixXd reduced = hessian;
   if (count > 0) {
     MatrixXd rows(count, hessian.rows());
-    for (Index i = 0; i < count; ++i) rows.row(i) = held[static_cast<std::size_t>(i)];
+    for (Index i = 0; i < count; ++i) rows.row(i) = conditions[static_cast<std::size_t>(i)];
     const MatrixXd q = Eigen::HouseholderQR<MatrixXd>(rows.transpose()).householderQ();
     const MatrixXd null = q.rightCols(hessian.rows() - count);
     reduced = null.transpose() * hessian * null;
@@ -65,7 +65,7 @@ class Variation {
     const MatrixXd start = state_;
     march();
     end_cost(start);
-    return classify(hessian_, held_);
+    return classify(hessian_, conditions_);
   }
 
  private:
@@ -84,7 +84,7 @@ class Variation {
       for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
         const double h = (cuts[i + 1] - cuts[i]) / substeps;
         for (int j = 0; j < substeps; ++j) step(k, cuts[i] + (j + 0.5) * h, h * stretch, length * stretch);
-        hold_waypoints(cuts[i + 1]);
+        add_waypoints(cuts[i + 1]);
       }
     }
   }
@@ -112,9 +112,9 @@ class Variation {
     state = next;
   }
 
-  void hold_waypoints(double t) {
+  void add_waypoints(double t) {
     for (const Waypoint& w : problem_.task().waypoints) {
-      if (w.t == t) held_.push_back(state_.row(w.component));
+      if (w.t == t) conditions_.push_back(state_.row(w.component));
     }
   }
 
@@ -125,7 +125,7 @@ class Variation {
     both << start, state_;
     hessian_ += both.transpose() * (phi.hessian.topLeftCorner(2 * n_, 2 * n_) * both);
     for (int i = 0; i < n_; ++i) {
-      if (problem_.task().end[static_cast<std::size_t>(i)]) held_.push_back(state_.row(i));
+      if (problem_.task().end[static_cast<std::size_t>(i)]) conditions_.push_back(state_.row(i));
     }
   }
 
@@ -136,7 +136,7 @@ class Variation {
   std::vector<int> free_;
   Index size_ = 0;
   MatrixXd hessian_, state_;
-  std::vector<Eigen::RowVectorXd> held_;
+  std::vector<Eigen::RowVectorXd> conditions_;
 };
 
 }  // namespace

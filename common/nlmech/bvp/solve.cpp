@@ -71,7 +71,7 @@ Status singular(const NewtonSystem& system, Index conditions, int iteration) {
   if (system.independent_conditions() < conditions && system.contradiction() > 1e-6) {
     return failed_with(Outcome::infeasible,
                        "bvp: the {} conditions contradict each other: only {} are independent, and the "
-                       "others cannot be met with them (Newton's iteration {}); take one of them back",
+                       "others cannot be met with them (Newton's iteration {}); remove one of them",
                        conditions, system.independent_conditions(), iteration);
   }
   if (system.independent_conditions() < conditions) {
@@ -83,7 +83,7 @@ Status singular(const NewtonSystem& system, Index conditions, int iteration) {
   return failed_with(
       Outcome::singular_matrix,
       "bvp: Newton's matrix is singular (pivots 1 to {:.2g}, iteration {}): with these equations the "
-      "conditions leave a solution undetermined or admit none; change the conditions, or start elsewhere",
+      "conditions do not determine the solution or admit none; change the conditions, or start elsewhere",
       system.pivot_ratio(), iteration);
 }
 

@@ -39,7 +39,7 @@ Status judge(const Eigen::VectorXd& times, Kernel kernel, double shape, const Di
   std::ostringstream text;
   text << subject(times, kernel, shape);
   if (alike || result.condition > ill_conditioned) {
-    text << "lose their derivatives to rounding: they count for " << result.rank
+    text << "lose their derivatives to rounding: numerically they are " << result.rank
          << " functions only (condition " << result.condition << "), slopes are wrong by "
          << 100 * result.slope_error << " %; choose a larger shape, or the polynomial limit";
     return Status::failure(Outcome::singular_matrix, text.str());

@@ -29,7 +29,8 @@ const ivp::MethodInfo& any_method(std::string_view name) {
       if (method.name == name) return method;
     }
   }
-  throw invalid_argument("there is no method '{}'; there is {}", name, fmt::join(any_method_names(), ", "));
+  throw invalid_argument("there is no method '{}'; choose one of {}", name,
+                         fmt::join(any_method_names(), ", "));
 }
 
 }  // namespace nlmech::comparison

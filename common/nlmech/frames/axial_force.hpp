@@ -137,9 +137,9 @@ template <class Number>
     return {Number(0), false, Outcome::non_finite};
   const auto f = [&](const Number& n) { return balance_at<Number>(b, n, stability_functions<Number>(n)); };
   // n = -4 is a branch limit of stability_functions(); n = -3.99 is not.
-  static const Number seam = -3.99;
-  static const StabilityFunctions<Number> at_seam = stability_functions<Number>(seam);
-  if (b.value(seam, at_seam) < 0) {
+  static const Number split = -3.99;
+  static const StabilityFunctions<Number> at_split = stability_functions<Number>(split);
+  if (b.value(split, at_split) < 0) {
     const Number pole = FourPiSquared<Number>{}.high;
     // A smaller theta_s makes g_s'' overflow double near the pole.
     if (b.symmetric < 1e-190) return root_without_symmetric(b, pole, evaluations);
@@ -148,7 +148,7 @@ template <class Number>
   // For n >= 0: g_a' <= 1/5 and g_s' <= 1/3.
   const Number bound = (b.strain + b.antisymmetric / 5 + b.symmetric / 3) / b.softness;
   const Number high = std::max(Number(1), Number(bound + 1 + bound / 1000));
-  return {falling_root<Number>(f, Number(0), seam, high, evaluations), false, Outcome::success};
+  return {falling_root<Number>(f, Number(0), split, high, evaluations), false, Outcome::success};
 }
 
 }  // namespace detail

@@ -68,7 +68,7 @@ Frame::Frame(std::vector<Node> nodes, std::vector<Member> members, const std::ve
     if (m.is_second_pinned) part.unknowns[5] = size_++;
     parts_.push_back(part);
   }
-  if (size_ == 0) throw std::invalid_argument("Frame: nothing can move");
+  if (size_ == 0) throw std::invalid_argument("Frame: every displacement is fixed");
   make_pattern();
 }
 

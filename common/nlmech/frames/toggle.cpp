@@ -24,10 +24,10 @@ ToggleFrame make_frame(const Toggle& toggle) {
     if (i > 0) members.push_back({i - 1, i, toggle.ea, toggle.ei});
   }
   std::vector<Support> supports = {{0, Motion::x}, {0, Motion::y}, {0, Motion::rotation}};
-  const auto hold = [&](int node, Motion motion) { supports.push_back({node, motion}); };
-  hold(last, Motion::x);
-  hold(last, Motion::rotation);
-  if (toggle.full) hold(last, Motion::y);
+  const auto support = [&](int node, Motion motion) { supports.push_back({node, motion}); };
+  support(last, Motion::x);
+  support(last, Motion::rotation);
+  if (toggle.full) support(last, Motion::y);
   Frame frame(std::move(nodes), std::move(members), supports);
   const Eigen::Index at = frame.unknown(apex, Motion::y);
   Eigen::VectorXd load = Eigen::VectorXd::Zero(frame.size());

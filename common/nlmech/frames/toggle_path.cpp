@@ -72,42 +72,42 @@ struct PathTracer {
 }  // namespace
 
 TogglePath critical_points(const Toggle& toggle) {
-  PathTracer walk(toggle, true);
+  PathTracer tracer(toggle, true);
   TogglePath result;
   std::vector<CriticalPoint> found;
   const auto is_through = [&](const Path& path) {
-    return walk.drop() >= through * toggle.height && path.now().slope > 0 && path.now().negative == 0;
+    return tracer.drop() >= through * toggle.height && path.now().slope > 0 && path.now().negative == 0;
   };
-  if (walk.status.ok()) walk.status = follow(walk.path, is_through, most_steps, found);
-  for (const CriticalPoint& c : found) result.events.push_back(walk.event_of(c));
-  if (!walk.path.now().x.size()) return {{}, 0, std::move(walk.status)};
-  result.drop = walk.drop();
-  result.status = std::move(walk.status);
+  if (tracer.status.ok()) tracer.status = follow(tracer.path, is_through, most_steps, found);
+  for (const CriticalPoint& c : found) result.events.push_back(tracer.event_of(c));
+  if (!tracer.path.now().x.size()) return {{}, 0, std::move(tracer.status)};
+  result.drop = tracer.drop();
+  result.status = std::move(tracer.status);
   return result;
 }
 
 TogglePath first_critical_point(const Toggle& toggle, double load) {
   if (!std::isfinite(load)) throw invalid_argument("first_critical_point: load {}; it must be finite", load);
   TogglePath result;
-  PathTracer walk(toggle, load >= 0);
+  PathTracer tracer(toggle, load >= 0);
   std::vector<CriticalPoint> found;
   const auto is_there = [&](const Path& path) {
     return !found.empty() || std::abs(path.now().load) >= std::abs(load);
   };
-  if (walk.status.ok()) walk.status = follow(walk.path, is_there, most_steps, found);
-  result.status = std::move(walk.status);
-  if (walk.path.now().x.size() == 0) return result;
-  result.drop = walk.drop();
+  if (tracer.status.ok()) tracer.status = follow(tracer.path, is_there, most_steps, found);
+  result.status = std::move(tracer.status);
+  if (tracer.path.now().x.size() == 0) return result;
+  result.drop = tracer.drop();
   if (!found.empty() && std::abs(found[0].point.load) < std::abs(load)) {
-    result.events.push_back(walk.event_of(found[0]));
+    result.events.push_back(tracer.event_of(found[0]));
     return result;
   }
   // First crossing of the load: before the limit point, if the last step passed one above the load.
-  const algebraic::PathPoint last = found.empty() ? walk.path.now() : found[0].point;
+  const algebraic::PathPoint last = found.empty() ? tracer.path.now() : found[0].point;
   algebraic::PathPoint end;
   if (result.status.ok() && load != 0 &&
-      walk.path.crossing(load, walk.path.before(), last, end) == Outcome::success)
-    result.drop = -end.x[walk.toggle.apex];
+      tracer.path.crossing(load, tracer.path.before(), last, end) == Outcome::success)
+    result.drop = -end.x[tracer.toggle.apex];
   return result;
 }
 

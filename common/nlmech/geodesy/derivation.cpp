@@ -60,9 +60,9 @@ class Polynomial {
   Polynomial(Monomial m, Rational c) { add(m, c); }
 
   void add(Monomial m, Rational c) {
-    Rational& mine = terms_[m];
-    mine = mine + c;
-    if (mine.numerator() == 0) terms_.erase(m);
+    Rational& entry = terms_[m];
+    entry = entry + c;
+    if (entry.numerator() == 0) terms_.erase(m);
   }
   [[nodiscard]] const std::map<Monomial, Rational>& terms() const { return terms_; }
 

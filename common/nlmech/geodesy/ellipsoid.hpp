@@ -37,8 +37,9 @@ class BasicEllipsoid {
   /// @throws std::invalid_argument naming the value, if either is out of range
   BasicEllipsoid(T a, T f) : a_(a), f_(f) {
     using std::isfinite;
-    if (!(a > 0) || !isfinite(a)) throw std::invalid_argument(complaint("equatorial radius", a, "positive"));
-    if (!(f < 1) || !isfinite(f)) throw std::invalid_argument(complaint("flattening", f, "below 1"));
+    if (!(a > 0) || !isfinite(a))
+      throw std::invalid_argument(range_error("equatorial radius", a, "positive"));
+    if (!(f < 1) || !isfinite(f)) throw std::invalid_argument(range_error("flattening", f, "below 1"));
   }
 
   /// World Geodetic System 1984: a = 6378137 m, 1/f = 298.257223563.
@@ -52,7 +53,7 @@ class BasicEllipsoid {
   [[nodiscard]] T p() const { return f_ / (1 - f_); }
 
  private:
-  static std::string complaint(const char* what, const T& value, const char* range) {
+  static std::string range_error(const char* what, const T& value, const char* range) {
     return std::string("Ellipsoid: ") + what + " must be finite and " + range + ", is " +
            std::to_string(static_cast<double>(value));
   }

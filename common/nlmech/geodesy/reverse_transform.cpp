@@ -62,8 +62,8 @@ ReverseTransform::ReverseTransform(const Ellipsoid& ellipsoid, InstructionSet se
   constants_.farthest2 = 0;
 
   // The squares of all distances of the range must be representable.
-  const bool usual_size = ellipsoid.a() > 1e-120 && ellipsoid.a() < 1e120;
-  if (usual_size && std::abs(ellipsoid.f()) <= 0.25) {
+  const bool default_size = ellipsoid.a() > 1e-120 && ellipsoid.a() < 1e120;
+  if (default_size && std::abs(ellipsoid.f()) <= 0.25) {
     const TangentFit fit = fit_tangent(ellipsoid);
     corrections_ = corrections_for(fit);
     if (corrections_ >= 0) {

@@ -39,7 +39,7 @@ concept GivesAcceleration = requires(const Problem& problem, double t,
 
 /// True if the problem has a member `second_order()`, as typed equations do.
 template <class Problem>
-concept SaysItsOrder = requires(const Problem& problem) {
+concept HasOrder = requires(const Problem& problem) {
   { problem.second_order() } -> std::same_as<bool>;
 };
 
@@ -183,7 +183,7 @@ class Direct final : public std::conditional_t<n == Eigen::Dynamic, detail::AnyP
   }
   /// Does the problem give its acceleration?
   [[nodiscard]] bool second_order() const {
-    if constexpr (detail::SaysItsOrder<Problem>) {
+    if constexpr (detail::HasOrder<Problem>) {
       return problem_.second_order();
     } else {
       return detail::GivesAcceleration<Problem>;

@@ -95,14 +95,14 @@ class ZerosOfTime {
     const Enclosure g = g_.bounds({std::min(a, b), std::max(a, b)}, {});
     if (!g.value.has(0)) return {};
     const double middle = a + (b - a) / 2;
-    constexpr int deepest = 50;
+    constexpr int most_halvings = 50;
     if (!g.rate.has(0)) {
       const double at_a = value(a), at_b = value(b);
       if (at_a == 0) return a;
       if (at_b != 0 && (at_a > 0) == (at_b > 0)) return {};
       return bisect(a, b, at_a > 0);
     }
-    if (depth == deepest || middle == a || middle == b) return middle;
+    if (depth == most_halvings || middle == a || middle == b) return middle;
     if (const std::optional<double> zero = search(a, middle, depth + 1)) return zero;
     return search(middle, b, depth + 1);
   }
@@ -137,7 +137,7 @@ class Guarded {
       : run_(run),
         domain_(domain),
         accuracy_(accuracy),
-        rests_at_all_(rests),
+        has_rested_(rests),
         system_(system),
         t0_(t0),
         t1_(t1),
@@ -150,11 +150,11 @@ class Guarded {
     if (t0_ == t1_ || !x0.allFinite()) return run_(system_, x0, t0_, t1_, observer_, limits_);
     begin();
     constexpr int most_parts = 10'000;
-    for (int k = 0; all_.status.ok() && all_.t != t1_ && !is_told_; ++k) {
+    for (int k = 0; all_.status.ok() && all_.t != t1_ && !is_stopped_; ++k) {
       if (k == most_parts)
-        all_.status =
-            failed_with(Outcome::outside_validity,
-                        "roots or powers come to the end of their domain without end at t = {:.9g}", all_.t);
+        all_.status = failed_with(
+            Outcome::outside_validity,
+            "roots or powers reach the end of their domain infinitely often near t = {:.9g}", all_.t);
       else
         part();
     }
@@ -188,7 +188,7 @@ class Guarded {
     if (observer_ && !observer_({1, t0_, end, x0, x, {&end, 1}, states, series})) interrupt();
   }
   void interrupt() {
-    is_told_ = true;
+    is_stopped_ = true;
     all_.status = failed_with(Outcome::interrupted, "the observer stopped the run at t = {:.17g}", all_.t);
   }
 
@@ -198,19 +198,19 @@ class Guarded {
     finder_.emplace(watched(),
                     accuracy_);  // dense output: a run that ends at a singular point is inaccurate
     const System& system = rests_ ? *domain_.beyond : system_;
-    const Observer look = domain_.watches()
-                              ? Observer([this, &system](const Step& step) { return see(system, step); })
-                              : observer_;
+    const Observer observer = domain_.watches()
+                                  ? Observer([this, &system](const Step& step) { return see(system, step); })
+                                  : observer_;
     Limits left = limits_;
     left.steps = std::max<std::int64_t>(limits_.steps - all_.statistics.steps - all_.statistics.rejected, 1);
     left.seconds = std::max(limits_.seconds - watch_.seconds(), 1e-6);
-    const Solution part = run_(system, all_.x, all_.t, t1_, look, left);
+    const Solution part = run_(system, all_.x, all_.t, t1_, observer, left);
     all_.statistics += part.statistics;
     all_.t = stop_ ? stop_->t : part.t;
     all_.x = stop_ ? stop_->x : part.x;
     all_.status = part.status;
     if (!finder_->status().ok()) all_.status = finder_->status();
-    if (is_told_) return;
+    if (is_stopped_) return;
     if (!stop_) return rest_at_failure();
     all_.status = stop_->status;
     if (!all_.status.ok()) return;
@@ -294,7 +294,7 @@ class Guarded {
     passed_ = i;
     if (is_passed_) return;
     rests_ = true;
-    if (rests_at_all_ != nullptr) *rests_at_all_ = true;
+    if (has_rested_ != nullptr) *has_rested_ = true;
     rests_from_ = all_.t;
     all_.x = at;
   }
@@ -305,13 +305,13 @@ class Guarded {
     all_.status = failed_with(Outcome::outside_validity,
                               "the argument of a square root, a power with a fraction or an arc becomes "
                               "negative at t = {:.9g}, and "
-                              "the equations do not say how the solution goes on; end the run before",
+                              "the equations do not define the solution beyond; end the run before",
                               left);
   }
 
   bool see(const System& system, const Step& step) {
     const std::size_t known = finder_->hits().size();
-    const bool goes_on = finder_->see(system, step, limits_);
+    const bool continues = finder_->see(system, step, limits_);
     std::optional<double> zero = singular_time(system, step);
     for (std::size_t k = known; k < finder_->hits().size() && !zero; ++k) {
       const Hit& hit = finder_->hits()[k];
@@ -320,14 +320,13 @@ class Guarded {
     }
     if (zero) {
       stop_at(*zero, step.at(*zero), 0, step);
-      stop_->status = failed_with(
-          Outcome::outside_validity,
-          "a denominator of the equations becomes zero at t = {:.9g}: {}; end the run before", *zero,
-          is_infinite_ ? "the solution ends there"
-                       : "many solutions go on from there, so none is determined beyond");
+      stop_->status =
+          failed_with(Outcome::outside_validity,
+                      "a denominator of the equations becomes zero at t = {:.9g}: {}; end the run before",
+                      *zero, is_infinite_ ? "the solution ends there" : "the solution beyond is not unique");
       return false;
     }
-    if (goes_on) return !observer_ || observer_(step) || told();
+    if (continues) return !observer_ || observer_(step) || stop_by_observer();
     if (finder_->ended()) {
       const Hit hit = finder_->hits().back();
       stop_at(hit.t, hit.x, hit.event, step);
@@ -335,8 +334,8 @@ class Guarded {
     return false;
   }
   [[nodiscard]] bool is_end(double t) const { return is_near(t, t0_) || is_near(t, t1_); }
-  bool told() {
-    is_told_ = true;
+  bool stop_by_observer() {
+    is_stopped_ = true;
     return false;
   }
   // Passes the part of the step up to t to the observer.
@@ -344,7 +343,8 @@ class Guarded {
     stop_ = Stop{event, t, x, {}};
     if (!observer_ || t == step.t0) return;
     const Nodes states = x;
-    if (!observer_({step.index, step.t0, t, step.x0, stop_->x, {&t, 1}, states, step.dense})) told();
+    if (!observer_({step.index, step.t0, t, step.x0, stop_->x, {&t, 1}, states, step.dense}))
+      stop_by_observer();
   }
 
   // First zero of a time-only denominator within a step beyond which the solution is infinite or not unique.
@@ -414,7 +414,7 @@ class Guarded {
   const SmoothRun& run_;
   const Domain& domain_;
   StateAccuracy accuracy_;
-  bool* rests_at_all_;  // may be null
+  bool* has_rested_;  // may be null
   const System& system_;
   double t0_, t1_;
   int direction_;
@@ -423,7 +423,7 @@ class Guarded {
   Solution all_;
   std::optional<EventFinder> finder_;
   std::optional<Stop> stop_;
-  bool rests_ = false, is_passed_ = false, is_told_ = false, is_infinite_ = false;
+  bool rests_ = false, is_passed_ = false, is_stopped_ = false, is_infinite_ = false;
   std::size_t resting_ = 0, passed_ = 0;
   double margin_ = 0, rests_from_ = 0;
   Stopwatch watch_;

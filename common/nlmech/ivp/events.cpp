@@ -64,7 +64,7 @@ class EventFinder::Scan {
   }
 
  private:
-  static constexpr int deepest = 60;    // limit of halvings
+  static constexpr int most_halvings = 60;  // limit of halvings
   static constexpr int resolving = 12;  // limit of halvings until the polynomial must represent the states
   static constexpr int work = 256;      // parts of a step to check, and as many more after every hit
   static constexpr int places = 3;      // halvings of a step whose function has no bounds
@@ -128,10 +128,10 @@ class EventFinder::Scan {
         safe.seen[i] = is_known ? hull(safe.seen[i], ends(i)) : ends(i);
       }
       safe.slopes.resize(size);
-      const double way = step_.t1 - step_.t0, later = step_.t1 + 64 * way;
+      const double span = step_.t1 - step_.t0, later = step_.t1 + 64 * span;
       for (const Interval& t : {Interval(), Interval(std::min(step_.t0, later), std::max(step_.t0, later))}) {
         safe.t = t;
-        if (is_closed(safe, 0.75 * std::abs(way)) && has_no_zero(safe)) return true;
+        if (is_closed(safe, 0.75 * std::abs(span)) && has_no_zero(safe)) return true;
       }
     }
     safe.x.clear();
@@ -192,7 +192,7 @@ class EventFinder::Scan {
   void between(double a, double b, int depth) {
     if (!f_.status_.ok()) return;
     const double middle = a + (b - a) / 2;
-    const bool last = depth >= deepest || middle == a || middle == b;
+    const bool last = depth >= most_halvings || middle == a || middle == b;
     if (--left_ < 0) return undecided(a, b);
     if (!event().bounds) {
       if (depth == places || last) return monotone(a, b, 0);
@@ -326,14 +326,14 @@ class EventFinder::Scan {
       const Interval rate = at_point(t, 0).rate;
       return (rate.low + rate.high) / 2;
     }
-    const double way = step_.t1 - step_.t0, near = 1e-5 * way;
-    const double from = std::abs(t - step_.t0) < std::abs(way) / 2 ? t : t - near;
+    const double span = step_.t1 - step_.t0, near = 1e-5 * span;
+    const double from = std::abs(t - step_.t0) < std::abs(span) / 2 ? t : t - near;
     return (value_at(from + near) - value_at(from)) / near;
   }
   // Refines a hit by integrating from the start of the step: the state, and the time of a crossing by
   // Newton's iteration.
   void refine(Hit& hit) {
-    const double way = step_.t1 - step_.t0, slope = slope_near(hit.t);
+    const double span = step_.t1 - step_.t0, slope = slope_near(hit.t);
     constexpr int most = 3;
     for (int k = 0; k < most && hit.t != step_.t0; ++k) {
       const Solution there = f_.run_(system_, step_.x0, step_.t0, hit.t, {}, limits_);
@@ -341,7 +341,7 @@ class EventFinder::Scan {
       hit.x = there.x;
       if (hit.direction == 0) break;
       const double change = -event().value(hit.t, hit.x) / slope, next = hit.t + change;
-      const bool inside = (next - step_.t0) / way > 0 && (next - step_.t0) / way <= 1;
+      const bool inside = (next - step_.t0) / span > 0 && (next - step_.t0) / span <= 1;
       if (!inside || std::abs(change) <= std::numeric_limits<double>::epsilon() * std::abs(hit.t)) break;
       hit.t = next;
     }
@@ -465,11 +465,10 @@ Solution integrate_past_changes(const SmoothRun& run, const System& system, cons
     repeated = since <= at_once * std::abs(t1 - t0) && since <= last ? repeated + 1 : 0;
     last = since;
     if (repeated > most_repeated) {
-      all.status =
-          failed_with(Outcome::outside_validity,
-                      "events that change the state follow each other without end at t = {:.17g}; end the "
-                      "run before, or at one of them",
-                      hit.t);
+      all.status = failed_with(
+          Outcome::outside_validity,
+          "events that change the state accumulate at t = {:.17g}; end the run before, or at one of them",
+          hit.t);
       break;
     }
   }

@@ -172,7 +172,7 @@ template <class Method>
   };
   StateAccuracy accuracy;
   if constexpr (HasTolerances<Method>) {
-    if (goes_by_tolerances(method)) accuracy = {method.relative_tolerance, method.absolute_tolerance};
+    if (uses_tolerances(method)) accuracy = {method.relative_tolerance, method.absolute_tolerance};
   }
   return integrate_with_events(run, system, x0, t0, t1, std::move(events), accuracy, observer, limits);
 }

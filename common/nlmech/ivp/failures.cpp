@@ -30,7 +30,7 @@ Status non_finite_coefficients(std::string_view method, double t, int order) {
 Status step_underflow(std::string_view method, double t, double step) {
   return failed_with(Outcome::step_underflow,
                      "{}: a step of {:.6g} does not move t = {:.17g}; the solution may be singular there, "
-                     "else loosen the tolerance, or take a longer step where it is given",
+                     "else loosen the tolerance, or take a longer step if it is given",
                      method, step, t);
 }
 
@@ -65,7 +65,8 @@ Status time_limit(std::string_view method, double t, double seconds) {
 
 Status event_undefined(double t) {
   return failed_with(Outcome::non_finite,
-                     "event: its function is not a number at t = {:.17g}; define it along the whole way", t);
+                     "event: its function is not a number at t = {:.17g}; define it on the whole interval",
+                     t);
 }
 
 Status bound_left(std::string_view method, int component, double t, double value, double bound) {
@@ -122,7 +123,7 @@ void refuse_velocities(std::string_view method) {
 Status depends_on_velocities(std::string_view method, double t) {
   return Status::failure(
       Outcome::outside_validity,
-      fmt::format("{}: the accelerations depend on velocities, as shows at t = {:.17g}; take another method",
+      fmt::format("{}: the accelerations depend on velocities, as found at t = {:.17g}; take another method",
                   method, t));
 }
 

@@ -57,7 +57,7 @@ template <SystemLike S, class Method>
                    },
                    method_name(method)};
   if constexpr (HasTolerances<Method>) {
-    any.by_tolerances = goes_by_tolerances(method);
+    any.by_tolerances = uses_tolerances(method);
     any.relative_tolerance = method.relative_tolerance;
     any.absolute_tolerance = method.absolute_tolerance;
   }

@@ -41,21 +41,21 @@ Limits0 near_start(const System& system, const State& x0, double t0, double dist
 }
 
 /// Checks the limits at the singular point: success if one smooth solution may start there.
-Status examine(const System& system, const State& x0, double t0, double way) {
-  const Limits0 far = near_start(system, x0, t0, 1e-6 * way), near = near_start(system, x0, t0, 1e-8 * way);
+Status examine(const System& system, const State& x0, double t0, double span) {
+  const Limits0 far = near_start(system, x0, t0, 1e-6 * span), near = near_start(system, x0, t0, 1e-8 * span);
   if (!near.f.allFinite() || !near.j.allFinite() || !far.j.allFinite())
-    return refused(t0, "the equations are not finite beside it either");
+    return refused(t0, "the equations are not finite near it");
   if (near.j.norm() > 3 * std::max(far.j.norm(), 1.0))
-    return refused(t0, "it is no regular singular point, so no power series begins there; start beside it");
+    return refused(
+        t0, "it is not a regular singular point, so that no power series exists; start at another time");
   const double size = std::max(x0.norm(), 1e-300);
   if (near.f.norm() > 1e-6 * size && near.f.norm() > 0.5 * far.f.norm())
-    return refused(
-        t0,
-        "no smooth solution begins with these initial values: what is divided has to be zero there "
-        "too (x' = 0 in x'' + 2 x'/t = 0)");
+    return refused(t0,
+                   "these initial values have no smooth solution: the numerator must be zero there too (x' = "
+                   "0 in x'' + 2 x'/t = 0)");
   const Eigen::VectorXd real = near.j.eigenvalues().real();
   if (real.maxCoeff() > 1e-3)
-    return refused(t0, "several solutions begin with these initial values; start beside it");
+    return refused(t0, "these initial values have several solutions; start at another time");
   return {};
 }
 
@@ -157,7 +157,7 @@ Status begin_at_singular_point(const System& system, const State& x0, double t0,
                                StatePolynomial& series) {
   constexpr Index most_components = 60;
   if (x0.size() > most_components)
-    return refused(t0, fmt::format("a series is begun for at most {} components", most_components));
+    return refused(t0, fmt::format("a power series is computed for at most {} components", most_components));
   if (Status status = examine(system, x0, t0, t1 - t0); !status.ok()) return status;
   const Collocation collocation(system, x0, t0);
   constexpr int most_halvings = 60;
@@ -169,7 +169,7 @@ Status begin_at_singular_point(const System& system, const State& x0, double t0,
     series = *shorter;
     return {};
   }
-  return refused(t0, "no power series was found that begins there; start beside it");
+  return refused(t0, "no power series was found; start at another time");
 }
 
 }  // namespace nlmech::ivp

@@ -124,7 +124,7 @@ concept HasTolerances = requires(const Method& method) {
 
 /// Does the method choose its steps by its tolerances? False if a fixed step is given.
 template <HasTolerances Method>
-[[nodiscard]] bool goes_by_tolerances(const Method& method) {
+[[nodiscard]] bool uses_tolerances(const Method& method) {
   if constexpr (requires { method.step; }) {
     return !(method.step > 0);
   } else {

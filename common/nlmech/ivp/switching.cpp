@@ -68,7 +68,7 @@ class Walk {
   };
 
   // Sets values_ and rates_.
-  void look(const Mode& mode, double t, const State& x) {
+  void evaluate(const Mode& mode, double t, const State& x) {
     in(mode).surfaces(segment_(t), x, values_, rates_);
   }
   const System& in(const Mode& mode) {
@@ -82,7 +82,7 @@ class Walk {
   double rate(std::size_t i, int side, double t, const State& x) {
     Mode mode = mode_;
     mode[i] = static_cast<std::int8_t>(side);
-    look(mode, t, x);
+    evaluate(mode, t, x);
     return direction_ * rates_[i];
   }
 
@@ -93,7 +93,7 @@ class Walk {
     std::fill(mode_.begin(), mode_.end(), std::int8_t{1});
     std::vector<bool> zero(mode_.size());
     for (std::size_t i = 0; i < mode_.size(); ++i) {
-      look(mode_, t, x);
+      evaluate(mode_, t, x);
       if (std::isnan(values_[i])) return undefined(i, t);
       zero[i] = values_[i] == 0;
       if (values_[i] < 0) mode_[i] = -1;
@@ -141,19 +141,20 @@ class Walk {
   // [choose]
   // Checks that there is a motion on the surfaces of this mode.
   void hold(double t, const State& x) {
-    look(mode_, t, x);
+    evaluate(mode_, t, x);
     for (std::size_t i = 0; i < mode_.size(); ++i) {
       if (mode_[i] != 0) continue;
       if (direction_ < 0) return no_past(i, t);
       if (std::isnan(values_[i]))
         return fail(Outcome::outside_validity, t,
-                    "the equations do not say how the motion stays on the surface of switching function {}",
+                    "the equations do not define the sliding motion on the surface of switching function {}",
                     i + 1);
     }
   }
   void no_past(std::size_t i, double t) {
     fail(Outcome::outside_validity, t,
-         "a motion that stays on the surface of switching function {} has no past; integrate forwards",
+         "a sliding motion on the surface of switching function {} cannot be integrated backwards; integrate "
+         "forwards",
          i + 1);
   }
   void undefined(std::size_t i, double t) {
@@ -172,11 +173,11 @@ class Walk {
     return {side * value, side * direction_ * rates_[i]};
   }
   Margin margin(std::size_t i, double t, const State& x) {
-    look(mode_, t, x);
+    evaluate(mode_, t, x);
     return margin(i);
   }
   void margins(double t, const State& x, std::vector<Margin>& all) {
-    look(mode_, t, x);
+    evaluate(mode_, t, x);
     for (std::size_t i = 0; i < all.size(); ++i) all[i] = margin(i);
   }
 
@@ -188,18 +189,17 @@ class Walk {
     const System smooth = in(mode_);  // a copy: in() may clear the cache
     found_.reset();
     armed_.assign(mode_.size(), false);
-    told_ = false;
+    is_reported_ = false;
     const Observer look_out = [this, &smooth](const Step& step) { return seen(smooth, step); };
     const double begin = solution_.t;
     Solution part = run_(smooth, solution_.x, begin, stretch_end_, look_out, left());
     solution_.statistics += part.statistics;
-    if (found_ && !told_) {
+    if (found_ && !is_reported_) {
       solution_.t = found_->t;
       solution_.x = found_->x;
       repeated_ = std::abs(found_->t - begin) <= at_once * std::abs(end_ - first_) ? repeated_ + 1 : 0;
       if (repeated_ > most_repeated)
-        fail(Outcome::outside_validity, begin,
-             "switches follow each other without end; smooth the equation there");
+        fail(Outcome::outside_validity, begin, "switches accumulate; smooth the equation there");
       else
         change(*found_);
       return;
@@ -272,7 +272,7 @@ class Walk {
     const double h = std::abs(to - from);
     for (const double s : {0.3819660112501051, 0.1458980337503154, 0.7639320225002103}) {
       const double r = 1 - s, t = from + s * (to - from);
-      look(mode_, t, step.at(t));
+      evaluate(mode_, t, step.at(t));
       for (std::size_t i = 0; i < mode_.size(); ++i) {
         if (mode_[i] == 0) continue;  // the share of a motion on the surface has no rate
         const Margin &a = before_[i], &b = after_[i];
@@ -301,7 +301,7 @@ class Walk {
     return from;
   }
   bool stop() {
-    told_ = true;
+    is_reported_ = true;
     return false;
   }
   [[nodiscard]] bool earlier(double a, double b) const { return direction_ * (a - b) < 0; }
@@ -353,7 +353,7 @@ class Walk {
     states.col(0) = found_->x;
     const double end = found_->t;
     if (!observer_({step.index, step.t0, end, step.x0, found_->x, {&end, 1}, states, step.dense}))
-      told_ = true;
+      is_reported_ = true;
     return false;
   }
 
@@ -373,7 +373,7 @@ class Walk {
   std::vector<bool> armed_;
   std::optional<Switch> found_;
   double part_ = std::numeric_limits<double>::infinity();  // limit on the part between two evaluations
-  bool told_ = false;
+  bool is_reported_ = false;
   int repeated_ = 0;
   Solution solution_;
   Stopwatch watch_;

@@ -14,7 +14,7 @@ namespace nlmech::orbit {
 
 /// Radius of convergence, as a time, of the Taylor series at @p state: distance in the complex plane to the
 /// nearest time at which r.r = 0. Infinite for circles (and where it overflows). Valid for every conic,
-/// including straight lines, where it is the time to the nearest collision.
+/// including straight lines, where it is reserved for the time to the nearest collision.
 /// @throws std::invalid_argument for a zero position, mu not positive, or values that are not finite
 [[nodiscard]] double convergence_radius(const State& state, double mu);
 

@@ -63,21 +63,21 @@ void check_options(const TaylorEnsemble& m, const InnerRows& rows) {
 }
 
 /// Failure of an orbit with an invalid start, field or end time; else success.
-Status refusal(const Flight& flight) {
+Status refusal(const PropagationRequest& request) {
   try {
-    check(flight.start, "propagate_all");
-    check(flight.gravity);
+    check(request.start, "propagate_all");
+    check(request.gravity);
   } catch (const std::invalid_argument& error) {
-    const bool finite = flight.start.position.allFinite() && flight.start.velocity.allFinite();
-    const bool centre = finite && flight.start.position.isZero(0);
+    const bool finite = request.start.position.allFinite() && request.start.velocity.allFinite();
+    const bool centre = finite && request.start.position.isZero(0);
     return Status::failure(!finite  ? Outcome::non_finite
                            : centre ? Outcome::collision
                                     : Outcome::outside_validity,
                            error.what());
   }
-  if (!std::isfinite(flight.until))
+  if (!std::isfinite(request.until))
     return failed_with(Outcome::non_finite, "propagate_all: the end time must be finite, not {}",
-                       flight.until);
+                       request.until);
   return {};
 }
 
@@ -109,21 +109,22 @@ class Lanes {
   /// Number of busy lanes.
   [[nodiscard]] int busy() const { return busy_; }
   /// Adds an orbit about a point mass, with checked start and field and a non-zero end time.
-  void take_in(std::size_t number, const Flight& flight) {
+  void take_in(std::size_t number, const PropagationRequest& request) {
     const auto place =
         std::find_if(lanes_.begin(), lanes_.begin() + kernel_.lanes, [](const Lane& l) { return !l.busy; });
     const int i = static_cast<int>(place - lanes_.begin());
     Lane& lane = *place;
     lane = {.busy = true,
-            .backwards = flight.until < 0,
+            .backwards = request.until < 0,
             .number = number,
-            .mu = flight.gravity.mu,
-            .until = std::abs(flight.until),
-            .start_radius = flight.start.position.stableNorm(),
+            .mu = request.gravity.mu,
+            .until = std::abs(request.until),
+            .start_radius = request.start.position.stableNorm(),
             .first_step = steps_};
     ++busy_;
-    put(block_.position, i, flight.start.position);
-    put(block_.velocity, i, lane.backwards ? Vector3<double>(-flight.start.velocity) : flight.start.velocity);
+    put(block_.position, i, request.start.position);
+    put(block_.velocity, i,
+        lane.backwards ? Vector3<double>(-request.start.velocity) : request.start.velocity);
     put(block_.position_low, i, {0, 0, 0});
     put(block_.velocity_low, i, {0, 0, 0});
     block_.remaining.lane[i] = lane.until;
@@ -332,29 +333,29 @@ struct Motion {
 /// An orbit in scaled units, in which |r| and mu are near 1 at the start.
 class Leg {
  public:
-  Leg(std::size_t number, const Flight& flight, const InnerRows& rows,
+  Leg(std::size_t number, const PropagationRequest& request, const InnerRows& rows,
       const std::function<bool()>& out_of_time)
       : number_(number),
-        flight_(flight),
+        request_(request),
         rows_(rows),
         out_of_time_(out_of_time),
-        units_(detail::extent(flight.start.position), flight.gravity.mu),
-        end_(std::min(std::ldexp(std::abs(flight.until), -units_.time), std::numeric_limits<double>::max())),
-        system_(Motion{own(flight.gravity)}) {}
+        units_(detail::extent(request.start.position), request.gravity.mu),
+        end_(std::min(std::ldexp(std::abs(request.until), -units_.time), std::numeric_limits<double>::max())),
+        system_(Motion{own(request.gravity)}) {}
   Leg(const Leg&) = delete;
   Leg& operator=(const Leg&) = delete;
 
   /// The initial value problem for the integrator; it refers to this object.
   [[nodiscard]] ivp::Start start(std::int64_t steps) {
-    const State s = units_.own(flight_.start);
-    ivp::Start start{&system_, ivp::State(6), 0, std::copysign(end_, flight_.until), {}, {.steps = steps}};
+    const State s = units_.own(request_.start);
+    ivp::Start start{&system_, ivp::State(6), 0, std::copysign(end_, request_.until), {}, {.steps = steps}};
     start.x0 << s.position, s.velocity;
     start.observer = [this](const ivp::Step& step) { return see(step); };
     return start;
   }
   /// Solution in the units of the user.
   [[nodiscard]] Solution users(const ivp::Solution& end) const {
-    return {end.status.ok() ? flight_.until : std::ldexp(end.t, units_.time), users(end.x), end.status,
+    return {end.status.ok() ? request_.until : std::ldexp(end.t, units_.time), users(end.x), end.status,
             end.statistics};
   }
 
@@ -376,7 +377,7 @@ class Leg {
   }
   /// Outputs the rows within a step, without those that equal the end to rounding.
   void give_rows(const ivp::Step& step) {
-    const double sign = flight_.until < 0 ? -1 : 1, until = std::abs(flight_.until);
+    const double sign = request_.until < 0 ? -1 : 1, until = std::abs(request_.until);
     for (;; ++next_row_) {
       const double t = static_cast<double>(next_row_) * rows_.every, there = std::ldexp(t, -units_.time);
       if (!(there <= std::abs(step.t1) && until - t > 1e-9 * rows_.every)) return;
@@ -385,7 +386,7 @@ class Leg {
   }
 
   std::size_t number_;
-  const Flight& flight_;
+  const PropagationRequest& request_;
   const InnerRows& rows_;
   const std::function<bool()>& out_of_time_;
   detail::PowerUnits units_;
@@ -402,13 +403,14 @@ class Leg {
 /// @param steps limit of steps of each orbit
 /// @param out_of_time called by all threads; when true, running orbits end with `interrupted`
 /// @param solutions results, by index
-void fly_in_zonal_fields(std::span<const Flight> flights, const std::vector<std::size_t>& which,
-                         const TaylorEnsemble& method, const InnerRows& rows, std::int64_t steps,
-                         const std::function<bool()>& out_of_time, std::vector<Solution>& solutions) {
+void propagate_in_zonal_fields(std::span<const PropagationRequest> requests,
+                               const std::vector<std::size_t>& which, const TaylorEnsemble& method,
+                               const InnerRows& rows, std::int64_t steps,
+                               const std::function<bool()>& out_of_time, std::vector<Solution>& solutions) {
   std::deque<Leg> legs;
   std::vector<ivp::Start> starts;
   for (const std::size_t number : which)
-    starts.push_back(legs.emplace_back(number, flights[number], rows, out_of_time).start(steps));
+    starts.push_back(legs.emplace_back(number, requests[number], rows, out_of_time).start(steps));
   // Position and velocity are near 1 at the start; the small absolute tolerance is for components that pass
   // through 0.
   const ivp::Series series{.relative_tolerance = method.tolerance,
@@ -421,7 +423,7 @@ void fly_in_zonal_fields(std::span<const Flight> flights, const std::vector<std:
 
 /// Data shared by all threads; orbits are distributed in portions.
 struct Ensemble {
-  std::span<const Flight> flights;
+  std::span<const PropagationRequest> requests;
   const TaylorEnsemble& method;
   const InnerRows& rows;
   const Limits& limits;
@@ -446,13 +448,13 @@ struct Ensemble {
     // Distribute few orbits among all threads, with idle lanes; otherwise the first thread would take them
     // all.
     const std::size_t threads = threads_for(method.threads),
-                      portion = std::clamp<std::size_t>((flights.size() + threads - 1) / threads, 1, 16);
+                      portion = std::clamp<std::size_t>((requests.size() + threads - 1) / threads, 1, 16);
     std::size_t number = 0, end = 0;
     for (bool more = true; more || lanes.busy() > 0;) {
       while (more && lanes.free() > 0 && static_cast<std::size_t>(lanes.busy()) < portion) {
         if (number == end) {
-          number = std::min(next.fetch_add(portion), flights.size());
-          end = std::min(number + portion, flights.size());
+          number = std::min(next.fetch_add(portion), requests.size());
+          end = std::min(number + portion, requests.size());
           more = number < end;
           continue;
         }
@@ -466,14 +468,14 @@ struct Ensemble {
 
   /// Propagates the orbits with zonal terms, which work() skips. A failed one is repeated by
   /// AnalyticContinuation, which may succeed, or else gives a message in the units of the user.
-  void fly_the_rest() {
+  void propagate_rest() {
     std::vector<std::size_t> rest;
     for (std::size_t i = 0; i < is_zonal.size(); ++i) {
       if (is_zonal[i] != 0) rest.push_back(i);
     }
     if (rest.empty()) return;
-    fly_in_zonal_fields(
-        flights, rest, method, rows, limits.steps, [this] { return out_of_time(); }, solutions);
+    propagate_in_zonal_fields(
+        requests, rest, method, rows, limits.steps, [this] { return out_of_time(); }, solutions);
     share_out(rest.size(), 1, method.threads, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
         Solution& solution = solutions[rest[i]];
@@ -498,10 +500,10 @@ struct Ensemble {
   }
   /// @param shown time up to which rows have been output
   [[nodiscard]] Solution alone(std::size_t number, double shown) const {
-    const Flight& flight = flights[number];
+    const PropagationRequest& request = requests[number];
     auto count = std::max<std::int64_t>(1, static_cast<std::int64_t>(shown / rows.every));
     while (static_cast<double>(count) * rows.every <= shown) ++count;
-    const double sign = flight.until < 0 ? -1 : 1, until = std::abs(flight.until);
+    const double sign = request.until < 0 ? -1 : 1, until = std::abs(request.until);
     Observer observer;
     if (rows.sink) {
       observer = [&](const Step& step) {
@@ -514,44 +516,45 @@ struct Ensemble {
     }
     Limits own = limits;
     own.seconds = left();
-    Solution solution = propagate(flight.start, 0, flight.until, flight.gravity,
+    Solution solution = propagate(request.start, 0, request.until, request.gravity,
                                   AnalyticContinuation{.tolerance = method.tolerance}, observer, own);
     solution.statistics.seconds = 0;
     return solution;
   }
 
   void begin(std::size_t number, Lanes& lanes) {
-    const Flight& flight = flights[number];
+    const PropagationRequest& request = requests[number];
     Solution& solution = solutions[number];
-    solution.x = flight.start;
-    solution.status = refusal(flight);
-    if (!solution.status.ok() || flight.until == 0) return;
+    solution.x = request.start;
+    solution.status = refusal(request);
+    if (!solution.status.ok() || request.until == 0) return;
     if (out_of_time()) {
       solution.status = too_late();
-    } else if (flight.gravity.degree() > 0) {
+    } else if (request.gravity.degree() > 0) {
       is_zonal[number] = 1;
     } else {
-      lanes.take_in(number, flight);
+      lanes.take_in(number, request);
     }
   }
 };
 
 }  // namespace
 
-std::vector<Solution> propagate_all(std::span<const Flight> flights, const TaylorEnsemble& method,
-                                    const InnerRows& rows, const Limits& limits) {
+std::vector<Solution> propagate_all(std::span<const PropagationRequest> requests,
+                                    const TaylorEnsemble& method, const InnerRows& rows,
+                                    const Limits& limits) {
   check_options(method, rows);
-  Ensemble ensemble{.flights = flights,
+  Ensemble ensemble{.requests = requests,
                     .method = method,
                     .rows = rows,
                     .limits = limits,
                     .kernel = ensemble_kernel_for(method.instructions.value_or(best_instruction_set())),
                     .settings = settings_of(method),
-                    .solutions = std::vector<Solution>(flights.size()),
-                    .is_zonal = std::vector<char>(flights.size()),
+                    .solutions = std::vector<Solution>(requests.size()),
+                    .is_zonal = std::vector<char>(requests.size()),
                     .watch = {}};
-  in_threads(std::min(threads_for(method.threads), flights.size()), [&ensemble] { ensemble.work(); });
-  ensemble.fly_the_rest();
+  in_threads(std::min(threads_for(method.threads), requests.size()), [&ensemble] { ensemble.work(); });
+  ensemble.propagate_rest();
   return std::move(ensemble.solutions);
 }
 

@@ -15,7 +15,7 @@
 namespace nlmech::orbit {
 
 /// Initial value problem of one orbit of an ensemble.
-struct Flight {
+struct PropagationRequest {
   State start;       ///< initial state at t = 0
   double until = 0;  ///< end time, of either sign
   Gravity gravity;   ///< gravity field
@@ -43,7 +43,7 @@ struct TaylorEnsemble {
 
 /// Called with the index of an orbit, a time and its state; in order of time for each orbit, from several
 /// threads.
-using RowSink = std::function<void(std::size_t flight, double t, const State& x)>;
+using RowSink = std::function<void(std::size_t request, double t, const State& x)>;
 
 /// Output rows between start and end.
 struct InnerRows {
@@ -59,7 +59,7 @@ struct InnerRows {
 /// a waiting one its initial state
 /// @return one solution per orbit, in order
 /// @throws std::invalid_argument for options out of range
-[[nodiscard]] std::vector<Solution> propagate_all(std::span<const Flight> flights,
+[[nodiscard]] std::vector<Solution> propagate_all(std::span<const PropagationRequest> requests,
                                                   const TaylorEnsemble& method = {},
                                                   const InnerRows& rows = {}, const Limits& limits = {});
 

@@ -49,10 +49,10 @@ struct Approach {
   };
   [[nodiscard]] At at(const T& s) const {
     using std::exp;
-    const T x = k * s, fade = exp(T(-x));
+    const T x = k * s, decay = exp(T(-x));
     const Stumpff<T> c = stumpff(T(-x * x));
     const T u1 = s * c.c1, u2 = s * s * c.c2, u3 = s * s * s * c.c3;
-    return {(1 - fade) / k + excess * u2 + u3, fade + excess * u1 + u2, u1, u2, u3};
+    return {(1 - decay) / k + excess * u2 + u3, decay + excess * u1 + u2, u1, u2, u3};
   }
   /// s at a time, to the square root of rounding, by Newton's iteration from a lower bound: x grows by at
   /// most 1 per step, up to 36 for the double nearest to the centre.

@@ -93,13 +93,13 @@ struct Flyby {
     using std::abs;
     using std::asinh;
     using std::sqrt;
-    const T k = sqrt(-alpha), goal = abs(wanted);
+    const T k = sqrt(-alpha), target = abs(wanted);
     // From e (sinh H - H) <= N: upper bound of H by asinh(N/e) and one correction.
-    const T n = goal * k * -alpha;
+    const T n = target * k * -alpha;
     T s = (asinh(T(n / e)) + asinh(T(asinh(T(n / e)) / e)) + 1) / k;
     for (int i = 0; i < 200; ++i) {
       const At a = at(s);
-      const T next = s - (a.time - goal) / a.r;
+      const T next = s - (a.time - target) / a.r;
       if (!(next < s)) break;  // monotone up to rounding
       s = next;
     }

@@ -196,8 +196,8 @@ struct ReferenceOptions {
 /// @returns step_underflow or non_finite if the solution ends before t1, or step_limit
 /// @throws std::invalid_argument if t1 < t0 or a number is not finite
 template <class Real, class Problem, class Visit>
-Status walk_reference(const Problem& problem, const Vector<Real, Problem::dimension>& x0, const Real& t0,
-                      const Real& t1, const ReferenceOptions& options, Visit&& visit);
+Status integrate_reference(const Problem& problem, const Vector<Real, Problem::dimension>& x0, const Real& t0,
+                           const Real& t1, const ReferenceOptions& options, Visit&& visit);
 
 /// States of a solution at given times, without storing its steps.
 /// @param problem problem, see problem.hpp
@@ -206,7 +206,7 @@ Status walk_reference(const Problem& problem, const Vector<Real, Problem::dimens
 /// @param times output times in ascending order, from t0 on
 /// @param states receives one state per time, fewer if the solution ends earlier
 /// @param options order, tolerance
-/// @returns status as of walk_reference()
+/// @returns status as of integrate_reference()
 template <class Real, class Problem>
 [[nodiscard]] Status reference_states(const Problem& problem, const Vector<Real, Problem::dimension>& x0,
                                       const Real& t0, std::span<const Real> times,
@@ -223,7 +223,7 @@ template <class Real, class Problem>
     }
   };
   while (states.size() < times.size() && times[states.size()] == t0) states.push_back(x0);
-  return times.empty() ? Status() : walk_reference(problem, x0, t0, times.back(), options, visit);
+  return times.empty() ? Status() : integrate_reference(problem, x0, t0, times.back(), options, visit);
 }
 
 /// A solution with its state at any time, stored as Taylor coefficients of all steps.
@@ -246,13 +246,13 @@ class ReferenceTrajectory {
                       const ReferenceOptions& options = {})
       : start_(t0), end_(t0), first_(x0), last_(x0) {
     const Vector<Real, dimension>& start = x0;
-    status_ =
-        walk_reference(problem, start, t0, t1, options,
-                       [this](const TaylorStep<Real, dimension>& step, const Vector<Real, dimension>& after) {
-                         steps_.push_back(step);
-                         end_ = step.start + step.length;
-                         last_ = after;
-                       });
+    status_ = integrate_reference(
+        problem, start, t0, t1, options,
+        [this](const TaylorStep<Real, dimension>& step, const Vector<Real, dimension>& after) {
+          steps_.push_back(step);
+          end_ = step.start + step.length;
+          last_ = after;
+        });
   }
 
   /// Success, or why the solution ends before t1.
@@ -328,8 +328,8 @@ template <class Real, int n>
 }  // namespace detail
 
 template <class Real, class Problem, class Visit>
-Status walk_reference(const Problem& problem, const Vector<Real, Problem::dimension>& x0, const Real& t0,
-                      const Real& t1, const ReferenceOptions& options, Visit&& visit) {
+Status integrate_reference(const Problem& problem, const Vector<Real, Problem::dimension>& x0, const Real& t0,
+                           const Real& t1, const ReferenceOptions& options, Visit&& visit) {
   using std::isfinite;
   constexpr int n = Problem::dimension;
   const ReferenceOptions chosen = options.completed<Real>();

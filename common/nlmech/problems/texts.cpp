@@ -19,11 +19,11 @@ program::Equations equations_of(std::string_view name, const program::Settings& 
   if (found == all.end()) {
     std::vector<std::string_view> names;
     for (const ProblemText& known : all) names.push_back(known.name);
-    throw invalid_argument("there is no problem '{}'; there is {}", name, fmt::join(names, ", "));
+    throw invalid_argument("there is no problem '{}'; choose one of {}", name, fmt::join(names, ", "));
   }
   program::Equations equations({fmt::format("{}.ode", name), std::string(found->text)}, settings);
   if (!equations.initial_time() || !equations.final_time())
-    throw invalid_argument("{}.ode: says neither where it begins nor where it ends: x(0) = 1, t <= 10", name);
+    throw invalid_argument("{}.ode: has no initial values or no end; add them, as x(0) = 1, t <= 10", name);
   return equations;
 }
 

@@ -71,19 +71,18 @@ class EquationReader {
         equations_.push_back(statement);
         continue;
       }
-      hold_name(left.name, left.place);
+      check_name(left.name, left.place);
       if (!definitions.emplace(left.name, left.place).second)
-        throw source_.mistake(left.place,
-                              fmt::format("{} is defined a second time", quoted_input(left.name)));
+        throw source_.mistake(left.place, fmt::format("{} is defined twice", quoted_input(left.name)));
       meaning_.define(left.name, statement.right);
     }
     for (const auto& [name, value] : settings) {
       if (!definitions.contains(name) && !used(name)) throw InputError(unknown_setting(name, definitions));
       if (!std::isfinite(value))
-        throw InputError(fmt::format("--set {}: a finite number, and this is {}", quoted_input(name), value));
+        throw InputError(fmt::format("--set {}: must be a finite number, not {}", quoted_input(name), value));
       names_.defined[name] = {made_.graph_.number(value), {}};
     }
-    hold_definitions(settings);
+    check_definitions(settings);
     for (const Statement& statement : tree_.statements) {
       const Syntax& left = tree_.nodes[statement.left];
       if (defines(left)) add_parameter(left.name, meaning_.definition(left.name, left.place));
@@ -99,8 +98,9 @@ class EquationReader {
       LinearForm form = meaning_.form_of(statement.right);
       meaning_.subtract(form, meaning_.form_of(statement.left));
       if (form.highest.empty())
-        throw source_.mistake(statement.place, "no highest derivative of an unknown stands here; there are " +
-                                                   quoted_input(names_.highest(), 200));
+        throw source_.mistake(statement.place,
+                              "this equation has no highest derivative of an unknown; it needs one of " +
+                                  quoted_input(names_.highest(), 200));
       system.add({form.rest, std::move(form.highest)});
     }
     if (equations_.size() > names_.unknowns.size())
@@ -127,10 +127,10 @@ class EquationReader {
       if (component == names_.components.end()) throw source_.mistake(given.place, no_component(made_));
       if (made_.initial_time_.value_or(time) != time)
         throw source_.mistake(given.place,
-                              fmt::format("another initial value is at the time {}", *made_.initial_time_));
+                              fmt::format("another initial value is given at time {}", *made_.initial_time_));
       made_.initial_time_ = time;
       std::optional<double>& value = made_.initial_[static_cast<std::size_t>(component->second)];
-      if (value) throw source_.mistake(given.place, "given a second time");
+      if (value) throw source_.mistake(given.place, "given twice");
       value = meaning_.number(given.value, "an initial value");
     }
   }
@@ -172,12 +172,12 @@ class EquationReader {
   }
 
  private:
-  void hold_name(const std::string& name, const Place& place) const {
-    if (name == "t") throw source_.mistake(place, "t is the time");
-    if (name == "pi") throw source_.mistake(place, "pi is 3.14159...");
+  void check_name(const std::string& name, const Place& place) const {
+    if (name == "t") throw source_.mistake(place, "t is reserved for the time");
+    if (name == "pi") throw source_.mistake(place, "pi is reserved for 3.14159...");
   }
   void take_derivative(const Syntax& node) {
-    hold_name(node.name, node.place);
+    check_name(node.name, node.place);
     if (node.primes > highest_order)
       throw source_.mistake(node.place, fmt::format("derivatives go up to order {}", highest_order));
     const auto [entry, is_new] =
@@ -202,7 +202,7 @@ class EquationReader {
     std::vector<std::string> known;
     for (const auto& [defined, place] : definitions) known.push_back(defined);
     return fmt::format("--set {}: the equation has no such definition{}{}", quoted_input(name),
-                       known.empty() ? "" : "; there is ",
+                       known.empty() ? "" : "; choose one of ",
                        quoted_input(fmt::format("{}", fmt::join(known, ", ")), 200));
   }
   [[nodiscard]] bool is_number(const LinearForm& form) const {
@@ -214,22 +214,23 @@ class EquationReader {
 
   static bool is_time(const Syntax& node) { return node.name == "t" && node.primes == 0; }
   // Checks the conditions of definitions before these are used.
-  void hold_definitions(const Settings& settings) {
+  void check_definitions(const Settings& settings) {
     for (const Condition& c : tree_.conditions) {
       const Syntax& left = tree_.nodes[c.left];
       if (left.kind != SyntaxKind::name)
-        throw source_.mistake(left.place, "a condition begins with the time, a component or a definition");
+        throw source_.mistake(left.place, "a condition must start with t, a component or a definition");
       if (is_time(left) || names_.component(left) >= 0) continue;
-      const double value = meaning_.number(c.left, "what a condition is about");
-      hold(c, left.name, value, meaning_.number(c.right, "a bound"), settings);
+      const double value = meaning_.number(c.left, "the left side of a condition");
+      check_condition(c, left.name, value, meaning_.number(c.right, "a bound"), settings);
     }
   }
   static bool is_upper(const Condition& c) {
     return c.relation == TokenKind::at_most || c.relation == TokenKind::below;
   }
   void take_end(const Condition& c, double end) {
-    if (!is_upper(c)) throw source_.mistake(c.place, "of the time the end is given alone: t <= 10");
-    if (made_.final_time_) throw source_.mistake(c.place, "given a second time");
+    if (!is_upper(c))
+      throw source_.mistake(c.place, "a condition on t must be an upper bound, the end: t <= 10");
+    if (made_.final_time_) throw source_.mistake(c.place, "given twice");
     made_.final_time_ = end;
   }
   void take_bound(const Condition& c, std::size_t component, double bound) {
@@ -239,23 +240,23 @@ class EquationReader {
       made_.upper_.assign(made_.state_names_.size(), infinity);
     }
     double& place = (is_upper(c) ? made_.upper_ : made_.lower_)[component];
-    if (std::isfinite(place)) throw source_.mistake(c.place, "given a second time");
+    if (std::isfinite(place)) throw source_.mistake(c.place, "given twice");
     place = bound;
     if (!(made_.lower_[component] <= made_.upper_[component]))
-      throw source_.mistake(c.place, "no value is within both bounds");
+      throw source_.mistake(c.place, "the lower bound is above the upper bound");
   }
-  void hold(const Condition& c, const std::string& name, double value, double bound,
-            const Settings& settings) const {
+  void check_condition(const Condition& c, const std::string& name, double value, double bound,
+                       const Settings& settings) const {
     const bool holds = c.relation == TokenKind::at_least  ? value >= bound
                        : c.relation == TokenKind::at_most ? value <= bound
                        : c.relation == TokenKind::above   ? value > bound
                                                           : value < bound;
     if (holds) return;
     if (settings.contains(name))
-      throw InputError(fmt::format("--set {}={:.6g}: the equations have a meaning for {} alone",
-                                   quoted_input(name), value, quoted_input(source_.at(c.place))));
+      throw InputError(fmt::format("--set {}={:.6g}: the equations require {}", quoted_input(name), value,
+                                   quoted_input(source_.at(c.place))));
     throw source_.mistake(c.place, fmt::format("this does not hold: {} is {:.6g}{}", quoted_input(name),
-                                               value, settings.empty() ? "" : " with what --set gives"));
+                                               value, settings.empty() ? "" : " with the values of --set"));
   }
 
   Equations& made_;
@@ -318,15 +319,15 @@ void Equations::read_columns(const std::string& name, const std::string& text, s
   for (const Statement& statement : tree.statements) {
     const Syntax& left = tree.nodes[statement.left];
     if (left.kind != SyntaxKind::name)
-      throw source.mistake(left.place, "a column is name = expression, or the name of a definition");
+      throw source.mistake(left.place, "a column must be name = expression, or the name of a definition");
     if (statement.left == statement.right) continue;
     if (left.primes > 0 || left.name == "t" || left.name == "pi" || names_.numbers.contains(left.name) ||
         meaning.is_defined(left.name))
-      throw source.mistake(left.place, fmt::format("{} has a meaning already; take another name",
+      throw source.mistake(left.place, fmt::format("{} is already defined; take another name",
                                                    with_primes(quoted_input(left.name), left.primes)));
     meaning.define(left.name, statement.right);
   }
-  if (tree.statements.empty()) throw source.mistake({0, text.size()}, "there is no column");
+  if (tree.statements.empty()) throw source.mistake({0, text.size()}, "no column is given");
   for (const Statement& statement : tree.statements) {
     const Syntax& left = tree.nodes[statement.left];
     const std::string column = with_primes(left.name, left.primes);
@@ -370,17 +371,17 @@ std::vector<double> Equations::initial_state(const std::string& name, const std:
   std::vector<std::optional<double>> given(state_names_.size());
   if (!tree.initial_values.empty())
     throw source.mistake(tree.initial_values.front().place,
-                         "initial values are given as x=1; --from gives the time");
+                         "write initial values as x=1; --from gives the time");
   if (!tree.conditions.empty())
-    throw source.mistake(tree.conditions.front().place, "an initial value is given as x=1");
+    throw source.mistake(tree.conditions.front().place, "write an initial value as x=1");
   if (!tree.conserved.empty())
-    throw source.mistake(tree.nodes[tree.conserved.front()].place, "an initial value is given as x=1");
+    throw source.mistake(tree.nodes[tree.conserved.front()].place, "write an initial value as x=1");
   for (const Statement& statement : tree.statements) {
     const Syntax& left = tree.nodes[statement.left];
     const int component = left.kind == SyntaxKind::name ? names_.component(left) : -1;
     if (component < 0) throw source.mistake(left.place, EquationReader::no_component(*this));
     std::optional<double>& value = given[static_cast<std::size_t>(component)];
-    if (value) throw source.mistake(left.place, "given a second time");
+    if (value) throw source.mistake(left.place, "given twice");
     value = meaning.number(statement.right, "an initial value");
   }
   std::vector<double> x;

@@ -45,7 +45,7 @@ std::size_t distance(std::string_view a, std::string_view b) {
 
 }  // namespace
 
-std::string what_there_is(std::string_view name) {
+std::string function_hint(std::string_view name) {
   std::string lower(name);
   std::ranges::transform(lower, lower.begin(),
                          [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
@@ -61,7 +61,7 @@ std::string what_there_is(std::string_view name) {
   }
   std::vector<std::string_view> all;
   for (const FunctionInfo& info : functions) all.push_back(info.name);
-  return fmt::format("there are {}", fmt::join(all, " "));
+  return fmt::format("functions are {}", fmt::join(all, " "));
 }
 
 }  // namespace nlmech::program

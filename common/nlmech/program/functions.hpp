@@ -87,6 +87,6 @@ inline constexpr std::array functions = {
 
 /// A hint for an unknown function: "atan is" for arctan, a list of all functions for gamma or besselj. Empty
 /// for a name that resembles no known function.
-[[nodiscard]] std::string what_there_is(std::string_view name);
+[[nodiscard]] std::string function_hint(std::string_view name);
 
 }  // namespace nlmech::program

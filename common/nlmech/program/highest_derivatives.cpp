@@ -219,7 +219,7 @@ class BlockSolver {
 
 std::vector<NodeId> HighestDerivatives::solve(const Mistake& mistake) {
   Structure structure(equations_, unknowns_);
-  if (const int u = structure.undetermined(); u >= 0) throw mistake(u, "there is no equation left for it");
+  if (const int u = structure.undetermined(); u >= 0) throw mistake(u, "no equation determines it");
   std::vector<NodeId> solved(static_cast<std::size_t>(unknowns_), -1);
   for (const std::vector<int>& block : structure.blocks()) {
     Block system;
@@ -242,7 +242,7 @@ std::vector<NodeId> HighestDerivatives::solve(const Mistake& mistake) {
     const int most = numbers ? most_coupled_by_numbers : most_coupled;
     if (static_cast<int>(block.size()) > most)
       throw mistake(block.front(),
-                    fmt::format("it hangs together with {} other highest derivatives; at most {} may",
+                    fmt::format("it is coupled with {} other highest derivatives; at most {} are supported",
                                 block.size() - 1, most - 1));
     const auto h = BlockSolver(graph_, std::move(system)).solve();
     if (!h) throw mistake(block.front(), "the equations do not determine it");

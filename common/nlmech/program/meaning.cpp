@@ -30,8 +30,7 @@ const LinearForm& Meaning::definition(const std::string& name, const Place& plac
   const auto known = names_.defined.find(name);
   if (known != names_.defined.end()) return known->second;
   if (!open_.emplace(name, true).second)
-    throw source_.mistake(place,
-                          fmt::format("the definition of {} leads back to itself", quoted_input(name)));
+    throw source_.mistake(place, fmt::format("the definition of {} depends on itself", quoted_input(name)));
   LinearForm form = form_of(definitions_.at(name));
   open_.erase(name);
   return names_.defined.emplace(name, std::move(form)).first->second;
@@ -41,16 +40,16 @@ NodeId Meaning::expression(std::size_t node) {
   const LinearForm form = form_of(node);
   if (form.highest.empty()) return form.rest;
   const Unknown& u = names_.unknowns[static_cast<std::size_t>(form.highest.begin()->first)];
-  throw source_.mistake(
-      tree_.nodes[node].place,
-      fmt::format("{} may not stand here: it is no component of the state", with_primes(u.name, u.order)));
+  throw source_.mistake(tree_.nodes[node].place,
+                        fmt::format("{} is not allowed here: it is not a component of the state",
+                                    with_primes(u.name, u.order)));
 }
 
 double Meaning::number(std::size_t node, std::string_view what) {
   const LinearForm form = form_of(node);
   if (!form.highest.empty() || !graph_.is_number(form.rest))
     throw source_.mistake(tree_.nodes[node].place,
-                          fmt::format("{} is a number, or an expression of definitions that are", what));
+                          fmt::format("{} must be a number, or an expression of constants", what));
   return graph_[form.rest].c;
 }
 
@@ -61,21 +60,22 @@ LinearForm Meaning::form_of(std::size_t index) {
   handled_ += form.highest.size();
   if (graph_.nodes() > most_operations || handled_ > most_operations)
     throw source_.mistake(node.place,
-                          fmt::format("the equations come to more than {} operations here", most_operations));
-  hold_to_numbers(form, node);
+                          fmt::format("the equations have more than {} operations", most_operations));
+  check_numbers(form, node);
   --depth_;
   return form;
 }
 // Numbers that are not finite are mistakes: 1/0, sqrt(-1), exp(1000).
-void Meaning::hold_to_numbers(const LinearForm& form, const Syntax& node) const {
-  const auto hold = [&](NodeId id) {
+void Meaning::check_numbers(const LinearForm& form, const Syntax& node) const {
+  const auto check = [&](NodeId id) {
     if (!graph_.is_number(id) || std::isfinite(graph_[id].c)) return;
-    throw source_.mistake(node.place, std::isnan(graph_[id].c)
-                                          ? "this is no real number"
-                                          : "this is infinite, or beyond the range of double precision");
+    throw source_.mistake(node.place,
+                          std::isnan(graph_[id].c)
+                              ? "the result is not a real number"
+                              : "the result is infinite, or beyond the range of double precision");
   };
-  hold(form.rest);
-  for (const auto& [unknown, coefficient] : form.highest) hold(coefficient);
+  check(form.rest);
+  for (const auto& [unknown, coefficient] : form.highest) check(coefficient);
 }
 
 LinearForm Meaning::meaning(const Syntax& node) {
@@ -113,13 +113,13 @@ std::string Meaning::unknown_name(const std::string& name) const {
   if (name == "e") return "e is not defined; write exp(1), or exp(x) for e^x";
   for (std::size_t cut = 1; cut < std::min<std::size_t>(name.size(), 60); ++cut) {
     const std::string a = name.substr(0, cut), b = name.substr(cut);
-    if (means_something(a) && means_something(b))
+    if (is_known_name(a) && is_known_name(b))
       return fmt::format("{} is not defined; a product is written {} {}", shown, a, b);
   }
   return fmt::format("{0} is not defined: it has neither a derivative ({0}') nor a definition ({0} = ...)",
                      shown);
 }
-bool Meaning::means_something(const std::string& name) const {
+bool Meaning::is_known_name(const std::string& name) const {
   return name == "t" || name == "pi" || names_.numbers.contains(name) || is_defined(name);
 }
 
@@ -183,18 +183,18 @@ LinearForm Meaning::call(const Syntax& node) {
   if (node.function == Function::table || node.function == Function::stepped_table) return {table(node), {}};
   std::vector<NodeId> arguments;
   for (const Syntax::Operand& operand : node.operands) arguments.push_back(argument(operand.node));
-  hold_to_domain(node, arguments);
+  check_domain(node, arguments);
   return {graph_.call(node.function, arguments.front(), arguments.back()), {}};
 }
 // Checks the arguments of functions whose jumps must be known in advance.
-void Meaning::hold_to_domain(const Syntax& node, const std::vector<NodeId>& arguments) const {
+void Meaning::check_domain(const Syntax& node, const std::vector<NodeId>& arguments) const {
   const std::string_view name =
       source_.at(node.place).substr(0, source_.at(node.place).find_first_of(" \t("));
   switch (node.function) {
     case Function::mod:
       if (!graph_.is_number(arguments[1]) || graph_.is_number(arguments[1], 0))
         throw source_.mistake(tree_.nodes[node.operands[1].node].place,
-                              "the second argument of mod is a number other than 0");
+                              "the second argument of mod must be a number other than 0");
       break;
     case Function::floor:
     case Function::ceil:
@@ -204,13 +204,13 @@ void Meaning::hold_to_domain(const Syntax& node, const std::vector<NodeId>& argu
   if (!std::isnan(graph_.drift(arguments[0]))) return;
   throw source_.mistake(
       tree_.nodes[node.operands[0].node].place,
-      fmt::format("{} is known of numbers and of a t + b with numbers a and b alone; where a state or "
-                  "another function of time reaches a known value c, write step(... - c)",
+      fmt::format("{} takes a number, or a t + b with numbers a and b; for a state or another function of "
+                  "time that reaches a known value c, write step(... - c)",
                   name));
 }
 
 NodeId Meaning::table(const Syntax& node) {
-  if (!names_.read_table) throw source_.mistake(node.place, "there are no tables here");
+  if (!names_.read_table) throw source_.mistake(node.place, "tables are not supported here");
   Table table = names_.read_table(node.name);
   table.stepped = node.function == Function::stepped_table;
   names_.earliest = std::max(names_.earliest, table.times.front());
@@ -239,9 +239,9 @@ NodeId Meaning::where(std::size_t condition, NodeId yes, NodeId no) {
 }
 InputError Meaning::nonlinear(std::size_t node, const LinearForm& form, std::string_view where) const {
   const Unknown& u = names_.unknowns[static_cast<std::size_t>(form.highest.begin()->first)];
-  return source_.mistake(tree_.nodes[node].place,
-                         fmt::format("{} stands {}; a highest derivative has to stand linearly",
-                                     with_primes(u.name, u.order), where));
+  return source_.mistake(
+      tree_.nodes[node].place,
+      fmt::format("{} is {}; a highest derivative must occur linearly", with_primes(u.name, u.order), where));
 }
 
 }  // namespace nlmech::program

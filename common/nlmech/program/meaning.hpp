@@ -88,17 +88,17 @@ class Meaning {
 
  private:
   [[nodiscard]] LinearForm meaning(const Syntax& node);
-  void hold_to_numbers(const LinearForm& form, const Syntax& node) const;
+  void check_numbers(const LinearForm& form, const Syntax& node) const;
   [[nodiscard]] LinearForm name(const Syntax& node);
   [[nodiscard]] std::string unknown_name(const std::string& name) const;
-  [[nodiscard]] bool means_something(const std::string& name) const;
+  [[nodiscard]] bool is_known_name(const std::string& name) const;
   void add(LinearForm& to, const LinearForm& what, bool subtract);
   [[nodiscard]] LinearForm scaled(LinearForm form, NodeId factor, bool divide = false);
   [[nodiscard]] LinearForm sum(const Syntax& node);
   [[nodiscard]] LinearForm product(const Syntax& node);
   [[nodiscard]] LinearForm power(const Syntax& node);
   [[nodiscard]] LinearForm call(const Syntax& node);
-  void hold_to_domain(const Syntax& node, const std::vector<NodeId>& arguments) const;
+  void check_domain(const Syntax& node, const std::vector<NodeId>& arguments) const;
   [[nodiscard]] LinearForm choose(const Syntax& node);
   [[nodiscard]] NodeId table(const Syntax& node);
   [[nodiscard]] NodeId where(std::size_t condition, NodeId yes, NodeId no);

@@ -26,14 +26,14 @@ class Parser {
   }
 
   void columns() {
-    while (!sees(TokenKind::end_of_text)) {
-      if (sees(TokenKind::end_of_statement)) {
+    while (!next_is(TokenKind::end_of_text)) {
+      if (next_is(TokenKind::end_of_statement)) {
         ++at_;
         continue;
       }
       const std::size_t first = peek().place.begin, left = sum();
       std::size_t right = left;
-      if (sees(TokenKind::equals)) {
+      if (next_is(TokenKind::equals)) {
         ++at_;
         right = sum();
       }
@@ -52,16 +52,16 @@ class Parser {
   [[nodiscard]] const Token& peek(std::size_t ahead = 0) const {
     return tokens_[std::min(at_ + ahead, tokens_.size() - 1)];
   }
-  [[nodiscard]] bool sees(TokenKind kind) const { return peek().kind == kind; }
+  [[nodiscard]] bool next_is(TokenKind kind) const { return peek().kind == kind; }
   const Token& take() { return tokens_[at_++]; }
   [[nodiscard]] std::string_view name_of(const Token& token) const { return source_.at(token.name); }
 
   [[nodiscard]] InputError expected(std::string_view what) const {
     const Token& token = peek();
     if (token.kind == TokenKind::end_of_text)
-      return source_.mistake(token.place, fmt::format("expected {}, and here the text ends", what));
+      return source_.mistake(token.place, fmt::format("expected {}, but the text ends here", what));
     if (token.kind == TokenKind::end_of_statement)
-      return source_.mistake(token.place, fmt::format("expected {}, and here the equation ends", what));
+      return source_.mistake(token.place, fmt::format("expected {}, but the equation ends here", what));
     return source_.mistake(token.place, fmt::format("expected {}", what));
   }
 
@@ -70,15 +70,16 @@ class Parser {
     if (begins_conserved()) return conserved();
     const std::size_t first = peek().place.begin, left = sum();
     if (is_relation(peek().kind)) return condition(first, left);
-    if (!sees(TokenKind::equals)) throw expected("an operator or =");
+    if (!next_is(TokenKind::equals)) throw expected("an operator or =");
     ++at_;
     const std::size_t right = sum();
-    if (sees(TokenKind::equals)) throw source_.mistake(peek().place, "an equation has one sign =");
+    if (next_is(TokenKind::equals))
+      throw source_.mistake(peek().place, "an equation must have exactly one sign =");
     end_statement("an operator or the end of the equation");
     tree_.statements.push_back({left, right, {first, tree_.nodes[right].place.end}});
   }
   void end_statement(std::string_view what) {
-    if (!sees(TokenKind::end_of_statement) && !sees(TokenKind::end_of_text)) throw expected(what);
+    if (!next_is(TokenKind::end_of_statement) && !next_is(TokenKind::end_of_text)) throw expected(what);
   }
 
   static bool is_relation(TokenKind kind) {
@@ -95,7 +96,7 @@ class Parser {
   // Is the next statement `conserved expression`? The expression has no sign of an equation or condition,
   // except comparisons within brackets.
   [[nodiscard]] bool begins_conserved() const {
-    if (!sees(TokenKind::name) || name_of(peek()) != "conserved" || peek().primes > 0) return false;
+    if (!next_is(TokenKind::name) || name_of(peek()) != "conserved" || peek().primes > 0) return false;
     int depth = 0;
     for (std::size_t ahead = 1;; ++ahead) {
       const TokenKind kind = peek(ahead).kind;
@@ -113,7 +114,7 @@ class Parser {
   // Is the next statement x'(0) = ...? A name that is not a function, directly followed by a bracket, and =
   // after the bracket.
   [[nodiscard]] bool begins_initial_value() const {
-    if (!sees(TokenKind::name) || peek(1).kind != TokenKind::open || peek(1).after_blank) return false;
+    if (!next_is(TokenKind::name) || peek(1).kind != TokenKind::open || peek(1).after_blank) return false;
     if (function_by_name(name_of(peek()))) return false;
     const std::size_t behind = behind_bracket(1);
     return behind > 0 && peek(behind).kind == TokenKind::equals;
@@ -131,7 +132,7 @@ class Parser {
     const Token& name = take();
     ++at_;  // bracket
     const std::size_t time = sum();
-    if (!sees(TokenKind::close)) throw expected("an operator or )");
+    if (!next_is(TokenKind::close)) throw expected("an operator or )");
     const Place place{name.place.begin, take().place.end};
     ++at_;  // sign
     const std::size_t value = sum();
@@ -154,7 +155,7 @@ class Parser {
 
   std::size_t sum() {
     std::vector<Syntax::Operand> terms = {{product()}};
-    while (sees(TokenKind::plus) || sees(TokenKind::minus)) {
+    while (next_is(TokenKind::plus) || next_is(TokenKind::minus)) {
       const bool minus = take().kind == TokenKind::minus;
       terms.push_back({product(), minus});
     }
@@ -163,20 +164,20 @@ class Parser {
 
   // Does the next token start a factor without a sign before it?
   [[nodiscard]] bool stands_beside() const {
-    if (sees(TokenKind::number))
-      throw source_.mistake(peek().place, "a number stands before what it multiplies; else write * or ^");
-    if (conditions_ > 0 && (sees_word("and") || sees_word("or"))) return false;
-    return sees(TokenKind::name) || sees(TokenKind::open);
+    if (next_is(TokenKind::number))
+      throw source_.mistake(peek().place, "a number must precede what it multiplies; else write * or ^");
+    if (conditions_ > 0 && (next_is_word("and") || next_is_word("or"))) return false;
+    return next_is(TokenKind::name) || next_is(TokenKind::open);
   }
 
   std::size_t product() {
     std::vector<Syntax::Operand> factors = {{signed_factor()}};
     for (;;) {
-      if (sees(TokenKind::times) || sees(TokenKind::over)) {
+      if (next_is(TokenKind::times) || next_is(TokenKind::over)) {
         const bool divisor = take().kind == TokenKind::over;
         factors.push_back({signed_factor(), divisor});
       } else if (stands_beside()) {
-        if (factors.back().inverse && !is_fraction(factors)) throw unclear_division(factors);
+        if (factors.back().inverse && !is_fraction(factors)) throw ambiguous_division(factors);
         factors.push_back({power()});
       } else {
         return gathered(SyntaxKind::product, std::move(factors));
@@ -190,14 +191,14 @@ class Parser {
     const bool negative = first.kind == SyntaxKind::negative;
     return (negative ? tree_.nodes[first.operands[0].node] : first).kind == SyntaxKind::number;
   }
-  [[nodiscard]] InputError unclear_division(const std::vector<Syntax::Operand>& factors) const {
+  [[nodiscard]] InputError ambiguous_division(const std::vector<Syntax::Operand>& factors) const {
     const std::string_view a = source_.at(tree_.nodes[factors[factors.size() - 2].node].place),
                            b = source_.at(tree_.nodes[factors.back().node].place),
                            c = source_.at(peek().place);
     const auto part = [](std::string_view text) { return quoted_input(text, 20); };
     return source_.mistake(
         peek().place, fmt::format("is this ({0}/{1}) {2} or {0}/({1} {2})? Set brackets, or write *", part(a),
-                                  part(b), sees(TokenKind::open) ? "(...)" : part(c)));
+                                  part(b), next_is(TokenKind::open) ? "(...)" : part(c)));
   }
 
   // Counts the depth of nested brackets, signs and exponents.
@@ -217,7 +218,7 @@ class Parser {
   };
 
   std::size_t signed_factor() {
-    if (!sees(TokenKind::minus) && !sees(TokenKind::plus)) return power();
+    if (!next_is(TokenKind::minus) && !next_is(TokenKind::plus)) return power();
     const Nested nested(*this);
     const Token& sign = take();
     const std::size_t operand = signed_factor();
@@ -229,7 +230,7 @@ class Parser {
 
   std::size_t power() {
     const std::size_t base = primary();
-    if (!sees(TokenKind::power)) return base;
+    if (!next_is(TokenKind::power)) return base;
     const Nested nested(*this);
     ++at_;
     const std::size_t exponent = signed_factor();
@@ -249,13 +250,13 @@ class Parser {
   std::size_t bracket() {
     const Nested nested(*this);
     const std::size_t begin = take().place.begin, inside = sum();
-    if (!sees(TokenKind::close)) throw expected("an operator or )");
+    if (!next_is(TokenKind::close)) throw expected("an operator or )");
     tree_.nodes[inside].place = {begin, take().place.end};
     return inside;
   }
 
-  [[nodiscard]] bool sees_word(std::string_view word) const {
-    return sees(TokenKind::name) && source_.at(peek().place) == word;
+  [[nodiscard]] bool next_is_word(std::string_view word) const {
+    return next_is(TokenKind::name) && source_.at(peek().place) == word;
   }
   // Increasing precedence: or, and, not, comparison. In conditions these words are not names.
   std::size_t condition() {
@@ -266,7 +267,7 @@ class Parser {
   }
   std::size_t alternatives() {
     std::vector<Syntax::Operand> all = {{conjunction()}};
-    while (sees_word("or")) {
+    while (next_is_word("or")) {
       ++at_;
       all.push_back({conjunction()});
     }
@@ -274,7 +275,7 @@ class Parser {
   }
   std::size_t conjunction() {
     std::vector<Syntax::Operand> all = {{single_condition()}};
-    while (sees_word("and")) {
+    while (next_is_word("and")) {
       ++at_;
       all.push_back({single_condition()});
     }
@@ -282,16 +283,16 @@ class Parser {
   }
   std::size_t single_condition() {
     const Nested nested(*this);
-    if (sees_word("not")) {
+    if (next_is_word("not")) {
       const std::size_t begin = take().place.begin, inside = single_condition();
       return add({.kind = SyntaxKind::opposite,
                   .place = {begin, tree_.nodes[inside].place.end},
                   .operands = {{inside}}});
     }
-    if (sees(TokenKind::open) && bracket_is_condition()) {
+    if (next_is(TokenKind::open) && bracket_is_condition()) {
       ++at_;
       const std::size_t inside = alternatives();
-      if (!sees(TokenKind::close)) throw expected("and, or or )");
+      if (!next_is(TokenKind::close)) throw expected("and, or or )");
       ++at_;
       return inside;
     }
@@ -299,7 +300,7 @@ class Parser {
     if (!is_relation(peek().kind)) throw expected("an operator or one of < <= > >=");
     const TokenKind relation = take().kind;
     const std::size_t right = sum();
-    if (is_relation(peek().kind)) throw source_.mistake(peek().place, "two comparisons are joined by and");
+    if (is_relation(peek().kind)) throw source_.mistake(peek().place, "join two comparisons by and");
     return add({.kind = SyntaxKind::comparison,
                 .place = span(left, right),
                 .relation = relation,
@@ -319,7 +320,7 @@ class Parser {
     const Token& token = take();
     const std::string_view name = name_of(token);
     if (const auto function = function_by_name(name)) return call(token, *function);
-    if (sees(TokenKind::open) && !peek().after_blank) throw no_function(token);
+    if (next_is(TokenKind::open) && !peek().after_blank) throw no_function(token);
     return add(
         {.kind = SyntaxKind::name, .place = token.place, .name = std::string(name), .primes = token.primes});
   }
@@ -331,10 +332,10 @@ class Parser {
     if (is_unknown(token) && bracket_has_time())
       return source_.mistake(
           token.place, peek(2).kind == TokenKind::close
-                           ? fmt::format("an unknown is written {}, without the time", name)
+                           ? fmt::format("write an unknown as {}, without the time", name)
                            : fmt::format("{} at another time: delays are not supported; {}", name, product));
     if (!is_name(token)) {
-      if (const std::string there = what_there_is(name); !there.empty())
+      if (const std::string there = function_hint(name); !there.empty())
         return source_.mistake(token.place, fmt::format("{} is not a function here; {}", name, there));
     }
     return source_.mistake(token.place, fmt::format("{} is no function; {}", name, product));
@@ -361,27 +362,28 @@ class Parser {
   std::size_t call(const Token& token, const FunctionInfo& function) {
     const Nested nested(*this);
     if (token.primes > 0)
-      throw source_.mistake(token.place, fmt::format("{} is a function and has no prime", function.name));
-    if (sees(TokenKind::power))
+      throw source_.mistake(token.place,
+                            fmt::format("{} is a function and cannot have a prime", function.name));
+    if (next_is(TokenKind::power))
       throw source_.mistake(peek().place,
-                            fmt::format("a power of a function is written {}(...)^2", function.name));
-    if (!sees(TokenKind::open))
+                            fmt::format("write a power of a function as {}(...)^2", function.name));
+    if (!next_is(TokenKind::open))
       throw source_.mistake(
           token.place,
           fmt::format("{0} is a function, and needs its argument in brackets: {0}(...)", function.name));
     ++at_;
     if (function.function == Function::table) return table(token);
     std::vector<Syntax::Operand> arguments = {{function.function == Function::choose ? condition() : sum()}};
-    while (sees(TokenKind::comma)) {
+    while (next_is(TokenKind::comma)) {
       ++at_;
       arguments.push_back({sum()});
     }
-    if (!sees(TokenKind::close)) throw expected("an operator or )");
+    if (!next_is(TokenKind::close)) throw expected("an operator or )");
     const Place place{token.place.begin, take().place.end};
     if (static_cast<int>(arguments.size()) != function.arguments)
-      throw source_.mistake(
-          place, fmt::format("{} has {} argument{}, and here {}", function.name, function.arguments,
-                             function.arguments == 1 ? "" : "s", arguments.size()));
+      throw source_.mistake(place,
+                            fmt::format("{} takes {} argument{}, not {}", function.name, function.arguments,
+                                        function.arguments == 1 ? "" : "s", arguments.size()));
     return add({.kind = SyntaxKind::call,
                 .place = place,
                 .function = function.function,
@@ -390,16 +392,16 @@ class Parser {
 
   // table("load.csv") or table("load.csv", steps)
   std::size_t table(const Token& token) {
-    if (!sees(TokenKind::text)) throw expected("the name of a file in quotation marks");
+    if (!next_is(TokenKind::text)) throw expected("the name of a file in quotation marks");
     const std::string_view quoted = source_.at(take().place);
     Function function = Function::table;
-    if (sees(TokenKind::comma)) {
+    if (next_is(TokenKind::comma)) {
       ++at_;
-      if (!sees_word("steps")) throw expected("the word steps");
+      if (!next_is_word("steps")) throw expected("the word steps");
       ++at_;
       function = Function::stepped_table;
     }
-    if (!sees(TokenKind::close)) throw expected(")");
+    if (!next_is(TokenKind::close)) throw expected(")");
     return add({.kind = SyntaxKind::call,
                 .place = {token.place.begin, take().place.end},
                 .name = std::string(quoted.substr(1, quoted.size() - 2)),
@@ -413,7 +415,7 @@ class Parser {
   int depth_ = 0, conditions_ = 0;
 };
 
-void hold_to_length(const SourceText& source) {
+void check_length(const SourceText& source) {
   if (source.text().size() > most_bytes)
     throw source.mistake({most_bytes, most_bytes + 1}, fmt::format("longer than {} bytes", most_bytes));
 }
@@ -421,21 +423,21 @@ void hold_to_length(const SourceText& source) {
 }  // namespace
 
 SyntaxTree parse(const SourceText& source, Separator separator) {
-  hold_to_length(source);
+  check_length(source);
   SyntaxTree tree;
   Parser(source, tree, separator).statements();
   return tree;
 }
 
 SyntaxTree parse_columns(const SourceText& source) {
-  hold_to_length(source);
+  check_length(source);
   SyntaxTree tree;
   Parser(source, tree, Separator::semicolon).columns();
   return tree;
 }
 
 std::size_t parse_expression(const SourceText& source, SyntaxTree& tree) {
-  hold_to_length(source);
+  check_length(source);
   return Parser(source, tree, Separator::semicolon).only_expression();
 }
 

@@ -152,8 +152,7 @@ void Switches::add_jumps(std::size_t k, double begin, double last, std::vector<d
   const double end_value = step_value(k, last);
   double value = step_value(k, begin);
   if (!(std::abs(end_value - value) + static_cast<double>(jumps.size()) <= most))
-    throw std::invalid_argument(
-        "the equations jump more than a million times before, by floor, ceil, frac or mod");
+    throw std::invalid_argument("floor, ceil, frac or mod jump more than a million times before this time");
   while (value != end_value) {
     double before = begin, after = last;
     for (;;) {

@@ -25,7 +25,7 @@ bool is_linear(Step step) {
 }
 
 /// Degree of an expression that is not a polynomial of the time.
-constexpr int endless = 1 << 20;
+constexpr int not_polynomial = 1 << 20;
 
 /// The degree of a result as a polynomial of the time.
 int degree(Step step, int a, int b) {
@@ -36,8 +36,8 @@ int degree(Step step, int a, int b) {
     case Step::scaled:
     case Step::divided:
     case Step::shifted: return a;
-    case Step::product: return std::min(endless, a + b);
-    default: return endless;
+    case Step::product: return std::min(not_polynomial, a + b);
+    default: return not_polynomial;
   }
 }
 
@@ -94,7 +94,7 @@ class TapeCompiler {
         tape_(tape),
         slope_(nodes()),
         uses_(nodes()),
-        degree_(nodes(), endless),
+        degree_(nodes(), not_polynomial),
         absorbed_(nodes()),
         series_(nodes(), -1) {}
 

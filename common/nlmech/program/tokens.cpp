@@ -30,15 +30,15 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 19> printed 
     {"\u00f7", "a quotient is typed /"},
     {"\u00b2", "a square is typed ^2"},
     {"\u00b3", "a cube is typed ^3"},
-    {"\u00b0", "angles are in radians: a degree is pi/180"},
+    {"\u00b0", "angles are in radians: write a degree as pi/180"},
     {"\u03c0", "this number is typed pi"},
     {"\u221a", "a root is typed sqrt(...)"},
     {"\u2032", "a derivative is typed with a straight prime, x'"},
     {"\u2019", "a derivative is typed with a straight prime, x'"},
     {"\u2033", "a second derivative is typed with two straight primes, x''"},
     {"\u201d", "a second derivative is typed with two straight primes, x''"},
-    {"\u00a0", "this is no common blank"},
-    {"\u2009", "this is no common blank"},
+    {"\u00a0", "this is not an ordinary blank"},
+    {"\u2009", "this is not an ordinary blank"},
 }};
 
 /// Splits a text into tokens.
@@ -98,7 +98,7 @@ class Reader {
       case '+': return add(TokenKind::plus, 1, blank);
       case '-': return add(TokenKind::minus, 1, blank);
       case '*':
-        if (peek(1) == '*') throw source_.mistake({at_, at_ + 2}, "a power is written with ^");
+        if (peek(1) == '*') throw source_.mistake({at_, at_ + 2}, "write a power with ^");
         return add(TokenKind::times, 1, blank);
       case '/': return add(TokenKind::over, 1, blank);
       case '^': return add(TokenKind::power, 1, blank);
@@ -119,10 +119,10 @@ class Reader {
   void read_text(bool blank) {
     if (peek() != '"')
       throw source_.mistake({at_, at_ + 1},
-                            "the name of a file stands in quotation marks: table(\"load.csv\")");
+                            "the name of a file must be in quotation marks: table(\"load.csv\")");
     const std::size_t end = text_.find_first_of("\"\n", at_ + 1);
     if (end == std::string_view::npos || text_[end] != '"')
-      throw source_.mistake({at_, at_ + 1}, "the name of a file ends with a quotation mark");
+      throw source_.mistake({at_, at_ + 1}, "the name of a file must end with a quotation mark");
     add(TokenKind::text, end + 1 - at_, blank);
   }
 
@@ -131,10 +131,9 @@ class Reader {
     while (at_ + length < text_.size() && (static_cast<unsigned char>(text_[at_ + length]) & 0xC0U) == 0x80U)
       ++length;
     const Place place{at_, at_ + length};
-    if (peek() == '\'')
-      return source_.mistake(place, "a prime stands directly behind the name of an unknown");
+    if (peek() == '\'') return source_.mistake(place, "a prime must directly follow the name of an unknown");
     if (peek() == '"') return source_.mistake(place, "a second derivative is written with two primes, x''");
-    if (peek() == '[' || peek() == '{') return source_.mistake(place, "brackets are round");
+    if (peek() == '[' || peek() == '{') return source_.mistake(place, "only round brackets are allowed");
     for (const auto& [sign, advice] : printed) {
       if (source_.at(place) == sign) return source_.mistake(place, advice);
     }
@@ -149,7 +148,7 @@ class Reader {
     const Place place{at_, at_ + length};
     if (error == std::errc::result_out_of_range || !std::isfinite(value))
       throw source_.mistake(place, "this number is beyond the range of double precision");
-    if (peek(length) == '.') throw source_.mistake(place, "a number has one decimal point");
+    if (peek(length) == '.') throw source_.mistake(place, "a number must have at most one decimal point");
     add(TokenKind::number, length, blank);
     tokens_.back().number = value;
   }
@@ -159,7 +158,7 @@ class Reader {
     while (is_letter(peek(letters)) || is_digit(peek(letters))) ++letters;
     if (letters > longest_name)  // messages contain names unabridged
       throw source_.mistake({at_, at_ + letters},
-                            fmt::format("a name has at most {} characters", longest_name));
+                            fmt::format("a name must have at most {} characters", longest_name));
     std::size_t primes = 0;
     while (peek(letters + primes) == '\'') ++primes;
     const std::size_t begin = at_;

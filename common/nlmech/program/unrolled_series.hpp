@@ -31,8 +31,8 @@ inline constexpr int most_order = 10;
 inline constexpr int most_order = 33;
 #endif
 inline constexpr std::ptrdiff_t stride =
-    std::ptrdiff_t{most_order + 8} / 8 * 8;  ///< distance between series in memory
-inline constexpr int endless = 1 << 20;      ///< degree of an expression that is not a polynomial in time
+    std::ptrdiff_t{most_order + 8} / 8 * 8;     ///< distance between series in memory
+inline constexpr int not_polynomial = 1 << 20;  ///< degree of an expression that is not a polynomial in time
 
 /// The sum of a[i] b[-i] for i = 0, ..., n - 1, in four partial sums.
 template <int n>
@@ -104,7 +104,7 @@ class UnrolledSeries {
     v.pass_ = &pass;
     v.series_ = series;
     v.value_ = value;
-    v.degree_ = is_time ? 1 : unrolled::endless;
+    v.degree_ = is_time ? 1 : unrolled::not_polynomial;
     v.timed_ = is_time;
     return v;
   }
@@ -134,8 +134,9 @@ class UnrolledSeries {
     if (a.is_constant() && b.is_constant()) return a.value_ * b.value_;
     if (a.is_constant() || b.is_constant()) return linear(a, b, a.value_ * b.value_);
     UnrolledSeries r = result(a, b);
-    r.degree_ = a.degree_ < unrolled::endless && b.degree_ < unrolled::endless ? a.degree_ + b.degree_
-                                                                               : unrolled::endless;
+    r.degree_ = a.degree_ < unrolled::not_polynomial && b.degree_ < unrolled::not_polynomial
+                    ? a.degree_ + b.degree_
+                    : unrolled::not_polynomial;
     return r.keep(product(a, b));
   }
   /// Quotient. A divisor with c_0 = 0 gives infinities and NaN, as for numbers.
@@ -225,7 +226,7 @@ class UnrolledSeries {
     UnrolledSeries r;
     r.pass_ = a.is_constant() ? b.pass_ : a.pass_;
     r.series_ = r.pass_->used++;
-    r.degree_ = unrolled::endless;
+    r.degree_ = unrolled::not_polynomial;
     r.timed_ = (a.is_constant() || a.timed_) && (b.is_constant() || b.timed_);
     return r;
   }

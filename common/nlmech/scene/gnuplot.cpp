@@ -16,8 +16,8 @@ namespace {
 
 std::string shortened(const std::string& text) {
   constexpr std::size_t most = 600;
-  const std::string tidy = text.substr(std::min(text.find_first_not_of(" \n\t"), text.size()));
-  return tidy.size() <= most ? tidy : tidy.substr(0, most) + "...";
+  const std::string trimmed = text.substr(std::min(text.find_first_not_of(" \n\t"), text.size()));
+  return trimmed.size() <= most ? trimmed : trimmed.substr(0, most) + "...";
 }
 
 /// Text of a template without its leading comments, which explain its variables.

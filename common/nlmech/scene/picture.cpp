@@ -32,18 +32,18 @@ class Scratch {
   Scratch() {
     std::error_code error;
     std::string name = (fs::temp_directory_path(error) / "nlmech-plot-XXXXXX").string();
-    const CriticalSection act;
+    const CriticalSection section;
     if (error || ::mkdtemp(name.data()) == nullptr)
       throw Failure(fmt::format("no temporary folder {}: {}", name, std::generic_category().message(errno)));
     path_ = name;
-    trace_.emplace(act, [path = path_] { clear(path); });
+    cleanup_.emplace(section, [path = path_] { clear(path); });
   }
   Scratch(const Scratch&) = delete;
   Scratch& operator=(const Scratch&) = delete;
   ~Scratch() {
-    const CriticalSection act;
+    const CriticalSection section;
     clear(path_);
-    trace_->gone(act);
+    cleanup_->dismiss(section);
   }
   [[nodiscard]] const fs::path& path() const { return path_; }
 
@@ -53,7 +53,7 @@ class Scratch {
     fs::remove_all(path, ignored);
   }
   fs::path path_;
-  std::optional<CleanupOnExit> trace_;
+  std::optional<CleanupOnExit> cleanup_;
 };
 
 }  // namespace
@@ -73,7 +73,7 @@ std::string without_markup(const std::string& text) {
 Picture::Picture(fs::path file) : file_(std::move(file)) {
   if (!wanted()) return;
   const std::string name = echoed_path(file_.string());
-  if (file_.extension() != ".svg") throw input_error("--plot {}: needs a name.svg", name);
+  if (file_.extension() != ".svg") throw input_error("--plot {}: must end in .svg", name);
   std::error_code none;
   const fs::path folder = file_.has_parent_path() ? file_.parent_path() : ".";
   if (!fs::is_directory(folder, none)) throw input_error("--plot {}: there is no such folder", name);
@@ -82,8 +82,8 @@ Picture::Picture(fs::path file) : file_(std::move(file)) {
   if (!fs::exists(there)) return;
   if (!fs::is_regular_file(there) || !read_whole(file_).ends_with(drawn_here))
     throw input_error(
-        "--plot {}: is there and is no picture of such a command, which overwrites nothing else; "
-        "give another name, or move it",
+        "--plot {}: exists and was not drawn by nlmech, so it is not overwritten; give another name, or move "
+        "it",
         name);
 }
 

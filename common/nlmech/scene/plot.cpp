@@ -96,11 +96,11 @@ std::string gnuplot_quoted(const std::string& text) {
   return out + "'";
 }
 
-Look lines(int style) { return {"lines", style}; }
-Look thin_lines(int style) { return {"lines linewidth 1", style}; }
-Look points(int style) { return {"points", style}; }
-Look large_points(int style) { return {"points pointsize 1", style}; }
-Look linespoints(int style) { return {"linespoints linewidth 1.2", style}; }
+CurveStyle lines(int style) { return {"lines", style}; }
+CurveStyle thin_lines(int style) { return {"lines linewidth 1", style}; }
+CurveStyle points(int style) { return {"points", style}; }
+CurveStyle large_points(int style) { return {"points pointsize 1", style}; }
+CurveStyle linespoints(int style) { return {"linespoints linewidth 1.2", style}; }
 
 Panel::Panel(Plot& plot, std::size_t number, std::string x_label, std::string y_label)
     : plot_(plot), number_(number), x_label_(std::move(x_label)), y_label_(std::move(y_label)) {}
@@ -175,31 +175,32 @@ Panel& Panel::mark(double x, const std::string& text) {
   return *this;
 }
 
-Panel& Panel::add(const std::string& name, const std::string& what, const Look& look) {
-  const int style = look.style > 0 ? look.style : styles_ + 1;
-  if (look.style == 0) styles_ = style;
-  const auto blank = look.with.find(' ');
+Panel& Panel::add(const std::string& name, const std::string& what, const CurveStyle& curve_style) {
+  const int style = curve_style.style > 0 ? curve_style.style : styles_ + 1;
+  if (curve_style.style == 0) styles_ = style;
+  const auto blank = curve_style.with.find(' ');
   elements_.push_back(
-      fmt::format("{} with {} linestyle {}{} {}", what, look.with.substr(0, blank), style,
-                  blank == std::string::npos ? "" : look.with.substr(blank),
+      fmt::format("{} with {} linestyle {}{} {}", what, curve_style.with.substr(0, blank), style,
+                  blank == std::string::npos ? "" : curve_style.with.substr(blank),
                   name.empty() ? "notitle" : "title " + gnuplot_quoted(with_kept_blanks(name))));
   return *this;
 }
 
 Panel& Panel::curve(const std::string& name, const std::vector<double>& x, const std::vector<double>& y,
-                    const Look& look) {
+                    const CurveStyle& curve_style) {
   const auto block = plot_.blocks_;
   plot_.add_curve(number_, x, y);
   const auto& names = plot_.names_;
   return add(name,
              fmt::format("data using \"{}\":\"{}\" every :::{}::{}", names[names.size() - 2], names.back(),
                          block, block),
-             look);
+             curve_style);
 }
 
-Panel& Panel::columns(const std::string& name, const std::string& columns, const Look& look, int block) {
+Panel& Panel::columns(const std::string& name, const std::string& columns, const CurveStyle& curve_style,
+                      int block) {
   const std::string every = block < 0 ? "" : fmt::format(" every :::{}::{}", block, block);
-  return add(name, "data " + by_name(columns) + every, look);
+  return add(name, "data " + by_name(columns) + every, curve_style);
 }
 
 Panel& Panel::also(const std::string& element) {
@@ -250,8 +251,9 @@ Plot& Plot::data(Table table) {
 }
 
 void Plot::add_curve(std::size_t panel, const std::vector<double>& x, const std::vector<double>& y) {
-  if (own_data_) throw std::logic_error("Plot: curves of their own beside data of another form");
-  if (x.size() != y.size()) throw std::invalid_argument("Plot: abscissae and ordinates of other numbers");
+  if (own_data_)
+    throw std::logic_error("Plot: curves with data of their own cannot be combined with shared data");
+  if (x.size() != y.size()) throw std::invalid_argument("Plot: different numbers of abscissae and ordinates");
   if (x.empty()) throw std::invalid_argument("Plot: a curve without points");
   ++blocks_;
   for (std::size_t i = 0; i < x.size(); ++i) {

@@ -21,15 +21,15 @@ namespace nlmech::scene {
 [[nodiscard]] std::string gnuplot_quoted(const std::string& text);
 
 /// Appearance of a curve. Styles are numbered from 1 in `figures/style.gp`; 0 is the next style of the panel.
-struct Look {
+struct CurveStyle {
   std::string with;  ///< gnuplot's text after `with`: "lines", "points pointsize 1.2"
   int style = 0;     ///< style of line and point
 };
-[[nodiscard]] Look lines(int style = 0);        ///< a line
-[[nodiscard]] Look thin_lines(int style = 0);   ///< a line of the background
-[[nodiscard]] Look points(int style = 0);       ///< a symbol at each point
-[[nodiscard]] Look large_points(int style);     ///< a symbol that marks a point
-[[nodiscard]] Look linespoints(int style = 0);  ///< line and symbols
+[[nodiscard]] CurveStyle lines(int style = 0);        ///< a line
+[[nodiscard]] CurveStyle thin_lines(int style = 0);   ///< a line of the background
+[[nodiscard]] CurveStyle points(int style = 0);       ///< a symbol at each point
+[[nodiscard]] CurveStyle large_points(int style);     ///< a symbol that marks a point
+[[nodiscard]] CurveStyle linespoints(int style = 0);  ///< line and symbols
 
 /// A pair of axes with its curves. Each setting returns the panel, so that settings can be chained.
 class Panel {
@@ -58,21 +58,21 @@ class Panel {
 
   /// A curve through points; NaN breaks the line. @param name title in the key, empty for none
   Panel& curve(const std::string& name, const std::vector<double>& x, const std::vector<double>& y,
-               const Look& look = lines());
+               const CurveStyle& curve_style = lines());
   /// A curve with a point for each row of a range or view. @param x, y members or functions of a row
   template <std::ranges::range Rows, std::invocable<std::ranges::range_reference_t<Rows>> X, class Y>
-  Panel& curve(const std::string& name, Rows&& rows, X x, Y y, const Look& look = lines()) {
+  Panel& curve(const std::string& name, Rows&& rows, X x, Y y, const CurveStyle& curve_style = lines()) {
     std::vector<double> xs, ys;
     for (const auto& row : rows) {
       xs.push_back(static_cast<double>(std::invoke(x, row)));
       ys.push_back(static_cast<double>(std::invoke(y, row)));
     }
-    return curve(name, xs, ys, look);
+    return curve(name, xs, ys, curve_style);
   }
   /// A curve of the data of Plot::data(): columns by name, "t:laier", or an expression in parentheses,
   /// "t:(1000*column('x'))".
   /// @param block index of a block of lines in the data, from 0; -1: all
-  Panel& columns(const std::string& name, const std::string& columns, const Look& look = lines(),
+  Panel& columns(const std::string& name, const std::string& columns, const CurveStyle& curve_style = lines(),
                  int block = -1);
   /// Any other element of gnuplot's `plot`, before the next curve: "sin(x) with lines".
   Panel& also(const std::string& element);
@@ -80,7 +80,7 @@ class Panel {
  private:
   friend class Plot;
   Panel(class Plot& plot, std::size_t number, std::string x_label, std::string y_label);
-  Panel& add(const std::string& name, const std::string& what, const Look& look);
+  Panel& add(const std::string& name, const std::string& what, const CurveStyle& curve_style);
 
   Plot& plot_;
   std::size_t number_;  // from 1

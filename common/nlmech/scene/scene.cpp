@@ -18,7 +18,7 @@ AnyRun::AnyRun(std::string name, std::string reading, List needs)
 
 AnyRun::~AnyRun() = default;
 
-void Results::take_turn(std::size_t scenes_left) {
+void Results::wait_for_processor(std::size_t scenes_left) {
   constexpr std::size_t many = 12;
   if (!machine_ || (processor_ && scenes_left > many)) return;
   processor_.reset();

@@ -72,7 +72,7 @@ class Results {
 
   /// Call before each scene: waits for a free processor (Machine), unless quick. With many scenes left the
   /// program keeps its processor, so that a long chapter does not finish last.
-  void take_turn(std::size_t scenes_left);
+  void wait_for_processor(std::size_t scenes_left);
 
   /// The run's result. @throws std::logic_error if another run of the same name has another reading or type
   template <class T>

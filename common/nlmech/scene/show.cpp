@@ -20,7 +20,7 @@ Panel& Show::plot(const std::string& heading, const std::string& x_label, const 
 }
 
 Plot& Show::figure() {
-  if (!plot_) throw std::logic_error("no figure of curves was begun");
+  if (!plot_) throw std::logic_error("no figure of curves was started");
   return *plot_;
 }
 

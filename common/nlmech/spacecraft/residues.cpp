@@ -257,8 +257,8 @@ Settling settling_time(const ExponentialSum& f, double final_value, double band,
   const double offset = std::abs(f.polynomial()[0] - final_value);
   const auto late = [&](double sought) {
     return Settling{0, failed_with(Outcome::not_converged,
-                                   "settling_time: not within {:g} of {:g} for good before {:g} s; allow a "
-                                   "later time or a wider band",
+                                   "settling_time: does not stay within {:g} of {:g} from any time before "
+                                   "{:g} s; allow a later time or a wider band",
                                    band, final_value, sought)};
   };
   if (offset >= band || f.polynomial()[1] != 0 || f.polynomial()[2] != 0) return late(latest);

@@ -163,7 +163,7 @@ Status not_separated(const Cluster& cluster, const std::string& why) {
   const Complex c = cluster.centre();
   return failed_with(
       Outcome::not_converged,
-      "step response: {} poles near {:g}{:+g}i nearly coincide, and {}; change a gain a little",
+      "step response: {} poles near {:g}{:+g}i nearly coincide, and {}; change a gain slightly",
       cluster.poles.size(), c.real(), c.imag(), why);
 }
 
@@ -171,8 +171,7 @@ Status not_separated(const Cluster& cluster, const std::string& why) {
 Status add_cluster(const ClosedLoop& loop, const std::vector<Cluster>& all, std::size_t k,
                    std::span<const double> places, double scale, ResidueTerms& terms) {
   const Cluster& cluster = all[k];
-  if (cluster.poles.size() > most_together)
-    return not_separated(cluster, "no more than eight can be told apart");
+  if (cluster.poles.size() > most_together) return not_separated(cluster, "at most eight can be separated");
   const Distances d = distances(all, k);
   Complex centre = cluster.centre();
   const bool own = std::abs(centre.imag()) <= d.within;
@@ -345,11 +344,10 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 /// Status of sums with the largest number of terms: success if they meet a reduced accuracy.
 Status few_digits(const ResidueTerms& terms, const TimeResponse& response, double tolerance) {
   if (enough(response.bounds, terms, std::max(tolerance, 1e-6), 1e-2)) return {};
-  return failed_with(
-      Outcome::not_converged,
-      "residues: what {} poles leave out is up to {:g} of theta and {:g} of theta'; the spacecraft's hub is "
-      "too light, or k2 or k3 too large, for its motion to be summed mode by mode",
-      terms.groups.size(), response.bounds.theta, response.bounds.theta_dot);
+  return failed_with(Outcome::not_converged,
+                     "residues: the terms beyond {} poles are up to {:g} of theta and {:g} of theta'; the "
+                     "hub is too light, or k2 or k3 too large, for a sum over modes",
+                     terms.groups.size(), response.bounds.theta, response.bounds.theta_dot);
 }
 
 /// Doubles the number of pairs until the bounds are met.
@@ -392,8 +390,8 @@ Status closes(const char* what, const ExponentialSum& sum, double bound) {
   const double start = sum.value(0), allowed = bound + 1e-9 * sum.envelope(0);
   if (std::abs(start) <= allowed) return {};
   return failed_with(Outcome::not_converged,
-                     "step response: {} begins with {:g}, where 0 is right to {:g}; poles are missing, or so "
-                     "near to each other that rounding decides; change a gain a little",
+                     "step response: {} starts at {:g} instead of 0 (error bound {:g}); poles are missing, "
+                     "or so close to each other that rounding decides; change a gain slightly",
                      what, start, allowed);
 }
 
@@ -474,8 +472,8 @@ Status certain_at(const TimeResponse& response, double time) {
     // Below a phase of 1e10 rad no sum has an error of a thousandth.
     if (fastest * time < 1e10 || f.uncertainty(time) <= 1e-3 * largest) return {};
     return failed_with(Outcome::outside_validity,
-                       "step: at t = {:g} s rounding leaves the phase of the oscillations of {} open, {:g} "
-                       "of {:g}; ask for an earlier time",
+                       "step: at t = {:g} s rounding leaves the phase of the oscillations of {} undetermined "
+                       "({:g} of {:g}); ask for an earlier time",
                        time, what, f.uncertainty(time), largest);
   };
   Status status = judged("theta", response.theta);

@@ -41,7 +41,7 @@ InstructionSet chosen_set() {
   }
   if (name.empty()) return largest;
   throw InputError(std::string(variable) + "=" + quoted_input(name) +
-                   ": no instruction set of this processor; it has " + names);
+                   ": is not an instruction set of this processor; choose one of " + names);
 }
 
 }  // namespace

@@ -145,10 +145,10 @@ def test_events_are_all_there(draw):
     if a.touching:
         # A double zero is a row, or named on standard error, or by rounding two zeros; with a direction none, but for rounding there.
         stray = [f for f in found if all(abs(t - f) > within for t in a.touching)]
-        is_named = crossing or "cannot be told" in r.errors or "touches" in r.errors
+        is_named = crossing or "cannot be distinguished" in r.errors or "touches" in r.errors
         missed = [] if is_named else [t for t in inside if all(abs(t - f) > within for f in found)]
         return wrong(f"{r.words}: {stray}, {missed}") if stray or missed else judged(0, 1, r.words)
-    if "cannot be told" in r.errors:
+    if "cannot be distinguished" in r.errors:
         return undecided(r.words)
     return judged(ratio_of(found, inside, within), 1, f"{r.words}: {len(found)} zeros, {found[:9]}, for {len(inside)}, {sorted(inside)[:9]}")
 

@@ -20,7 +20,7 @@ namespace {
 /// Runs with 2 to @p most digits: the first costs @p first seconds, each further digit a factor @p growth
 /// more.
 MethodLine line(const std::string& method, double first, double growth, int most, std::size_t group = 0,
-                Side side = Side::ours) {
+                Side side = Side::library) {
   MethodLine made{method, group, {}, side};
   double seconds = first;
   for (int digits = 2; digits <= most; ++digits, seconds *= growth)
@@ -52,13 +52,13 @@ TEST(Rankings, AreThoseOfOtherMethods) {
 TEST(Rankings, AreSaidInWords) {
   const ProblemLines problem = crossing();
   const auto rankings = rankings_of(problem);
-  EXPECT_EQ(rankings[0].margin(problem), "11 times before high");
+  EXPECT_EQ(rankings[0].margin(problem), "11 times as fast as high");
   EXPECT_EQ(rankings[3].margin(problem), "alone");
-  EXPECT_EQ(who_leads(problem), "low is fastest at 3 and 6, high at 9 and 12 digits");
+  EXPECT_EQ(fastest_by_digits(problem), "low is fastest at 3 and 6, high at 9 and 12 digits");
   const ProblemLines two = {"", {line("a", 1, 2, 7), line("b", 3, 2, 7)}};
-  EXPECT_EQ(rankings_of(two)[1].margin(two), "3.0 times before b");
-  EXPECT_EQ(rankings_of(two)[2].margin(two), "nobody");
-  EXPECT_EQ(who_leads(two), "a is fastest at 3 and 6 digits");
+  EXPECT_EQ(rankings_of(two)[1].margin(two), "3.0 times as fast as b");
+  EXPECT_EQ(rankings_of(two)[2].margin(two), "no method");
+  EXPECT_EQ(fastest_by_digits(two), "a is fastest at 3 and 6 digits");
 }
 
 TEST(Rankings, OfEqualsGoToTheFirst) {
@@ -67,25 +67,25 @@ TEST(Rankings, OfEqualsGoToTheFirst) {
     EXPECT_EQ(ranking.first, 0U);
     EXPECT_EQ(ranking.next, 1U);
     EXPECT_DOUBLE_EQ(ranking.factor, 1);
-    EXPECT_EQ(ranking.margin(problem), "level with b");
+    EXPECT_EQ(ranking.margin(problem), "as fast as b");
   }
 }
 
 TEST(Rankings, AreNoneOfAFloor) {
   ProblemLines problem = crossing();
   problem.lines.push_back(line("closed form", 1e-9, 1, 15, 0, Side::floor));
-  EXPECT_EQ(who_leads(problem), "low is fastest at 3 and 6, high at 9 and 12 digits");
+  EXPECT_EQ(fastest_by_digits(problem), "low is fastest at 3 and 6, high at 9 and 12 digits");
   EXPECT_FALSE(rankings_of(problem)[3].next);
 }
 
 TEST(Rankings, NeedSomebodyWhoArrives) {
   const ProblemLines alone = {"", {line("a", 1, 2, 12)}};
-  EXPECT_EQ(who_leads(alone), "a is fastest at 3, 6, 9 and 12 digits");
+  EXPECT_EQ(fastest_by_digits(alone), "a is fastest at 3, 6, 9 and 12 digits");
   EXPECT_EQ(rankings_of(alone)[0].margin(alone), "alone");
   for (const ProblemLines& none :
        {ProblemLines{"", {}}, ProblemLines{"", {{"absent", 0, {}}, line("a", 1, 2, 2)}}}) {
     for (const Ranking& ranking : rankings_of(none)) EXPECT_FALSE(ranking.first);
-    EXPECT_EQ(who_leads(none), "no method has three digits");
+    EXPECT_EQ(fastest_by_digits(none), "no method has three digits");
   }
 }
 
@@ -146,7 +146,7 @@ TEST(Foreground, IsNeverMoreThanThereAreColours) {
   std::vector<ProblemLines> many = {{"", {}}};
   for (int digits = 2; digits <= 15; ++digits)  // each is the fastest for its number of digits
     many[0].lines.push_back(line("m" + std::to_string(digits), 0.1 * digits, 1.01, digits, 1));
-  EXPECT_EQ(names(many).size(), method_looks.size());
+  EXPECT_EQ(names(many).size(), method_styles.size());
 }
 
 // In either problem another method is the best of its kind; in the second one by more digits.

@@ -74,9 +74,9 @@ TEST(Options, RefusalsNameOptionTextAndRange) {
   EXPECT_EQ(refusal(options.add("--count", whole, "").range(1, 9), "2.5"),
             "--count 2.5: must be a whole number from 1 to 9");
   EXPECT_EQ(refusal(options.add("--side", word, "").one_of({"left", "right"}), "up"),
-            "--side up: there is left, right");
+            "--side up: must be one of left, right");
   EXPECT_EQ(refusal(options.add("--place", std::span<double>(place), ""), "1,2"),
-            "--place 1,2: 2 numbers where 3 are needed");
+            "--place 1,2: 2 numbers; 3 are needed");
   EXPECT_EQ(refusal(options.add("--list", list, "").range(0, 1), "0.5,2"),
             "--list 0.5,2: must be from 0 to 1");
   EXPECT_EQ(number, 1);  // a refused option does not change its member
@@ -108,7 +108,7 @@ TEST(Options, ACommandWithoutMemorySaysWhatToChange) {
   testing::internal::CaptureStderr();
   EXPECT_EQ(run_command(commands, "a program", 2, argv), 1);
   const std::string said = testing::internal::GetCapturedStderr();
-  EXPECT_TRUE(said.starts_with("program: there is not enough memory")) << said;
+  EXPECT_TRUE(said.starts_with("program: not enough memory")) << said;
   EXPECT_TRUE(tests::holds(said, "--every"));
 }
 

@@ -118,10 +118,10 @@ TEST(ThisProcess, ClearsItsTracesAwayAtItsEnd) {
   put(gone, "whole");
   const auto end = [&] {
     {
-      const CriticalSection act;
-      static CleanupOnExit half(act, [&] { fs::remove(left); });
-      static CleanupOnExit whole(act, [&] { fs::remove(gone); });
-      whole.gone(act);
+      const CriticalSection section;
+      static CleanupOnExit half(section, [&] { fs::remove(left); });
+      static CleanupOnExit whole(section, [&] { fs::remove(gone); });
+      whole.dismiss(section);
     }
     end_process(3, "no more\x1b[31m time");
   };
@@ -133,11 +133,11 @@ TEST(ThisProcess, ClearsItsTracesAwayAtItsEnd) {
 // end_process() waits for the end of the critical section.
 TEST(ThisProcess, FinishesTheActUnderWay) {
   const auto end = [] {
-    auto act = std::make_unique<CriticalSection>();
+    auto section = std::make_unique<CriticalSection>();
     const std::jthread ender([] { end_process(3, "over"); });
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
     std::fputs("whole ", stderr);
-    act.reset();
+    section.reset();
     std::this_thread::sleep_for(std::chrono::seconds(100));
   };
   EXPECT_EXIT(end(), ::testing::ExitedWithCode(3), "whole over");
@@ -303,7 +303,7 @@ TEST_F(TheMachine, IsTakenInTurn) {
 // A waiting program gets the first processor as soon as the other program has few scenes left.
 TEST_F(TheMachine, IsKeptWithManyScenesLeft) {
   Results results(false);
-  results.take_turn(100);
+  results.wait_for_processor(100);
   const pid_t child = ::fork();
   if (child == 0) {
     Machine its(1);
@@ -311,9 +311,9 @@ TEST_F(TheMachine, IsKeptWithManyScenesLeft) {
     ::_exit(0);
   }
   std::this_thread::sleep_for(std::chrono::milliseconds(200));
-  results.take_turn(100);
+  results.wait_for_processor(100);
   EXPECT_EQ(::waitpid(child, nullptr, WNOHANG), 0) << "still waits";
-  results.take_turn(1);
+  results.wait_for_processor(1);
   EXPECT_EQ(::waitpid(child, nullptr, 0), child);
 }
 

@@ -83,10 +83,9 @@ Report find_root(const FirstScalarHomotopy& method, Equations& equations, Vector
   require_option(first_homotopy, method.steps >= 1, "steps", method.steps, "at least 1");
   require_option(first_homotopy, method.weight >= 0 && std::isfinite(method.weight), "weight", method.weight,
                  "0 or positive");
-  return iterate<Pass>(
-      first_homotopy, method, equations, x, observer,
-      {Outcome::singular_matrix,
-       "the flow has no direction: dh/dx is 0, as where |F| is stationary; start elsewhere"});
+  return iterate<Pass>(first_homotopy, method, equations, x, observer,
+                       {Outcome::singular_matrix,
+                        "dh/dx is 0, so that the flow has no direction: |F| is stationary; start elsewhere"});
 }
 
 namespace {

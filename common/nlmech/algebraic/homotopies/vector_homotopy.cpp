@@ -158,10 +158,10 @@ std::string_view along_path(Outcome outcome) {
   switch (outcome) {
     case Outcome::singular_matrix:
     case Outcome::step_underflow:
-      return "dH/dx is singular: the path turns back, and t cannot lead over that; follow its arc length "
-             "(chow-yorke)";
+      return "dH/dx is singular: the path turns back in t; follow it by arc length (chow-yorke)";
     case Outcome::not_converged:
-      return "Newton's iteration at t = 1 does not end; follow the path more closely, or by its arc length";
+      return "Newton's iteration at t = 1 does not converge; take shorter steps along the path, or follow it "
+             "by arc length";
     default: return "";
   }
 }
@@ -342,8 +342,8 @@ std::string_view after_path(Outcome outcome) {
     case Outcome::singular_matrix:
       return "the matrix of dH/dx and dH/dt has no full rank here; start elsewhere";
     case Outcome::step_underflow:
-      return "the path cannot be followed by any step: it ends or branches here; start elsewhere or take the "
-             "other homotopy";
+      return "no step length follows the path: it ends or branches here; start elsewhere or take the other "
+             "homotopy";
     case Outcome::step_limit:
       return "the allowed steps are used up before t = 1; the path may run to infinity; start elsewhere or "
              "take the other homotopy";

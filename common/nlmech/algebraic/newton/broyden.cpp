@@ -25,7 +25,7 @@ class Secant {
 
   Outcome step() {
     if (kept_ < 0) {
-      const Outcome outcome = start_anew();
+      const Outcome outcome = restart();
       if (outcome != Outcome::success) return outcome;
     }
     const double before = run_.norm;
@@ -45,7 +45,7 @@ class Secant {
   }
 
  private:
-  Outcome start_anew() {
+  Outcome restart() {
     run_.linearise(run_.x);
     ++run_.statistics().factorisations;
     kept_ = 0;

@@ -325,8 +325,8 @@ class Minimisation {
         return place + ", V, F or its derivative is not finite" + why + "; start elsewhere";
       case Outcome::not_converged:
         return place +
-               ", V falls no more within its rounding, and this is no minimum to rounding: a degenerate"
-               " point; start elsewhere or change the load slightly";
+               ", V cannot decrease by more than its rounding, and the point is not a minimum to rounding "
+               "(it is degenerate); start elsewhere or change the load slightly";
       case Outcome::interrupted: return place + ", stopped by the observer";
       default: return place + ", the allowed steps are used up; allow more, or start closer";
     }

@@ -109,11 +109,11 @@ class Reduced {
     double most = system_.equations().data_rounding(system_.unscaled(row_.y));
     if (!system_.residual(at)) return most;
     const double here = row_.y.dot(system_.f());
-    PathVector shaken{{}, at.m};
+    PathVector perturbed{{}, at.m};
     double changes = 0;
     for (std::uint64_t sequence = 0; sequence < 4; ++sequence) {
-      perturb_last_bits(at.y, sequence, shaken.y);
-      if (system_.residual(shaken)) changes = std::max(changes, std::abs(row_.y.dot(system_.f()) - here));
+      perturb_last_bits(at.y, sequence, perturbed.y);
+      if (system_.residual(perturbed)) changes = std::max(changes, std::abs(row_.y.dot(system_.f()) - here));
     }
     return most + changes;
   }
@@ -181,8 +181,8 @@ Outcome refine_fork(PathSystem& system, Fork& fork, double reach, double load) {
     at.y += step[0] * reduced.along.y + step[1] * reduced.under.y;
     at.m += step[1];
     outcome = reduced.correct(at);
-    const PathVector gone{at.y - start.y, 0};
-    if (!(gone.norm() <= reach)) return Outcome::not_converged;
+    const PathVector displacement{at.y - start.y, 0};
+    if (!(displacement.norm() <= reach)) return Outcome::not_converged;
     const bool is_done = length <= 1e-14 || (length <= 1e-6 && length > before / 2);
     before = length;
     if (!is_done) continue;

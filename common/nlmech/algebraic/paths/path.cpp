@@ -58,7 +58,7 @@ Status Path::start(bool upwards) {
     outcome = correct_in_plane(along, std::max(first, now_.at.norm()), now_.at, count);
   if (outcome == Outcome::success) outcome = start_tangent(along);
   if (outcome != Outcome::success)
-    return failure(outcome, "there is no solution with a tangent to start from; start elsewhere");
+    return failure(outcome, "no solution with a tangent is found at the start; start elsewhere");
   // The first step changes the load by `first`.
   first_length_ = length_ = first / std::max(std::abs(now_.tangent.m), 0.1);
   previous_tangent_ = now_.tangent;
@@ -160,8 +160,8 @@ Outcome Path::correct_on_sphere(double length, PathVector& at, int& count) {
     const double sum = -(half + std::copysign(std::sqrt(discriminant), half));
     const double one = sum / square, other = sum != 0 ? rest / sum : 0;
     // Choose the root that turns less from the direction of the iterate.
-    const Eigen::VectorXd gone = at.y - now_.at.y;
-    const double slope = gone.dot(forced_) + b;
+    const Eigen::VectorXd displacement = at.y - now_.at.y;
+    const double slope = displacement.dot(forced_) + b;
     const double d = slope * one > slope * other ? one : other;
     ++system_.statistics.newton_iterations;
     step_.y = free_ + d * forced_;
@@ -225,14 +225,14 @@ bool Path::go_to(const PathPoint& next) {
   const PathChanges changes = changes_between(now_, next, system_.equations().is_symmetric());
   if (!is_continuous(next, changes)) return false;
   PathPoint kept = std::exchange(before_, std::exchange(now_, next));
-  parted_before_ = parted_;
+  separated_before_ = separated_;
   critical_.clear();
   if (changes.count() == 0 || critical_in(mark(0, before_), mark(1, now_), critical_) == Outcome::success) {
     earlier_ = std::move(kept);
     return true;
   }
   critical_.clear();
-  parted_ = parted_before_;
+  separated_ = separated_before_;
   now_ = std::exchange(before_, std::move(kept));
   return false;
 }
@@ -246,7 +246,7 @@ bool Path::take_back() {
   length_ = length;
   factor_ /= 4;
   critical_.clear();
-  parted_ = parted_before_;
+  separated_ = separated_before_;
   ++system_.statistics.rejected;
   return true;
 }
@@ -286,11 +286,11 @@ Status Path::advance() {
     factor_ /= 2;
     const bool is_short = length < method_.shortest * first_length_;
     if (is_beyond && (is_short || (outcome == Outcome::success && length < least_to_edge * first_length_)))
-      return failure(Outcome::wrong_branch, "the path goes no farther");
+      return failure(Outcome::wrong_branch, "the path ends here");
     if (is_short)
       return failure(outcome == Outcome::non_finite ? outcome : Outcome::step_underflow,
-                     "no step is short enough to be told from a jump to another branch: the path ends here, "
-                     "or meets others; follow it from elsewhere");
+                     "even the shortest step cannot be distinguished from a jump to another branch: the path "
+                     "ends or branches here; start elsewhere");
   }
 }
 

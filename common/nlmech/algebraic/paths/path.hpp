@@ -212,11 +212,11 @@ class Path {
     double negative, positive;
   };
   [[nodiscard]] AroundZero around_zero();
-  [[nodiscard]] std::optional<double> dip_in(double low, double high, double AroundZero::*side,
-                                             Eigen::Index negative);
+  [[nodiscard]] std::optional<double> extremum_between(double low, double high, double AroundZero::*side,
+                                                       Eigen::Index negative);
   void split_between(double low, double high, Eigen::Index first, Eigen::Index last,
                      std::vector<double>& parts);
-  [[nodiscard]] Outcome splits(std::vector<double>& parts);
+  [[nodiscard]] Outcome split_points(std::vector<double>& parts);
   [[nodiscard]] bool is_change_at(double part, CriticalPoint::Kind kind);
   [[nodiscard]] double part_of(const PathPoint& point) const;
   [[nodiscard]] double expected_slope(double part) const;
@@ -229,7 +229,7 @@ class Path {
   PathPoint now_, before_, earlier_;
   PathVector step_, previous_tangent_;
   Eigen::VectorXd rest_, free_, forced_;
-  std::optional<PathVector> parted_, parted_before_;  // last bifurcation perturbed by rounding
+  std::optional<PathVector> separated_, separated_before_;  // last bifurcation perturbed by rounding
   std::vector<CriticalPoint> critical_;  // between before_ and now_, without pairs that no sign shows
   double first_length_ = 0, length_ = 0, factor_ = 1, greatest_ = 0;
 };

@@ -33,7 +33,7 @@ Path::Mark Path::mark(double part, const PathPoint& point) const {
 Outcome Path::critical_points(std::vector<CriticalPoint>& out) {
   out.clear();
   std::vector<double> parts;
-  Outcome outcome = splits(parts);
+  Outcome outcome = split_points(parts);
   // Near a bifurcation where an eigenvalue vanishes without changing sign, signs are rounding.
   for (const CriticalPoint& c : critical_) {
     if (c.vanishing == 0)
@@ -45,11 +45,11 @@ Outcome Path::critical_points(std::vector<CriticalPoint>& out) {
   if (pair) parts.insert(std::upper_bound(parts.begin(), parts.end(), pair->high), pair->high);
   if (parts.empty()) {
     out = critical_;
-    return out.empty() && parted_.has_value() == parted_before_.has_value()
+    return out.empty() && separated_.has_value() == separated_before_.has_value()
                ? critical_in(mark(0, before_), mark(1, now_), out)
                : outcome;
   }
-  parted_ = parted_before_;
+  separated_ = separated_before_;
   Mark low = mark(0, before_);
   PathPoint point;
   for (const double part : parts) {
@@ -74,10 +74,10 @@ Outcome Path::critical_in(const Mark& low, const Mark& high, std::vector<Critica
     const Outcome outcome = fold_in({low.part, low.slope, high.part, high.slope}, point);
     if (outcome == Outcome::success && is_of_rounding(low, high, point)) {
       const bool is_known =
-          parted_ && PathVector{parted_->y - point.at.y, parted_->m - point.at.m}.norm() <=
-                         PathVector{now_.at.y - before_.at.y, now_.at.m - before_.at.m}.norm();
+          separated_ && PathVector{separated_->y - point.at.y, separated_->m - point.at.m}.norm() <=
+                            PathVector{now_.at.y - before_.at.y, now_.at.m - before_.at.m}.norm();
       if (is_known) return outcome;
-      parted_ = point.at;
+      separated_ = point.at;
       return add_critical(CriticalPoint::Kind::bifurcation, 1, point, out);
     }
     return outcome == Outcome::success ? add_critical(limit, 1, point, out) : outcome;
@@ -191,8 +191,8 @@ bool Path::is_change_at(double part, CriticalPoint::Kind kind) {
 /// Adds a critical point if K is singular there and the path is continuous.
 Outcome Path::add_critical(CriticalPoint::Kind kind, Eigen::Index vanishing, const PathPoint& point,
                            std::vector<CriticalPoint>& out) {
-  const bool is_parted = parted_ && parted_->m == point.at.m;
-  if (!is_parted && !is_change_at(part_of(point), kind)) return Outcome::not_converged;
+  const bool is_separated = separated_ && separated_->m == point.at.m;
+  if (!is_separated && !is_change_at(part_of(point), kind)) return Outcome::not_converged;
   double norm = 0;  // norm of K nearby: with one unknown K vanishes at the point itself
   for (const PathVector& at : {before_.at, now_.at, point.at}) {
     if (!system_.linearise(at)) return Outcome::non_finite;

@@ -216,8 +216,8 @@ Outcome Path::polish(PathPoint& point) {
 
 Status Path::switch_branch(const PathPoint& point, const PathVector& across, double length) {
   PathPoint next = point;
-  const double way = length < 0 ? -1 : 1;
-  PathVector normal{way * across.y, way * across.m};
+  const double sign = length < 0 ? -1 : 1;
+  PathVector normal{sign * across.y, sign * across.m};
   next.at.y += std::abs(length) * normal.y;
   next.at.m += std::abs(length) * normal.m;
   int count = 0;

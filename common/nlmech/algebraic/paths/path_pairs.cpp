@@ -53,7 +53,8 @@ Path::AroundZero Path::around_zero() {
 
 /// Point in an interval where an eigenvalue has another sign than at both ends, by golden-section search for
 /// the eigenvalue nearest to zero on one side.
-std::optional<double> Path::dip_in(double low, double high, double AroundZero::*side, Eigen::Index negative) {
+std::optional<double> Path::extremum_between(double low, double high, double AroundZero::*side,
+                                             Eigen::Index negative) {
   PathPoint point;
   return golden_section(low, high, 30, [&](double part) -> std::optional<double> {
     if (between(part, point) != Outcome::success || !system_.linearise(point.at)) return HUGE_VAL;
@@ -87,7 +88,7 @@ void Path::split_between(double low, double high, Eigen::Index first, Eigen::Ind
 /// bifurcation points within one step. Samples inner points of the cubic and refines where the smallest
 /// positive or greatest negative eigenvalue has a minimum of its magnitude near zero. Changes of one
 /// direction only show at the ends and are not split.
-Outcome Path::splits(std::vector<double>& parts) {
+Outcome Path::split_points(std::vector<double>& parts) {
   parts.clear();
   if (!system_.equations().is_symmetric()) return Outcome::success;
   std::array<AroundZero, places> soft{};
@@ -126,7 +127,8 @@ Outcome Path::splits(std::vector<double>& parts) {
       const double left = soft[i - 1].*side, right = soft[i + 1].*side;
       const Vertex vertex = vertex_of(left, soft[i].*side, right);
       if (!(std::abs(vertex.at) <= 1 && vertex.value < 0.3 * std::max(left, right))) continue;
-      if (const auto dip = dip_in(part(i - 1), part(i + 1), side, negative[i])) parts.push_back(*dip);
+      if (const auto extremum = extremum_between(part(i - 1), part(i + 1), side, negative[i]))
+        parts.push_back(*extremum);
     }
   }
   for (std::size_t i = 1; i < places; ++i) {

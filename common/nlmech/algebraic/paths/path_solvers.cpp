@@ -70,7 +70,7 @@ class Search {
         break;
       }
       status = path_.advance();
-      if (status.ok()) status = look(path_.now());
+      if (status.ok()) status = observe(path_.now());
       if (status.ok()) status = search_step();
     }
     return finish(std::move(status), x);
@@ -90,11 +90,11 @@ class Search {
       return {};
     }
     const Status status = path_.start();
-    return status.ok() ? look(path_.now()) : status;
+    return status.ok() ? observe(path_.now()) : status;
   }
 
   /// F(x) on the path is (1 - load) F(x0).
-  Status look(const PathPoint& point) {
+  Status observe(const PathPoint& point) {
     rest_ = (1 - point.load) * embedding_.start();
     report_.last = rest_.norm();
     report_.least = std::min(report_.least, report_.last);
@@ -129,7 +129,7 @@ class Search {
     if (outcome == Outcome::success) return {};
     return failed_with(
         outcome,
-        "{}: between loads {:.9g} and {:.9g} of 1 a limit point or the end is not found; take shorter steps",
+        "{}: no limit point and no end is found between loads {:.9g} and {:.9g} of 1; take shorter steps",
         name_of(method_.path), path_.before().load, path_.now().load);
   }
   //! [limit points decide]

@@ -14,7 +14,7 @@ namespace {
 // A structure buckles where its smallest eigenvalue vanishes, so the relative rounding error of that
 // eigenvalue at rest carries over to critical loads. Above this error, long double is used, which takes three
 // times as long; critical loads then keep six digits.
-constexpr double enough_digits = 1e-7;
+constexpr double negligible_rounding = 1e-7;
 
 }  // namespace
 
@@ -57,7 +57,7 @@ PathSystem::PathSystem(Loaded& equations, const Eigen::VectorXd& x, double load,
   if (scale_.size() == 0) scale_ = scale_of(diagonal_of(equations_));
   const PathVector start = scaled(x, load);
   if (!linearise(start)) return;
-  is_stiff_ = equations_.is_symmetric() && rounding_of_softest() > enough_digits &&
+  is_stiff_ = equations_.is_symmetric() && rounding_of_smallest_eigenvalue() > negligible_rounding &&
               equations_.long_residual(long_x(start), load, f_);
   if (is_stiff_ && !linearise(start)) return;
   solve(q_, work_);
@@ -177,7 +177,7 @@ bool PathSystem::factorise_long() {
 
 /// Bound of the relative error of the eigenvalue of the balanced matrix nearest to zero, as computed from the
 /// factors in double; by inverse iteration.
-double PathSystem::rounding_of_softest() const {
+double PathSystem::rounding_of_smallest_eigenvalue() const {
   if (zero_ > 0) return HUGE_VAL;
   Eigen::VectorXd v = Eigen::VectorXd::Zero(size()), next;
   for (Eigen::Index i = 0; i < v.size(); ++i) v[i] = 1 + 0.5 * std::sin(1. + static_cast<double>(i));
@@ -189,7 +189,7 @@ double PathSystem::rounding_of_softest() const {
 }
 
 void PathSystem::certify() {
-  if (!equations_.is_symmetric() || is_rounded_ || 64 * rounding_of_softest() < 1) return;
+  if (!equations_.is_symmetric() || is_rounded_ || 64 * rounding_of_smallest_eigenvalue() < 1) return;
   is_rounded_ = is_long_ || factorise_long();
 }
 

@@ -106,7 +106,7 @@ class PathSystem {
   bool factorise();
   bool factorise_symmetric();
   bool factorise_long();
-  [[nodiscard]] double rounding_of_softest() const;
+  [[nodiscard]] double rounding_of_smallest_eigenvalue() const;
   [[nodiscard]] LongVector long_x(const PathVector& at) const;
   void solve_transposed(const Eigen::VectorXd& b, Eigen::VectorXd& x) const;
   void eliminate(const PathVector& row, double delta, double delta_transposed, const PathVector& right,

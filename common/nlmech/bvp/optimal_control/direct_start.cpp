@@ -70,7 +70,7 @@ class Descent {
     if (!integrate(now_)) {
       result.status = Status::failure(Outcome::non_finite,
                                       "direct_start: the trajectory of the guessed control is not finite; "
-                                      "begin with a weaker control");
+                                      "start with a weaker control");
       return result;
     }
     for (int round = 0; round < options_.rounds; ++round) {

@@ -261,9 +261,9 @@ Extremal tighten(const ExtremalProblem& problem, const Start& start, const Const
     const Constraints c = path(s);
     last.solution.status =
         failed_with(Outcome::infeasible,
-                    "tighten: {:.4g} of the way to the bounds (control limit {:.6g}, penalty weight {:.3g}) "
-                    "no extremal follows ({}); the bounds admit none near this one, or none at all: loosen "
-                    "them or start from another extremal",
+                    "tighten: no extremal is found at {:.4g} of the path to the bounds (control limit "
+                    "{:.6g}, penalty weight {:.3g}; {}); the bounds admit none near the last one, or none at "
+                    "all; loosen them or start from another extremal",
                     s, c.control_limit, c.penalty_weight, trial.solution.status.sentence());
   }
   return last;

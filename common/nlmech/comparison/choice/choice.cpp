@@ -161,22 +161,22 @@ ErrorGrowth growth_along(const ChoiceRequest& q, const std::string& method) {
   const ivp::Limits limits = q.limits(40'000);
   const auto run = any_method(method).with(
       {.tolerance = tolerance, .absolute_tolerance = tolerance * std::min(q.absolute, 1.0)});
-  ReferenceRequest way{q.x0.cast<long double>(), q.t0, {}};
+  ReferenceRequest request{q.x0.cast<long double>(), q.t0, {}};
   Reference along;
   along.size = q.x0.cwiseAbs();
   const auto add = [&](double t, const ivp::State& x) {
-    way.times.push_back(t);
+    request.times.push_back(t);
     along.states.conservativeResize(x.size(), along.states.cols() + 1);
     along.states.rightCols(1) = x.cast<long double>();
   };
   const ivp::Observer observe = [&](const ivp::Step& step) {
     along.size = along.size.cwiseMax(step.x1.cwiseAbs());
     const double part = (step.t1 - q.t0) / (q.t1 - q.t0) * intervals;
-    if (part >= static_cast<double>(way.times.size() + 1) && step.t1 != q.t1) add(step.t1, step.x1);
+    if (part >= static_cast<double>(request.times.size() + 1) && step.t1 != q.t1) add(step.t1, step.x1);
     return true;
   };
   const ivp::Solution end = run(q.system, q.x0, q.t0, q.t1, observe, limits);
-  if (way.times.empty() || end.t != way.times.back()) add(end.t, end.x);
+  if (request.times.empty() || end.t != request.times.back()) add(end.t, end.x);
   if (end.t == q.t0 || !end.x.allFinite()) return {};
   along.first.compute = [&](const ReferenceRequest& part, double seconds, StatesAt& states) {
     ivp::Limits these = limits;
@@ -186,14 +186,14 @@ ErrorGrowth growth_along(const ChoiceRequest& q, const std::string& method) {
     if (s.status.outcome() != Outcome::outside_validity) return s.status;
     // If only the perturbed run of switching equations fails, the unperturbed state replaces its result: no
     // growth.
-    states = along.states.col(std::ranges::find(way.times, part.times.back()) - way.times.begin());
+    states = along.states.col(std::ranges::find(request.times, part.times.back()) - request.times.begin());
     return Status();
   };
   const double absolute = q.absolute * std::min(1.0, along.size.maxCoeff());
   const Eigen::MatrixXd weight = (along.states.cast<double>().array().abs() + absolute).matrix();
   Eigen::MatrixXd moved;
   const Eigen::VectorXd first = (q.x0.array().abs() + absolute).matrix();
-  if (!amplification(way, along, first, weight, most_seconds, moved).ok()) return {};
+  if (!amplification(request, along, first, weight, most_seconds, moved).ok()) return {};
   const auto size = along.size.array().max(absolute / 10);
   return {std::max(1.0, (moved.rightCols(1).array() / size).maxCoeff()),
           std::abs((end.t - q.t0) / (q.t1 - q.t0))};
@@ -214,14 +214,14 @@ double right_hand_side_seconds(const ChoiceRequest& q) {
 /// "9 digits where errors grow 4.8 times"
 std::string accuracy(const MethodChoice& c) {
   if (!(c.growth.covered > 0)) return fmt::format("{:.3g} digits", c.digits);
-  return fmt::format("{:.3g} digits where errors grow {:.2g} times", c.digits, c.condition);
+  return fmt::format("{:.3g} digits, errors amplified {:.2g} times", c.digits, c.condition);
 }
 
 /// "not stiff (...); smooth, operations: 5": the features that the rules use.
 std::string features_text(const Features& f) {
   const std::string operations =
       f.operations > 0 ? fmt::format("operations: {}", f.operations) : "not recorded as series";
-  return fmt::format("{} (the fastest motion goes {:.2g} of its units of time in an accurate step); {}, {}",
+  return fmt::format("{} (spectral radius times accurate step: {:.2g}); {}, {}",
                      f.stiffness > stiff_from ? "stiff" : "not stiff", f.stiffness,
                      f.switches ? "switches" : "smooth", operations);
 }
@@ -229,8 +229,9 @@ std::string features_text(const Features& f) {
 /// "280 right-hand sides; ran 12 % of the time"
 std::string short_run_text(const Ranked& r, const MethodChoice& c) {
   const double percent = 100 * r.covered;
-  std::string text = fmt::format("about {:.2g} right-hand sides; ran ", r.right_hand_sides);
-  text += percent > 99.9 ? "to the end" : fmt::format("{:.{}g} % of the time", percent, percent < 10 ? 1 : 2);
+  std::string text = fmt::format("about {:.2g} right-hand sides; test run over ", r.right_hand_sides);
+  text += percent > 99.9 ? "the whole interval"
+                         : fmt::format("{:.{}g} % of the interval", percent, percent < 10 ? 1 : 2);
   if (c.missing > 0.05) text += fmt::format("; its tightest tolerance lacks {:.1g} digits", c.missing);
   return text;
 }
@@ -315,12 +316,12 @@ MethodChoice choose(const ChoiceRequest& q, double digits, MethodChoice c) {
 std::string choice_rows(const MethodChoice& c) {
   if (!c.status.ok()) throw Failure(c.status);
   if (c.ranked.empty())
-    throw Failure(failed_with(Outcome::outside_validity, "no method of this build is for the problem"));
+    throw Failure(failed_with(Outcome::outside_validity, "no method of this build suits the problem"));
   const Rule& rule = choice_rule(c.features, c.digits);
   std::string why = fmt::format("{}; {}; {}: {}; a right-hand side takes {:.2g} s", accuracy(c),
                                 features_text(c.features), rule.name, rule.reason, c.right_hand_side);
   if (c.ranked.front().method != rule.methods.front())
-    why += fmt::format("; {} fails or is not in this build", rule.methods.front());
+    why += fmt::format("; {} fails or is absent from this build", rule.methods.front());
   std::string text = "rank,method,tolerance,seconds,reason\n";
   for (std::size_t i = 0; i < c.ranked.size(); ++i) {
     const Ranked& r = c.ranked[i];

@@ -61,11 +61,11 @@ class CatalogueRun {
         farthest_(options_.t1),
         catalogue_(
             typed.states, {}, joined(columns_, {end_column}),
-            [this](const auto& row) { return complaint(row); }, scene::NameCase::exact),
+            [this](const auto& row) { return row_error(row); }, scene::NameCase::exact),
         method_(method_of_all()) {
     const auto has = [this](const auto& name) { return catalogue_.has(name); };
     if (std::ranges::none_of(columns_, has))
-      throw input_error("{}: none of its columns is an unknown or a parameter; there are {}",
+      throw input_error("{}: none of its columns is an unknown or a parameter; choose from {}",
                         catalogue_.name(), fmt::join(columns_, ", "));
     if (!missing_.empty() && !std::ranges::all_of(states_, has)) throw InputError(missing_);
     const bool is_end = joined(columns_, {end_column}).size() > columns_.size();
@@ -73,12 +73,13 @@ class CatalogueRun {
     if (!typed.until.empty() && has_ends)
       throw input_error("--until {}: {} has a column until", quoted_input(typed.until), catalogue_.name());
     if (typed.until.empty() && !has_ends && !base_->t1)
-      throw input_error("{}: has no column until; give it, or --until T for all rows", catalogue_.name());
+      throw input_error("{}: has no column until; add one, or give --until T for all rows",
+                        catalogue_.name());
   }
 
   [[nodiscard]] int print() {
     // A row weighs as many lines as --every prints, but at least so many that most_rows fill a portion.
-    catalogue_.weigh_by(
+    catalogue_.set_row_weight(
         [this](const auto& row) { return std::max(lines_at_a_time / most_rows, lines(row)); });
     const std::vector<std::string> printed = printed_names(*base_, options_);
     std::vector<std::string> taken = options_.columns.names;
@@ -145,7 +146,7 @@ class CatalogueRun {
   }
   /// Error message of a row, empty if it is valid. The constructor of catalogue_ calls it, so that it may use
   /// only members declared before catalogue_.
-  [[nodiscard]] std::string complaint(const std::vector<double>& row) {
+  [[nodiscard]] std::string row_error(const std::vector<double>& row) {
     try {
       static_cast<void>(member_of(row));
     } catch (const std::exception& error) {
@@ -225,7 +226,8 @@ class CatalogueRun {
 }  // namespace
 
 int print_runs(const TypedOptions& typed, const std::string& program) {
-  if (!typed.plot.empty()) throw input_error("--plot {}: --states draws none", typed.plot);
+  if (!typed.plot.empty())
+    throw input_error("--plot {}: runs of --states are not drawn; leave one of them out", typed.plot);
   return CatalogueRun(typed, program).print();
 }
 

@@ -47,7 +47,7 @@ Methods typed_methods(const std::string& list) {
 }
 
 /// Methods without `--methods`, see choices().
-Methods usual_methods(const UserProblem& problem, const RunOptions& r) {
+Methods default_methods(const UserProblem& problem, const RunOptions& r) {
   Methods methods;
   // Adds the first of the methods that this build has.
   const auto add = [&methods](std::initializer_list<std::string_view> names) {
@@ -95,11 +95,11 @@ std::vector<double> typed_tolerances(const std::string& list) {
     return input_error("{} {}: {}", option, quoted_input(list), why);
   };
   if (colon == 0 || colon + 1 == list.size() || list.find(':', colon + 1) != std::string::npos)
-    throw refuse("a sweep is from a tolerance to a tighter one, as 1e-3:1e-12");
+    throw refuse("must be a larger and a smaller tolerance, as 1e-3:1e-12");
   const double from = scene::typed_positive(option, list.substr(0, colon));
   const double to = scene::typed_positive(option, list.substr(colon + 1));
-  if (from < to) throw refuse("goes from the coarse one to the tight one, as 1e-3:1e-12");
-  if (!(from < to * 1e30)) throw refuse("more than thirty decades");
+  if (from < to) throw refuse("must be the larger tolerance first, as 1e-3:1e-12");
+  if (!(from < to * 1e30)) throw refuse("more than thirty decades; give a shorter sweep");
   for (double next = from; next > to * 0.99; next = as_typed(next / 10)) all.push_back(next);
   return all;
 }
@@ -123,19 +123,19 @@ Choice choice(const ivp::MethodInfo& method, ivp::Settings settings) {
 void check_settings(const std::vector<Choice>& all, const ivp::Settings& settings, const std::string& names) {
   const auto none = [&all](auto has) { return std::ranges::none_of(all, has); };
   if (settings.step && none([](const Choice& c) { return c.settings.step.has_value(); }))
-    throw input_error("--step {}: the methods {} choose their steps; give a tolerance alone", *settings.step,
+    throw input_error("--step {}: the methods {} have adaptive steps; give a tolerance only", *settings.step,
                       names);
   if (settings.tolerance && none([](const Choice& c) { return c.settings.tolerance.has_value(); }))
-    throw input_error("--tolerance {}: none of the methods {} chooses its steps; give --step alone",
+    throw input_error("--tolerance {}: none of the methods {} has adaptive steps; give --step only",
                       *settings.tolerance, names);
   if (settings.absolute_tolerance &&
       none([](const Choice& c) { return c.settings.absolute_tolerance.has_value(); }))
-    throw input_error("--absolute-tolerance {}: none of the methods {} chooses its steps",
+    throw input_error("--absolute-tolerance {}: none of the methods {} has adaptive steps",
                       *settings.absolute_tolerance, names);
   for (const ivp::SettingInfo* setting : ivp::own_settings) {
     const std::optional<double> value = setting->value(settings);
     if (value && none([setting](const Choice& c) { return c.method->has(*setting); }))
-      throw input_error("--{} {}: none of the methods {} has {} to choose", setting->name, *value, names,
+      throw input_error("--{} {}: none of the methods {} has the setting {}", setting->name, *value, names,
                         setting->name);
   }
 }
@@ -177,7 +177,7 @@ class ComparisonTable {
   }
   /// The rows and lines. @throws InputError if no method applies
   [[nodiscard]] Comparison take() {
-    if (!some_) throw InputError("--methods: none of them is for this: " + unsuitable_);
+    if (!some_) throw InputError("--methods: none of them suits the problem: " + unsuitable_);
     return {std::move(text_), std::move(lines_)};
   }
 
@@ -207,11 +207,11 @@ std::string ComparisonTable::note(const Choice& choice, const ivp::State& x) con
   for (Eigen::Index i = 0; i < x.size(); ++i) {
     const Eigen::Index last = reference_.states.cols() - 1;
     const double exact = static_cast<double>(reference_.states(i, last));
-    const double surely = std::abs(x[i] - exact) - reference_.difference(i, last);
-    most = std::max(most, surely / (tolerance.absolute + tolerance.relative * std::abs(exact)));
+    const double excess = std::abs(x[i] - exact) - reference_.difference(i, last);
+    most = std::max(most, excess / (tolerance.absolute + tolerance.relative * std::abs(exact)));
   }
   if (most <= most_tolerances) return "";
-  return quoted_cell(fmt::format("off by {:.3g} tolerances, since one {}", most, what_a_tolerance_holds));
+  return quoted_cell(fmt::format("off by {:.3g} tolerances; a tolerance {}", most, tolerance_meaning));
 }
 
 void ComparisonTable::add(const Choice& choice, const ivp::Solution& end, const Timing& time) {
@@ -248,11 +248,11 @@ std::string Choice::setting() const {
 }
 
 std::vector<Choice> choices(const TypedOptions& typed, const UserProblem& problem, const RunOptions& r) {
-  const Methods methods = typed.method.empty() ? usual_methods(problem, r) : typed_methods(typed.method);
+  const Methods methods = typed.method.empty() ? default_methods(problem, r) : typed_methods(typed.method);
   const std::vector<double> tolerances = typed_tolerances(typed.tolerances);
   const std::string names = names_of(methods);
   if (typed.largest_step && std::ranges::all_of(methods, &ivp::MethodInfo::fixed_step))
-    throw input_error("--largest-step {}: none of the methods {} chooses its steps; give --step",
+    throw input_error("--largest-step {}: none of the methods {} has adaptive steps; give --step",
                       *typed.largest_step, names);
   std::vector<Choice> all;
   for (const ivp::MethodInfo* method : methods) {
@@ -268,7 +268,7 @@ std::vector<Choice> choices(const TypedOptions& typed, const UserProblem& proble
   }
   if (!tolerances.empty() &&
       std::ranges::none_of(all, [](const Choice& c) { return c.settings.tolerance.has_value(); }))
-    throw input_error("--tolerances: none of the methods {} chooses its steps; give --step alone", names);
+    throw input_error("--tolerances: none of the methods {} has adaptive steps; give --step only", names);
   check_settings(all, r.settings, names);
   return all;
 }
@@ -282,10 +282,10 @@ std::vector<Candidate> extended_candidates(const UserProblem& problem, const Run
   if (problem.domain && !problem.domain->arguments.empty()) {
     bool rests = false;
     constexpr double tolerance = 1e-6;
-    const auto pilot = ivp::within_domain(any_method("dop853").with({.tolerance = tolerance}), problem.domain,
-                                          {tolerance, tolerance}, &rests);
+    const auto estimate = ivp::within_domain(any_method("dop853").with({.tolerance = tolerance}),
+                                             problem.domain, {tolerance, tolerance}, &rests);
     static_cast<void>(
-        pilot(problem.system, r.x0, r.t0, r.t1, {}, {.steps = 100'000, .seconds = effort.seconds / 4}));
+        estimate(problem.system, r.x0, r.t0, r.t1, {}, {.steps = 100'000, .seconds = effort.seconds / 4}));
     if (rests) return {};
   }
   return problem.extended(effort);
@@ -300,9 +300,9 @@ Comparison comparison(const UserProblem& problem, const RunOptions& r, const std
   constexpr double work = 6;  // about 6 s
   std::optional<scene::ProgressScope> doing("computing a reference");
   const WorkLimit effort{
-      work, left() / 3, watchful_step(r.t0, r.t1, r.limits.largest_step), {}, problem.domain};
+      work, left() / 3, reference_step_limit(r.t0, r.t1, r.limits.largest_step), {}, problem.domain};
   const Reference reference = reference_of(extended_candidates(problem, r, effort), problem.system, r.x0,
-                                           r.t0, look_at(r.t0, r.t1, 64), {1e-13, 1e-30}, effort);
+                                           r.t0, times_to_check(r.t0, r.t1, 64), {1e-13, 1e-30}, effort);
   ComparisonTable table(program, reference, r.x0);
   for (std::size_t i = 0; i < methods.size(); ++i) {
     doing.emplace(fmt::format("running {}", methods[i].method->name));

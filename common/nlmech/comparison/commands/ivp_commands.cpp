@@ -28,12 +28,13 @@ std::string heading_of(const TypedOptions& typed) {
 
 int integrate(const TypedOptions& typed, const std::string& program) {
   if (!typed.states.empty()) return print_runs(typed, program);
-  if (typed.threads) throw input_error("--threads {}: is about --states", *typed.threads);
+  if (typed.threads)
+    throw input_error("--threads {}: applies to --states only; leave it out", *typed.threads);
   const UserProblem problem = problem_of(typed)({});
   const scene::Picture picture(typed.plot);
   const RunOptions options = run_options(typed, problem, problem.initial_state(typed.initial));
   const ivp::MethodInfo& method = method_of(typed, problem, options);
-  const Trajectory run = typed.method.empty() ? usual_trajectory(problem, options, method)
+  const Trajectory run = typed.method.empty() ? default_trajectory(problem, options, method)
                                               : trajectory(problem, options, method);
   std::vector<std::string> remarks = remarks_on(problem, options);
   remarks.insert(remarks.end(), {run.remark, run.small});
@@ -53,8 +54,8 @@ int integrate(const TypedOptions& typed, const std::string& program) {
 UserProblem without_events(const TypedOptions& typed, std::string_view command) {
   UserProblem problem = problem_of(typed)({});
   if (!problem.event_lines.empty())
-    throw input_error("when {}: {} takes no events; integrate does", problem.event_lines.front().event,
-                      command);
+    throw input_error("when {}: {} does not support events; take integrate, or remove them",
+                      problem.event_lines.front().event, command);
   return problem;
 }
 
@@ -62,7 +63,7 @@ void compare(const TypedOptions& typed, const std::string& program) {
   const UserProblem problem = without_events(typed, "compare");
   const scene::Picture picture(typed.plot);
   if (!typed.tolerances.empty() && typed.settings.tolerance)
-    throw InputError("--tolerances: give no --tolerance with it");
+    throw InputError("--tolerances: excludes --tolerance; give one of them");
   const RunOptions options = run_options(typed, problem, problem.initial_state(typed.initial));
   const Comparison found = comparison(problem, options, choices(typed, problem, options), program);
   scene::print_result(found.rows);
@@ -95,7 +96,7 @@ std::vector<std::string> run_of(const TypedOptions& typed, double until, const R
 void choose(const TypedOptions& typed, const std::string& program) {
   const UserProblem problem = without_events(typed, "choose");
   const RunOptions r = run_options(typed, problem, problem.initial_state(typed.initial));
-  if (r.t0 == r.t1) throw input_error("--until {}: is where it begins; there is nothing to choose for", r.t1);
+  if (r.t0 == r.t1) throw input_error("--until {}: is the start time; give another end", r.t1);
   ChoiceRequest q = choice_request(problem, r);
   if (r.settings.absolute_tolerance)  // absolute error, independent of the digits
     q.absolute = *r.settings.absolute_tolerance * std::pow(10, typed.digits);
@@ -110,42 +111,39 @@ void choose(const TypedOptions& typed, const std::string& program) {
 void declare_problem(scene::Options& options, TypedOptions& typed, const std::string& many = {}) {
   options.add("--problem", typed.problem, "one of the problems below");
   options.add("--equation", typed.equation,
-              "an equation, or several with ; between: \"x'' + 0.1 x' + x + a x^3 = cos(t); a = 3\"");
-  options.add("--file", typed.file, "a file of equations, definitions and initial values");
-  options.add("--set", typed.set, "name=value of a parameter; more of them with blanks between");
+              "equations, separated by ;, as \"x'' + 0.1 x' + x + a x^3 = cos(t); a = 3\"");
+  options.add("--file", typed.file, "file of equations, definitions and initial values");
+  options.add("--set", typed.set, "parameters: name=value, several separated by blanks");
   options.add("--initial", typed.initial,
-              "initial state: \"x=1, x'=0\", or numbers in the order in which the text first names the "
-              "unknowns; the problem's own without it. If it names all, the columns have its order");
+              "initial state: \"x=1, x'=0\", or numbers in the order in which the equations first name the "
+              "unknowns (default that of the problem). If all are named, the columns follow this order");
   options.add("--from", typed.from,
-              "time at which it begins, a number or an expression of definitions and pi; the problem's own "
-              "without it");
+              "start time, a number or an expression of definitions and pi (default that of the problem)");
   options.add("--until", typed.until,
-              fmt::format("time at which it ends, as 10 or \"2 pi/w\"; earlier runs backwards. Required but "
-                          "where the text says t <= "
-                          "...{}",
-                          many.empty() ? "" : fmt::format(", or {} has a column until", many)));
+              fmt::format("end time, as 10 or \"2 pi/w\"; before the start the run goes backwards. Required "
+                          "unless the equations contain t <= ...{}",
+                          many.empty() ? "" : fmt::format(" or {} has a column until", many)));
 }
 
 void declare_largest_step(scene::Options& options, TypedOptions& typed) {
   options
       .add("--largest-step", typed.largest_step,
-           "longest step of methods that choose their steps; no bound without it. For a short pulse after a "
-           "long rest: half of the pulse's length")
+           "largest step of adaptive methods (default unlimited). For a short pulse after a long rest: half "
+           "of the duration of the pulse")
       .positive();
 }
 
 void declare_common(scene::Options& options, TypedOptions& typed, const std::string& many = {}) {
   declare_problem(options, typed, many);
   ivp::Settings& s = typed.settings;
-  options.add("--step", typed.step, "length of a step, for methods of fixed step and series");
+  options.add("--step", typed.step, "step size, for methods with fixed steps and series");
   options
       .add("--tolerance", s.tolerance,
-           "relative and absolute, of the error of a step; 1e-9 without it. For methods that choose their "
-           "steps")
+           "relative and absolute tolerance for the error of a step, for adaptive methods (default 1e-9)")
       .positive();
   options
       .add("--absolute-tolerance", s.absolute_tolerance,
-           "for components that become small; --tolerance without it")
+           "absolute tolerance, for components that become small (default --tolerance)")
       .positive();
   declare_largest_step(options, typed);
   options.limit(typed.limit, many);
@@ -174,39 +172,37 @@ void add_integrate(scene::Commands& commands) {
   const auto declare = [&](scene::Options& options, TypedOptions& typed) {
     declare_common(options, typed, "--states");
     options.add("--method", typed.method,
-                "one of the methods below; without it the first that choose would list for the digits of the "
-                "tolerance, or another one where its run fails or is wrong");
+                "one of the methods below (default the first one that choose lists for the digits of the "
+                "tolerance, or another one if its run fails or is wrong)");
     declare_settings(options, typed.settings);
-    options.add("--every", typed.every, "rows at this distance in time; without it the first and the last");
-    options.add("--at", typed.at, "rows at these times too, with commas between: 1,2.5,3 pi");
+    options.add("--every", typed.every, "interval between the times of rows (default only start and end)");
+    options.add("--at", typed.at, "further times of rows, separated by commas: 1,2.5,3 pi");
     options.add("--columns", typed.columns,
-                "further columns: \"E = x'^2/2 + x^2/2; r; x''\", definitions or their names and highest "
-                "derivatives");
+                "further columns: \"E = x'^2/2 + x^2/2; r; x''\", new definitions, names of definitions, "
+                "highest derivatives");
     options.add(
         "--event", typed.events,
-        "a row at each zero: \"x=0\", \"apex: x'=0 falling\" (with a name), \"x=0 rising end\" (the run "
-        "ends there), \"x=0 end after 3\", \"dose: t = 0:24:240\" (at times by their distance)");
-    options.add(
-        "--set-at", typed.changes,
-        "change the state at events of a name: \"bounce: y' = -0.8 y'\"; several values with ; between. "
-        "Rows there come in pairs, before and after");
-    options.add("--section", typed.section, "Poincare section: rows there alone, as \"x=0 rising\"");
+        "print a row at each zero: \"x=0\", \"apex: x'=0 falling\" (with a name), \"x=0 rising end\" (end "
+        "the run there), \"x=0 end after 3\", \"dose: t = 0:24:240\" (first time, interval, last time)");
+    options.add("--set-at", typed.changes,
+                "change the state at the events of a name: \"bounce: y' = -0.8 y'\"; several changes "
+                "separated by ;. Two rows are printed at each, before and after");
+    options.add("--section", typed.section, "Poincare section, as \"x=0 rising\": print only the rows on it");
     options.add("--no-verify", typed.no_verify,
-                "print the run without holding it to an independent one, which every run by a tolerance is");
-    options.add(
-        "--plot", typed.plot,
-        "draws the unknowns against time, or the section: a name.svg, over an older such picture alone");
-    options.add(
-        "--states", typed.states,
-        "CSV with a run a row: columns are unknowns and parameters, named exactly as in the equations; "
-        "others are handed on; - is standard input");
-    options.add("--threads", typed.threads, "of --states, how many; without it one a processor")
+                "print the run without verifying it by an independent one (runs with a tolerance are "
+                "verified by default)");
+    options.add("--plot", typed.plot,
+                "draw the unknowns over time, or the section, to a file NAME.svg; only a figure drawn by "
+                "nlmech is overwritten");
+    options.add("--states", typed.states,
+                "CSV file with one run per row: columns are unknowns and parameters, named as in the "
+                "equations; other columns are passed through; - is standard input");
+    options.add("--threads", typed.threads, "threads for --states (default one per processor)")
         .range(1, 1024);
     options.footer(describe_all());
   };
   commands.add<TypedOptions>(
-      "integrate",
-      "An equation from begin to end, as CSV: t,x,x',...; of many rows of a file: row,t,x,x',...,status",
+      "integrate", "Integrate an equation and print t,x,x',... as CSV (with --states: row,t,x,x',...,status)",
       declare,
       [program = commands.program()](const TypedOptions& typed) { return integrate(typed, program); });
 }
@@ -214,38 +210,39 @@ void add_integrate(scene::Commands& commands) {
 void add_choose(scene::Commands& commands) {
   const auto declare = [&](scene::Options& options, TypedOptions& typed) {
     declare_problem(options, typed);
-    options.add("--digits", typed.digits, "correct digits at the end").range(1, 14);
+    options.add("--digits", typed.digits, "correct digits wanted at the end").range(1, 14);
     options
         .add("--absolute-tolerance", typed.settings.absolute_tolerance,
-             "error that does not count in components that become small; as for 1 without it")
+             "absolute error allowed, for components that become small (default that of a component of size "
+             "1)")
         .positive();
     declare_largest_step(options, typed);
     options.footer(describe_all());
   };
   commands.add<TypedOptions>(
       "choose",
-      "Methods for an equation by a list of rules: rank,method,tolerance,seconds,reason as CSV; on standard "
-      "error the command that runs the first",
+      "Choose methods for an equation by a list of rules and print rank,method,tolerance,seconds,reason as "
+      "CSV; on standard error the command that runs the first",
       declare, [program = commands.program()](const TypedOptions& typed) { return choose(typed, program); });
 }
 
 void add_compare(scene::Commands& commands) {
   const auto declare = [&](scene::Options& options, TypedOptions& typed) {
     declare_common(options, typed);
-    options.add(
-        "--methods", typed.method,
-        "methods with commas between: rbf-coll,ode45,cvode-adams; or all. They share the limit. Without "
-        "it those that suit the problem, and the best peer of each kind");
+    options.add("--methods", typed.method,
+                "methods, separated by commas: rbf-coll,ode45,cvode-adams; or all (default those that suit "
+                "the problem and the best peer of each kind). The time limit is for all together");
     options.add("--tolerances", typed.tolerances,
-                "a sweep instead of one tolerance: 1e-3:1e-12 by decades, or 1e-3,1e-6");
+                "several tolerances instead of one: 1e-3:1e-12 by decades, or 1e-3,1e-6");
     declare_settings(options, typed.settings);
     options.add("--plot", typed.plot,
-                "draws digits against run time: a name.svg, over an older such picture alone");
+                "draw digits over run time to a file NAME.svg; only a figure drawn by nlmech is overwritten");
     options.footer(describe_all());
   };
   commands.add<TypedOptions>(
-      "compare", "Methods side by side: method,setting,status,digits,seconds,right_hand_sides,note as CSV",
-      declare, [program = commands.program()](const TypedOptions& typed) { return compare(typed, program); });
+      "compare",
+      "Compare methods and print method,setting,status,digits,seconds,right_hand_sides,note as CSV", declare,
+      [program = commands.program()](const TypedOptions& typed) { return compare(typed, program); });
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ std::string remark_on_pulses(const UserProblem& problem, double t0, double t1) {
   const program::TimeFeatures features(problem.text.graph(), problem.text.slopes());
   const auto all = features.short_activities(t0, t1, narrow * (t1 - t0));
   if (all.empty()) return {};
-  return fmt::format("a function of the time changes after a rest, within t = {}: steps begin there",
+  return fmt::format("a function of time changes after a constant interval, within t = {}: steps start there",
                      first_of(fmt::format("{:.6g} to {:.6g}", all.front().t0, all.front().t1), all.size()));
 }
 
@@ -38,14 +38,14 @@ std::string remark_on_jumps(const UserProblem& problem, double t0, double t1) {
 
 /// Do solutions on both sides of a switching function that is zero at the start leave it, as x' = sign(x)
 /// from 0?
-bool leads_both_ways(const ivp::System& system, const RunOptions& r) {
+bool leaves_both_sides(const ivp::System& system, const RunOptions& r) {
   const auto count = static_cast<std::size_t>(system.switches());
   ivp::Mode mode(count, 1);
   std::vector<double> values(count), rates(count);
-  const auto look = [&] { system.in_mode(mode).surfaces(r.t0, r.x0, values, rates); };
+  const auto evaluate = [&] { system.in_mode(mode).surfaces(r.t0, r.x0, values, rates); };
   std::vector<bool> is_zero(count);
   for (std::size_t i = 0; i < count; ++i) {
-    look();
+    evaluate();
     is_zero[i] = values[i] == 0;
     if (values[i] < 0) mode[i] = -1;
   }
@@ -54,7 +54,7 @@ bool leads_both_ways(const ivp::System& system, const RunOptions& r) {
     if (!is_zero[i]) continue;
     const auto rate_on = [&](int side) {
       mode[i] = static_cast<std::int8_t>(side);
-      look();
+      evaluate();
       mode[i] = 1;
       return direction * rates[i];
     };
@@ -65,15 +65,15 @@ bool leads_both_ways(const ivp::System& system, const RunOptions& r) {
 
 std::string remark_on_start(const UserProblem& problem, const RunOptions& r) {
   if (r.t0 == r.t1) return {};
-  if (leads_both_ways(problem.system, r))
+  if (leaves_both_sides(problem.system, r))
     return fmt::format(
-        "several solutions begin at t = {:.6g}: both sides of a switch lead away from it; the run takes the "
-        "side where its function is positive",
+        "the solution from t = {:.6g} is not unique: on both sides of a switching surface it leaves the "
+        "surface; this run takes the side where the switching function is positive",
         r.t0);
   if (problem.domain && ivp::several_begin(*problem.domain, r.t0, r.x0, r.t1 > r.t0 ? 1 : -1))
     return fmt::format(
-        "several solutions begin at t = {:.6g}: the argument of a root is zero there, and may stay so or "
-        "not; the run takes the one for which it stays zero",
+        "the solution from t = {:.6g} is not unique: the argument of a root is zero there and may stay zero "
+        "or not; this run takes the solution for which it stays zero",
         r.t0);
   return {};
 }
@@ -91,7 +91,7 @@ std::vector<std::string> remarks_on(const UserProblem& problem, const RunOptions
 }
 
 std::string Wave::text() const {
-  return fmt::format("a force of the frequency {:.6g} turns {:.2g} times", frequency, turns);
+  return fmt::format("a force of frequency {:.6g} goes through {:.2g} periods", frequency, turns);
 }
 
 Wave fastest_wave(const UserProblem& problem, double t0, double t1) {

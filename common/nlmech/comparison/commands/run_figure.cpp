@@ -122,10 +122,10 @@ void SampledPath::add(double t, const Eigen::VectorXd& x) {
 }
 
 void SampledPath::see(const ivp::Step& step, double end) {
-  const double way = end - step.t0, share = std::abs(way / (t1_ - t0_));
+  const double span = end - step.t0, share = std::abs(span / (t1_ - t0_));
   const int places = static_cast<int>(std::clamp(std::ceil(1000 * share), 8.0, 1000.0));
   for (int k = 1; k < places; ++k) {
-    const double t = step.t0 + way * k / places;
+    const double t = step.t0 + span * k / places;
     add(t, step.at(t));
   }
   add(end, step.at(end));
@@ -158,7 +158,7 @@ void SampledPath::halve() {
 
 scene::Figure run_figure(const PlotSamples& run, const std::string& heading) {
   const std::vector<std::size_t> shown = panels_of(run);
-  if (run.path.empty()) throw Failure("a run of no length has no picture");
+  if (run.path.empty()) throw Failure("start and end are at the same time; nothing can be drawn");
   scene::Show show(false);
   scene::Plot& plot = show.plots(scene::without_markup(heading));
   const std::optional<double> begin = log_begin(run.path.component(0).first);
@@ -186,7 +186,7 @@ scene::Figure section_figure(const PlotSamples& run, const std::string& heading)
     return all;
   };
   scene::Show show(false);
-  const scene::Look dots = {
+  const scene::CurveStyle dots = {
       run.events.size() > 500 ? "points pointtype 7 pointsize 0.2" : "points pointtype 7 pointsize 0.5", 1};
   const auto put = [&](const std::string& x_label, const Values& x, const std::string& y_label,
                        const Values& y) {
@@ -206,13 +206,13 @@ scene::Figure section_figure(const PlotSamples& run, const std::string& heading)
   while (moving + 1 < run.components.size() && !varies(values(moving))) ++moving;
   Values t;
   for (const PlotSamples::Moment& m : run.events) t.push_back(m.t);
-  if (t.size() == 1) throw Failure("the run meets the section once, which is no picture");
+  if (t.size() == 1) throw Failure("the run meets the section only once; nothing can be drawn");
   return put("{/:Italic t}", t, italic(run.components[moving].name), values(moving));
 }
 
 scene::Figure comparison_figure(const std::vector<scene::MethodLine>& lines, const std::string& heading) {
   if (std::ranges::none_of(lines, [](const scene::MethodLine& l) { return l.best() != nullptr; }))
-    throw Failure("no method has digits");
+    throw Failure("no method has any correct digits");
   scene::Show show(false);
   scene::show_work_precision({.heading = scene::without_markup(heading),
                               .work = work_columns(),

@@ -82,7 +82,7 @@ struct PlotSamples {
 [[nodiscard]] scene::Figure section_figure(const PlotSamples& run, const std::string& heading);
 
 /// Figure of digits against run time and against right-hand sides.
-/// @throws Failure if no method has digits
+/// @throws Failure if no method has any correct digits
 [[nodiscard]] scene::Figure comparison_figure(const std::vector<scene::MethodLine>& lines,
                                               const std::string& heading);
 

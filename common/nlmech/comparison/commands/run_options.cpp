@@ -21,7 +21,8 @@ namespace {
 void start_with_changes(RunOptions& r) {
   const auto changes = [](const WantedEvent& e) { return static_cast<bool>(e.event.change); };
   if (r.t1 < r.t0 && std::ranges::any_of(r.events, changes))
-    throw input_error("--until {}: events that change the state go forwards in time, from {}", r.t1, r.t0);
+    throw input_error("--until {}: is before the start, {}; events that change the state need a later end",
+                      r.t1, r.t0);
   for (const WantedEvent& e : r.events) {
     if (e.event.change && e.at == r.t0) e.event.change(r.t0, r.x0);
   }
@@ -57,7 +58,7 @@ void RunOptions::check_rows() const {
                       t1, t0, t1, tables.first, tables.second);
   for (const double t : at) {
     if (!(t >= std::min(t0, t1) && t <= std::max(t0, t1)))
-      throw input_error("--at {}: is outside of the run, which goes from {} to {}", t, t0, t1);
+      throw input_error("--at {}: is outside the run, from {} to {}", t, t0, t1);
   }
   if (every && std::abs(t1 - t0) / *every > 1e7)
     throw input_error("--every {}: more than 10 million rows", *every);
@@ -96,7 +97,7 @@ RunOptions run_options(const TypedOptions& typed, const UserProblem& problem, iv
       .every = positive_of("--every", typed.every, problem),
       .tables = problem.text.times_of_tables(),
       .order = problem.printed_order(typed.initial),
-      .limits = {.seconds = typed.limit.value_or(scene::Options::usual_limit),
+      .limits = {.seconds = typed.limit.value_or(scene::Options::default_limit),
                  .largest_step = typed.largest_step.value_or(std::numeric_limits<double>::infinity())},
       .section = !typed.section.empty(),
       .verify = typed.step.empty() && !typed.no_verify,
@@ -104,12 +105,12 @@ RunOptions run_options(const TypedOptions& typed, const UserProblem& problem, iv
   if (!typed.columns.empty()) r.columns = problem.columns(typed.columns);
   r.settings.step = positive_of("--step", typed.step, problem);
   if (r.settings.step && typed.largest_step)
-    throw input_error("--step {} --largest-step {}: give equal steps or a bound on chosen ones, not both",
+    throw input_error("--step {} --largest-step {}: give equal steps or a bound on adaptive steps, not both",
                       *r.settings.step, *typed.largest_step);
   const std::optional<double> until = time_of("--until", typed.until, problem),
                               end = until ? until : problem.t1;
   if (!end && typed.states.empty())
-    throw input_error("--until: give the time at which it ends{}",
+    throw input_error("--until: missing; give the time at which the run ends{}",
                       typed.problem.empty() ? ", or t <= ... in the text" : "");
   if (!until && end && *end < r.t0)
     throw input_error(
@@ -126,7 +127,7 @@ RunOptions run_options(const TypedOptions& typed, const UserProblem& problem, iv
   for (const std::string& text : typed.events)
     std::ranges::move(events_of("--event", text, problem), std::back_inserter(r.events));
   if (r.section && (!r.events.empty() || r.every || !r.at.empty()))
-    throw InputError("--section shows its own rows alone: give neither --event, --every nor --at with it");
+    throw InputError("--section prints only its own rows; leave out --event, --every and --at");
   if (r.section) r.events = events_of("--section", typed.section, problem);
   for (const std::string& text : typed.changes) add_change("--set-at", text, problem, r.events);
   for (const EventLine& line : problem.event_lines) add_line(line, problem, r.events);
@@ -137,16 +138,15 @@ RunOptions run_options(const TypedOptions& typed, const UserProblem& problem, iv
 const ivp::MethodInfo& method_of(const TypedOptions& typed, const UserProblem& problem,
                                  const RunOptions& options) {
   const ivp::MethodInfo& method = about("--method", [&]() -> const ivp::MethodInfo& {
-    return typed.method.empty() ? usual_method(problem, options) : any_method(typed.method);
+    return typed.method.empty() ? default_method(problem, options) : any_method(typed.method);
   });
   const ivp::Settings& settings = options.settings;
   if (settings.step && settings.tolerance)
     throw input_error("--step {} --tolerance {}: give a step or a tolerance, not both", *settings.step,
                       *settings.tolerance);
   if (typed.largest_step && method.fixed_step())
-    throw input_error(
-        "--largest-step {}: {} takes equal steps; give --step, or a method that chooses its steps",
-        *typed.largest_step, method.name);
+    throw input_error("--largest-step {}: {} takes equal steps; give --step, or a method with adaptive steps",
+                      *typed.largest_step, method.name);
   return method;
 }
 

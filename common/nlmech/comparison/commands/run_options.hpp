@@ -88,7 +88,7 @@ decltype(auto) about(const char* option, Work work) {
 /// Checks the typed options. @param x0 initial state @throws InputError naming the invalid option
 [[nodiscard]] RunOptions run_options(const TypedOptions& typed, const UserProblem& problem, ivp::State x0);
 
-/// The method of one run or of many with the same settings: that of `--method`, else usual_method().
+/// The method of one run or of many with the same settings: that of `--method`, else default_method().
 /// @throws InputError naming the invalid option
 [[nodiscard]] const ivp::MethodInfo& method_of(const TypedOptions& typed, const UserProblem& problem,
                                                const RunOptions& options);

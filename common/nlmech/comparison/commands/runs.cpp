@@ -66,17 +66,16 @@ constexpr double many_turns = 1000;  // periods of a force
 /// Refuses a force that no method can resolve within the time limit: each period takes a few right-hand
 /// sides.
 /// @throws Failure with Outcome::time_limit
-void refuse_endless_turns(const UserProblem& problem, const RunOptions& r) {
+void refuse_too_many_periods(const UserProblem& problem, const RunOptions& r) {
   constexpr double most_turns = 2e6;  // periods per second
   const Wave wave = fastest_wave(problem, r.t0, r.t1);
   const double seconds = wave.turns / most_turns;
   const bool may_end = std::ranges::any_of(r.events, [](const WantedEvent& e) { return e.event.ends > 0; });
   if (r.settings.step || may_end || seconds <= r.limits.seconds) return;
-  throw Failure(failed_with(
-      Outcome::time_limit,
-      "{} from t = {:.6g} to {:.6g}, which takes {:.2g} s at least, more than the limit of {:.6g} s; take an "
-      "earlier end, or the mean of the force",
-      wave.text(), r.t0, r.t1, seconds, r.limits.seconds));
+  throw Failure(failed_with(Outcome::time_limit,
+                            "{} from t = {:.6g} to {:.6g}, which takes at least {:.2g} s, more than the "
+                            "limit of {:.6g} s; take an earlier end, or replace the force by its mean",
+                            wave.text(), r.t0, r.t1, seconds, r.limits.seconds));
 }
 
 /// A run from its options to its rows: output at requested times and events, and the verification. Members
@@ -124,7 +123,7 @@ class Run {
   }
   /// Must the run be integrated alone, because its equations have a watched domain or events change its
   /// state?
-  [[nodiscard]] bool goes_alone() const {
+  [[nodiscard]] bool needs_own_run() const {
     return has_changes() || (problem_.domain && problem_.domain->watches());
   }
   /// Integrates the run, with a restart at each change of the state.
@@ -216,12 +215,12 @@ class Run {
 bool Run::see(const ivp::Step& step) {
   largest_ = largest_.cwiseMax(step.x0.cwiseAbs());
   const std::size_t before = finder_.hits().size();
-  const bool goes_on = finder_.see(problem_.system, step, options_.limits);
+  const bool continues = finder_.see(problem_.system, step, options_.limits);
   for (std::size_t i = before; i < finder_.hits().size(); ++i) show(finder_.hits()[i], step);
-  if (goes_on) add_before(step.t1, step);
+  if (continues) add_before(step.t1, step);
   if (options_.draw && !options_.section)
-    found_.samples.path.see(step, goes_on || finder_.hits().empty() ? step.t1 : finder_.hits().back().t);
-  return goes_on;
+    found_.samples.path.see(step, continues || finder_.hits().empty() ? step.t1 : finder_.hits().back().t);
+  return continues;
 }
 
 void Run::show(const ivp::Hit& hit, const ivp::Step& step) {
@@ -234,11 +233,11 @@ void Run::show(const ivp::Hit& hit, const ivp::Step& step) {
 
 // A row at k DT that differs from a time of --at or from the end only by rounding is not repeated.
 std::optional<double> Run::next_row() const {
-  const double way = t1_ - options_.t0, every = options_.every.value_or(0), near = 1e-9 * every;
-  const auto is_after = [way](double a, double b) { return way > 0 ? a > b : a < b; };
+  const double span = t1_ - options_.t0, every = options_.every.value_or(0), near = 1e-9 * every;
+  const auto is_after = [span](double a, double b) { return span > 0 ? a > b : a < b; };
   std::optional<double> next;
   if (options_.every) {
-    const double t = options_.t0 + std::copysign(static_cast<double>(rows_) * every, way);
+    const double t = options_.t0 + std::copysign(static_cast<double>(rows_) * every, span);
     if (is_after(t1_, t) && std::abs(t1_ - t) > near) next = t;
   }
   if (next_at_ < at_.size()) {
@@ -248,8 +247,8 @@ std::optional<double> Run::next_row() const {
   return next;
 }
 void Run::add_before(double end, const ivp::Step& step, bool at_event) {
-  const double way = t1_ - options_.t0, every = options_.every.value_or(0);
-  const auto is_after = [way](double a, double b) { return way > 0 ? a > b : a < b; };
+  const double span = t1_ - options_.t0, every = options_.every.value_or(0);
+  const auto is_after = [span](double a, double b) { return span > 0 ? a > b : a < b; };
   const double near = 1e-9 * every + 4 * eps * std::abs(end);
   for (;;) {
     const std::optional<double> t = next_row();
@@ -274,7 +273,7 @@ std::string Run::small_components() const {
   }
   if (small.empty() || options_.settings.step || t1_ == options_.t0) return {};
   return fmt::format(
-      "{} stay{} below the absolute tolerance {}: none of {} digits is determined; take a smaller "
+      "{} stay{} below the absolute tolerance {}: none of {} digits is certain; take a smaller "
       "--absolute-tolerance",
       fmt::join(small, ", "), small.size() > 1 ? "" : "s", absolute, small.size() > 1 ? "their" : "its");
 }
@@ -287,13 +286,13 @@ std::string Run::remark_on_events() const {
     if (count == 0) continue;
     const ivp::Hit& first = *std::ranges::find_if(finder_.hits(), touches);
     remarks.push_back(
-        fmt::format("{} touches zero {} times to within the tolerance, first at t = {:.9g}: it may also pass "
-                    "twice there, or not reach it",
+        fmt::format("{} touches zero {} times to within the tolerance, first at t = {:.9g}: it may cross "
+                    "zero twice there or not reach it",
                     options_.events[i].name, count, first.t));
   }
   for (const ivp::OpenEvent& open : finder_.open()) {
     remarks.push_back(
-        fmt::format("{} cannot be told from zero between t = {:.9g} and {:.9g}: rows may be missing",
+        fmt::format("{} cannot be distinguished from zero between t = {:.9g} and {:.9g}: rows may be missing",
                     options_.events[open.event].name, open.t0, open.t1));
   }
   return fmt::format("{}", fmt::join(remarks, "; "));
@@ -302,7 +301,7 @@ std::string Run::remark_on_events() const {
 Verified Run::verified() const {
   // The first row is the initial state.
   std::vector<Kept> all(std::next(kept_.begin()), kept_.end());
-  const double way = t1_ - options_.t0, near = 1e-6 * std::abs(way);
+  const double span = t1_ - options_.t0, near = 1e-6 * std::abs(span);
   // At a change of the state, rounding of the time decides between the states before and after it.
   const auto changes = [&](double t) {
     return std::ranges::any_of(
@@ -310,16 +309,16 @@ Verified Run::verified() const {
   };
   if (has_changes()) std::erase_if(all, [&](const Kept& k) { return k.t != t1_ && changes(k.t); });
   const auto rows = static_cast<std::ptrdiff_t>(all.size());
-  const ivp::State unasked =
+  const ivp::State unknown_state =
       ivp::State::Constant(options_.x0.size(), std::numeric_limits<double>::quiet_NaN());
-  for (const double t : look_at(options_.t0, t1_, 16)) {
+  for (const double t : times_to_check(options_.t0, t1_, 16)) {
     const auto close = [&](const Kept& k) { return std::abs(k.t - t) <= near; };
     if (std::none_of(all.begin(), all.begin() + rows, close) && (t == t1_ || !changes(t)))
-      all.push_back({t, unasked});
+      all.push_back({t, unknown_state});
   }
-  std::ranges::sort(all, [way](const Kept& a, const Kept& b) { return way > 0 ? a.t < b.t : a.t > b.t; });
+  std::ranges::sort(all, [span](const Kept& a, const Kept& b) { return span > 0 ? a.t < b.t : a.t > b.t; });
   Verified run{{},
-               Eigen::MatrixXd(unasked.size(), static_cast<Eigen::Index>(all.size())),
+               Eigen::MatrixXd(unknown_state.size(), static_cast<Eigen::Index>(all.size())),
                tolerance_of(options_.settings)};
   for (const Kept& k : all) {
     run.states.col(static_cast<Eigen::Index>(run.times.size())) = k.x;
@@ -336,8 +335,8 @@ double Run::left_after(const ivp::Solution& end) const {
   const std::chrono::duration<double> all = options_.deadline - steady_clock::now();
   if (all.count() <= 0)
     throw Failure(failed_with(Outcome::time_limit,
-                              "{}: the run came to its end, but the time of all was over before it could be "
-                              "verified; allow more, or --no-verify",
+                              "{}: the run is complete, but --limit ended before it could be verified; give "
+                              "a larger --limit, or --no-verify",
                               method_.name));
   return std::min(own, all.count());
 }
@@ -353,7 +352,7 @@ void Run::verify_by_integration(const ivp::Solution& end) {
   const Verified run = verified();
   const scene::ProgressScope doing("verifying the run by integration");
   WorkLimit effort = effort_after(end.statistics, problem_.system.size(), left_after(end));
-  effort.largest_step = watchful_step(options_.t0, t1_, options_.limits.largest_step);
+  effort.largest_step = reference_step_limit(options_.t0, t1_, options_.limits.largest_step);
   for (const WantedEvent& e : options_.events) {
     if (e.event.change) effort.changes.push_back(e.event);
   }
@@ -429,7 +428,7 @@ void share_seconds(double all, std::vector<ivp::Solution>& ends) {
 std::vector<ivp::Solution> solutions_of(std::span<const std::unique_ptr<Run>> runs,
                                         const ivp::MethodInfo& method, const ivp::Settings& settings,
                                         int threads) {
-  if (method.name == ivp::Series::name && !settings.step && !runs.front()->goes_alone()) {
+  if (method.name == ivp::Series::name && !settings.step && !runs.front()->needs_own_run()) {
     std::vector<ivp::Start> starts;
     for (const std::unique_ptr<Run>& run : runs) starts.push_back(run->start());
     return ivp::integrate_all(starts, ivp::named::series_of(settings), threads);
@@ -469,7 +468,7 @@ ChoiceRequest choice_request(const UserProblem& problem, const RunOptions& r) {
           .largest_step = r.limits.largest_step};
 }
 
-const ivp::MethodInfo& usual_method(const UserProblem& problem, const RunOptions& r) {
+const ivp::MethodInfo& default_method(const UserProblem& problem, const RunOptions& r) {
   ChoiceRequest q = choice_request(problem, r);
   for (const std::string& name : built_method_names()) {
     const ivp::MethodInfo& method = any_method(name);
@@ -487,16 +486,16 @@ const ivp::MethodInfo& usual_method(const UserProblem& problem, const RunOptions
 
 Trajectory trajectory(const UserProblem& problem, const RunOptions& options, const ivp::MethodInfo& method) {
   const auto one = about("--method", [&] { return method.with(options.settings); });
-  refuse_endless_turns(problem, options);
+  refuse_too_many_periods(problem, options);
   Run run(problem, options, method, one);
   return run.finish(about("--method", [&] { return run.integrate(); }));
 }
 
-Trajectory usual_trajectory(const UserProblem& problem, const RunOptions& options,
-                            const ivp::MethodInfo& usual) {
+Trajectory default_trajectory(const UserProblem& problem, const RunOptions& options,
+                              const ivp::MethodInfo& first_method) {
   const Stopwatch watch;
   try {
-    return trajectory(problem, options, usual);
+    return trajectory(problem, options, first_method);
   } catch (const Failure& first) {
     if (!options.verify) throw;
     // Where two methods end the equations do: a third that goes on has stepped over the end.
@@ -509,7 +508,7 @@ Trajectory usual_trajectory(const UserProblem& problem, const RunOptions& option
       const ivp::MethodInfo& other = any_method(name);
       RunOptions rest = options;
       rest.limits.seconds -= watch.seconds();
-      rest.limits.largest_step = watchful_step(options.t0, options.t1, options.limits.largest_step);
+      rest.limits.largest_step = reference_step_limit(options.t0, options.t1, options.limits.largest_step);
       if (!other.is_available() || !has_settings(other, options.settings)) continue;
       if (rest.limits.seconds <= 0 || outside > 1) break;
       try {
@@ -523,7 +522,7 @@ Trajectory usual_trajectory(const UserProblem& problem, const RunOptions& option
 }
 
 std::vector<EnsembleResult> trajectories(std::span<const EnsembleMember> members,
-                                         const ivp::MethodInfo& method, bool is_usual, int threads) {
+                                         const ivp::MethodInfo& method, bool is_default, int threads) {
   if (members.empty()) return {};
   const ivp::Settings& settings = members.front().options.settings;
   const auto one = about("--method", [&] { return method.with(settings); });
@@ -553,8 +552,8 @@ std::vector<EnsembleResult> trajectories(std::span<const EnsembleMember> members
     };
     attempt([&] { return runs[i]->finish(std::move(ends[i])); });
     const Outcome outcome = all[i].status.outcome();
-    if (is_usual && !all[i].status.ok() && outcome != Outcome::time_limit)
-      attempt([&] { return usual_trajectory(*members[i].problem, members[i].options, method); });
+    if (is_default && !all[i].status.ok() && outcome != Outcome::time_limit)
+      attempt([&] { return default_trajectory(*members[i].problem, members[i].options, method); });
     runs[i].reset();
   });
   return all;

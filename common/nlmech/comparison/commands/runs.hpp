@@ -44,7 +44,7 @@ struct EnsembleResult {
 /// The method without `--method`: method_for() the tolerance among the adaptive methods that have the
 /// settings; with rows or events before the end only methods whose dense output is as accurate as their
 /// steps. `series` for a fixed step, and if method_for() finds none.
-[[nodiscard]] const ivp::MethodInfo& usual_method(const UserProblem& problem, const RunOptions& options);
+[[nodiscard]] const ivp::MethodInfo& default_method(const UserProblem& problem, const RunOptions& options);
 
 /// Integrates and prints rows `t,...`: the initial state, rows at RunOptions::every, RunOptions::at and
 /// events, and the last one exactly at t1 or at the event that ends the run. The state is followed by
@@ -54,19 +54,20 @@ struct EnsembleResult {
 [[nodiscard]] Trajectory trajectory(const UserProblem& problem, const RunOptions& options,
                                     const ivp::MethodInfo& method);
 
-/// trajectory() by the usual method or, if its run fails or is wrong, by the first of five other methods
-/// whose run is verified. These need the settings, their steps are at most watchful_step(), and they share
-/// the time limit of the run. Without RunOptions::verify no other method is tried, because no run could be
-/// confirmed.
-/// @param usual result of usual_method() @throws Failure of the usual method if no other run is verified
-[[nodiscard]] Trajectory usual_trajectory(const UserProblem& problem, const RunOptions& options,
-                                          const ivp::MethodInfo& usual);
+/// trajectory() by @p first_method or, if its run fails or is wrong, by the first of five other
+/// methods whose run is verified. These need the settings, their steps are at most reference_step_limit(),
+/// and they share the time limit of the run. Without RunOptions::verify no other method is tried, because no
+/// run could be confirmed.
+/// @param first_method result of default_method() @throws Failure of @p first_method if no other run
+/// is verified
+[[nodiscard]] Trajectory default_trajectory(const UserProblem& problem, const RunOptions& options,
+                                            const ivp::MethodInfo& first_method);
 
 /// trajectory() of many runs with the same settings, in SIMD lanes if the method can; a Failure becomes the
-/// status of its run. @param is_usual true without `--method`: other methods are tried after a failure, as by
-/// usual_trajectory() @param threads number of threads; 0: one per processor
+/// status of its run. @param is_default true without `--method`: other methods are tried after a failure, as
+/// by default_trajectory() @param threads number of threads; 0: one per processor
 [[nodiscard]] std::vector<EnsembleResult> trajectories(std::span<const EnsembleMember> members,
-                                                       const ivp::MethodInfo& method, bool is_usual,
+                                                       const ivp::MethodInfo& method, bool is_default,
                                                        int threads);
 
 /// `integrate --states`, one run for each row of a CSV file. Prints `row,t,...,status` in the order of the

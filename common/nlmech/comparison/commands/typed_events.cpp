@@ -43,7 +43,7 @@ int take_end(const std::string& option, std::string& text) {
   const std::string typed = scene::trimmed(text.substr(after + 11));
   double count = 0;
   if (!scene::parse_number(typed, count) || count != std::floor(count) || count < 1 || count > 1e9)
-    throw input_error("{} {}: end after {}: say a whole number of events, from 1 to 1e9", option,
+    throw input_error("{} {}: end after {}: must be a whole number of events, from 1 to 1e9", option,
                       quoted_input(text), quoted_input(typed));
   text = scene::trimmed(text.substr(0, after));
   return static_cast<int>(count);
@@ -63,15 +63,15 @@ std::vector<double> times_of(const std::string& option, const std::string& text)
   for (double& number : range) {
     const std::size_t colon = rest.find(':');
     if (colon == std::string::npos || !scene::parse_number(scene::trimmed(rest.substr(0, colon)), number))
-      throw refuse("say the first time, the distance and the last, as t = 0:24:240");
+      throw refuse("give the first time, the interval and the last time, as t = 0:24:240");
     rest.erase(0, colon + 1);
   }
   constexpr double most = 10'000;
   const auto [first, distance, last] = range;
   if (!rest.empty() || !(distance > 0) || !(last >= first) || !std::isfinite(last - first))
     throw refuse(
-        "say the first time, a positive distance and a last time that is not earlier, as t = 0:24:240");
-  if ((last - first) / distance > most) throw refuse("more than 10000 times");
+        "give the first time, a positive interval and a last time that is not earlier, as t = 0:24:240");
+  if ((last - first) / distance > most) throw refuse("more than 10000 times; give a longer interval");
   std::vector<double> times;
   // The margin keeps the last time despite rounding.
   for (int k = 0; first + k * distance <= last + 1e-9 * distance; ++k) times.push_back(first + k * distance);
@@ -113,7 +113,9 @@ std::vector<WantedEvent> events_of(const std::string& option, const std::string&
   const std::vector<double> times = times_of(option, text);
   if (times.empty()) add(text);
   if (!times.empty() && event.ends > 1)
-    throw input_error("{} {}: a time comes once; give --until", option, quoted_input(typed));
+    throw input_error(
+        "{} {}: each time occurs once, so that the count must be 1; give --until for a later end", option,
+        quoted_input(typed));
   for (const double t : times) {
     add(fmt::format("t = {:.17g}", t));
     events.back().at = t;
@@ -128,8 +130,7 @@ void add_change(const std::string& option, const std::string& typed, const UserP
   };
   std::string text = scene::trimmed(typed);
   const std::string name = take_name(text);
-  if (name.empty())
-    throw refuse("say the name of an event, and what changes there: \"bounce: y' = -0.8 y'\"");
+  if (name.empty()) throw refuse("give the name of an event and what it changes: \"bounce: y' = -0.8 y'\"");
   std::vector<std::pair<Eigen::Index, StateFunction>> values;
   while (!text.empty()) {
     const std::string one = scene::trimmed(text.substr(0, text.find(';')));
@@ -139,14 +140,14 @@ void add_change(const std::string& option, const std::string& typed, const UserP
     const std::string component = scene::trimmed(one.substr(0, sign));
     const auto known = std::ranges::find(problem.state_names, component);
     if (sign == std::string::npos || known == problem.state_names.end())
-      throw refuse(fmt::format("{}: say one of {} = its new value", quoted_input(one),
+      throw refuse(fmt::format("{}: must be one of {} = its new value", quoted_input(one),
                                fmt::join(problem.state_names, ", ")));
     const Eigen::Index i = known - problem.state_names.begin();
     if (std::ranges::find(values, i, &std::pair<Eigen::Index, StateFunction>::first) != values.end())
-      throw refuse(fmt::format("{} gets a second value; give one", component));
+      throw refuse(fmt::format("{} has two values; give one", component));
     values.emplace_back(i, problem.expression(option, one.substr(sign + 1)));
   }
-  if (values.empty()) throw refuse("say what changes there: \"bounce: y' = -0.8 y'\"");
+  if (values.empty()) throw refuse("give what the event changes: \"bounce: y' = -0.8 y'\"");
   bool found = false;
   for (WantedEvent& event : events) {
     if (event.name != name) continue;
@@ -157,7 +158,7 @@ void add_change(const std::string& option, const std::string& typed, const UserP
       for (const auto& [i, value] : values) x[i] = value(t, old);
     };
   }
-  if (!found) throw refuse(fmt::format("no --event has the name {}", quoted_input(name)));
+  if (!found) throw refuse(fmt::format("no --event has the name {}; name one of them", quoted_input(name)));
 }
 
 void add_line(const EventLine& line, const UserProblem& problem, std::vector<WantedEvent>& events) {

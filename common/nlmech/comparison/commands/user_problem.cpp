@@ -44,7 +44,8 @@ program::Table read_table(const std::filesystem::path& path) {
     };
     if (record.cells.front().starts_with('#')) continue;
     if (record.cells.size() != 2)
-      throw refuse(fmt::format("a row has two cells, time and value, and this one {}", record.cells.size()));
+      throw refuse(
+          fmt::format("a row must have two cells, time and value; this one has {}", record.cells.size()));
     double t = 0, value = 0;
     const bool is_time = scene::parse_number(record.cells[0], t),
                is_value = scene::parse_number(record.cells[1], value);
@@ -159,7 +160,7 @@ std::string read_equations(const std::string& name) {
   std::error_code none;
   const fs::file_status what = fs::status(name, none);
   if (fs::is_character_file(what) || fs::is_block_file(what))
-    throw input_error("--file {}: is a device; - is standard input", echoed_path(name));
+    throw input_error("--file {}: is a device; give a file, or - for standard input", echoed_path(name));
   if (fs::is_regular_file(what) && fs::file_size(name, none) > program::most_bytes)
     throw input_error("--file {}: more than {} bytes", echoed_path(name), program::most_bytes);
   return scene::read_whole(name);
@@ -173,12 +174,12 @@ program::Settings settings_of(const std::vector<std::string>& assignments) {
       return input_error("--set {}: {}", quoted_input(assignment), why);
     };
     const auto sign = assignment.find('=');
-    if (sign == std::string::npos) throw refuse("say name=value");
+    if (sign == std::string::npos) throw refuse("must be name=value");
     const std::string name = assignment.substr(0, sign);
     const auto [before, is_new] = seen.emplace(name, assignment);
     if (!is_new)
       throw refuse(
-          fmt::format("{} is set twice, by {} too", quoted_input(name), quoted_input(before->second)));
+          fmt::format("{} is set twice, also by {}", quoted_input(name), quoted_input(before->second)));
     if (!scene::parse_number(assignment.substr(sign + 1), values[name]))
       throw refuse("the value is not a number");
   }
@@ -192,7 +193,7 @@ MakeProblem library_problem(const std::string& name) {
       return [&text](const program::Settings& set) { return problem_of_text(text, set); };
     known.push_back(text.name);
   }
-  throw input_error("--problem {}: there is no such problem; there is {}", name, fmt::join(known, ", "));
+  throw input_error("--problem {}: there is no such problem; choose one of {}", name, fmt::join(known, ", "));
 }
 
 std::string describe_problems() {

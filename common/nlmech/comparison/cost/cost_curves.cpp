@@ -16,7 +16,7 @@ scene::MethodLine line_of(std::string name, Kind kind) {
           peer                        ? scene::Side::peer
           : kind == Kind::closed_form ? scene::Side::floor
           : kind <= Kind::series      ? scene::Side::subject
-                                      : scene::Side::ours};
+                                      : scene::Side::library};
 }
 
 scene::Attempt attempt_of(std::string setting, std::string status, std::optional<double> error,

@@ -50,15 +50,15 @@ namespace nlmech::comparison {
 }
 
 /// A curve ends with its first run of more right-hand sides, to limit the time of a comparison.
-inline constexpr std::int64_t enough_right_hand_sides = 300'000;
-/// enough_right_hand_sides of a quick comparison.
-inline constexpr std::int64_t enough_for_a_look = 50'000;
+inline constexpr std::int64_t most_right_hand_sides = 300'000;
+/// most_right_hand_sides of a quick comparison.
+inline constexpr std::int64_t most_right_hand_sides_quick = 50'000;
 
 /// Least number of runs of a curve in a full comparison whatever their cost: fewer show no slope.
 inline constexpr std::size_t least_runs = 3;
 
-/// Runs every setting of every method in the given order (coarse first) up to enough_right_hand_sides.
-/// @param quick up to enough_for_a_look, even with fewer than least_runs
+/// Runs every setting of every method in the given order (coarse first) up to most_right_hand_sides.
+/// @param quick up to most_right_hand_sides_quick, even with fewer than least_runs
 [[nodiscard]] inline std::vector<scene::MethodLine> cost_curves(const Example& c,
                                                                 const std::vector<MethodSweep>& sweeps,
                                                                 bool quick) {
@@ -68,8 +68,8 @@ inline constexpr std::size_t least_runs = 3;
     for (const Setting& setting : sweep.settings) {
       curve.attempts.push_back(cost_of(c, setting.text, integrator(sweep, setting), quick));
       const auto right_hand_sides = std::get<std::int64_t>(curve.attempts.back().work.front());
-      if (quick ? right_hand_sides > enough_for_a_look
-                : right_hand_sides > enough_right_hand_sides && curve.attempts.size() >= least_runs)
+      if (quick ? right_hand_sides > most_right_hand_sides_quick
+                : right_hand_sides > most_right_hand_sides && curve.attempts.size() >= least_runs)
         break;
     }
     curves.push_back(std::move(curve));

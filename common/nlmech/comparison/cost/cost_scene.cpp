@@ -12,8 +12,8 @@ namespace {
 
 /// Heading with the fastest methods, without them if it would be too long.
 std::string heading_of(const std::string& problem, const scene::ProblemLines& lines) {
-  const std::string whole = problem + ": " + scene::who_leads(lines);
-  return whole.size() <= 118 ? whole : problem + ": digits against cost";
+  const std::string whole = problem + ": " + scene::fastest_by_digits(lines);
+  return whole.size() <= 118 ? whole : problem + ": achieved digits and cost";
 }
 
 /// Runs every setting of every method and peer. The condition number for two changes is that of runs by
@@ -38,7 +38,7 @@ void check_tightest(const Costs& costs, const std::string& method, scene::Show& 
   show.at_most("error of " + method + " at the tightest tolerance", tightest.error.value_or(HUGE_VAL),
                tightest_tolerance(show.quick()) * static_cast<double>(steps_of(tightest)) *
                    std::max(1.0, costs.condition),
-               "the tolerance in each step, all of one sign, times the condition");
+               "number of steps times tolerance (errors of equal sign) times condition");
 }
 
 scene::Scene work_precision_scene(WorkPrecisionStudy what) {
@@ -47,7 +47,7 @@ scene::Scene work_precision_scene(WorkPrecisionStudy what) {
       "times" + suffix,
       fmt::format("{}; error: median over 16 ends of steps in the last tenth; one thread, median of repeats; "
                   "a curve ends with its first run of more than {} right-hand sides, {} with --quick",
-                  what.reading, enough_right_hand_sides, enough_for_a_look),
+                  what.reading, most_right_hand_sides, most_right_hand_sides_quick),
       [what](bool quick) { return costs_of(what, quick); });
   const auto put = [what](const Costs& all, scene::Show& show) {
     const bool known = all.condition >= 10;  // smaller ones have no effect on the 15 digits of the figure
@@ -59,11 +59,11 @@ scene::Scene work_precision_scene(WorkPrecisionStudy what) {
                                {all.lines}, show);
     if (what.change > 0)
       show.near("condition", all.condition, all.again, 0.05,
-                "a hundred times the change of the start: the answer is linear");
+                "response to a hundred times the change of the initial state: it is linear");
     what.check(all, show);
   };
   return {.name = "error-vs-time" + suffix,
-          .title = what.problem + ": digits against cost",
+          .title = what.problem + ": achieved digits and cost",
           .content = scene::Content(put, costs)};
 }
 

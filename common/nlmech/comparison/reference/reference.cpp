@@ -17,7 +17,7 @@ namespace nlmech::comparison {
 namespace {
 
 /// Relative difference of two computations above which they are no reference.
-constexpr double worthless = 1e-2;
+constexpr double largest_disagreement = 1e-2;
 
 /// A computation that reached the end.
 struct Arrived {
@@ -70,11 +70,11 @@ struct Failed {
 /// The failure if no two computations agree, with its reason.
 Reference none_of(const std::vector<Arrived>& arrived, const Distance& best,
                   const std::vector<Failed>& failed) {
-  std::string why = "no two methods arrived within the work allowed";
+  std::string why = "no two methods reached the end within the work limit";
   if (arrived.size() >= 2 && std::isfinite(best.in_needs))
-    why = fmt::format("the two methods nearest to each other, {} and {}, differ by {:.2g} of the solution",
+    why = fmt::format("the two methods that agree best, {} and {}, differ by {:.2g} of the solution",
                       arrived[best.first].by.name, arrived[best.second].by.name, best.relative);
-  std::string separator = "; not there: ";
+  std::string separator = "; failed: ";
   for (const Failed& f : failed) {
     why += fmt::format("{}{} ({})", separator, f.name, to_string(f.outcome));
     separator = ", ";
@@ -106,12 +106,12 @@ constexpr std::array reference_methods = {ReferenceMethod{"series", 1e-16, 50'00
 
 /// Runs @p by with an absolute tolerance for components that decay; if that fails, with the needed one.
 Status by_reference_method(const ReferenceMethod& by, const ivp::System& system, const Tolerance& needed,
-                           const WorkLimit& effort, const ReferenceRequest& way, double seconds,
+                           const WorkLimit& effort, const ReferenceRequest& request, double seconds,
                            StatesAt& states) {
   const Stopwatch watch;
   const ivp::MethodInfo& method = any_method(by.name);
-  if (method.estimate_misses_time && depends_on_time(system, way.t0, way.x0.template cast<double>()))
-    return Status::failure(Outcome::outside_validity, "its error estimate does not see what depends on t");
+  if (method.estimate_misses_time && depends_on_time(system, request.t0, request.x0.template cast<double>()))
+    return Status::failure(Outcome::outside_validity, "its error estimate ignores terms that depend on t");
   const double relative = std::clamp(needed.relative / 10, by.least_tolerance, 1e-4);
   const double loose = std::max(needed.absolute / 10, relative * 1e-2);
   const auto steps = static_cast<std::int64_t>(effort.work * static_cast<double>(by.most_steps));
@@ -119,16 +119,16 @@ Status by_reference_method(const ReferenceMethod& by, const ivp::System& system,
   for (const double absolute : {std::min(relative, loose) * 1e-6, loose}) {
     try {
       const ivp::Settings settings{.tolerance = relative, .absolute_tolerance = absolute};
-      StepBudget pace(way.t0, way.times.back(), static_cast<double>(steps));
+      StepBudget budget(request.t0, request.times.back(), static_cast<double>(steps));
       ivp::Observer observer;  // empty for implicit methods: their steps may grow late, after a transient
       if (method.family == ivp::Family::series || method.family == ivp::Family::runge_kutta)
-        observer = [&pace](const ivp::Step& step) { return pace.suffices(step.t1); };
+        observer = [&budget](const ivp::Step& step) { return budget.suffices(step.t1); };
       const ivp::Limits limits{
           .steps = steps, .seconds = seconds - watch.seconds(), .largest_step = effort.largest_step};
       const ivp::StateAccuracy accuracy{relative, absolute};
       const auto run = ivp::with_changes(ivp::within_domain(method.with(settings), effort.domain, accuracy),
                                          effort.changes, accuracy);
-      status = states_by(run, system, way, observer, limits, states);
+      status = states_by(run, system, request, observer, limits, states);
     } catch (const std::invalid_argument& error) {  // the method rejects the problem or the tolerance
       status = Status::failure(Outcome::outside_validity, error.what());
     }
@@ -153,7 +153,7 @@ std::string Reference::text() const {
   return fmt::format("{} and {} agree to {:.1f} digits", first.name, second.name, digits);
 }
 
-Reference agree(const std::vector<Candidate>& candidates, const ReferenceRequest& way,
+Reference agree(const std::vector<Candidate>& candidates, const ReferenceRequest& request,
                 const Tolerance& needed, double seconds) {
   const Stopwatch watch;
   std::vector<Arrived> arrived;
@@ -163,7 +163,7 @@ Reference agree(const std::vector<Candidate>& candidates, const ReferenceRequest
     if (c.extended && std::ranges::any_of(failed, &Failed::extended)) continue;
     if (watch.seconds() >= seconds) break;
     StatesAt states;
-    const Status status = c.compute(way, seconds - watch.seconds(), states);
+    const Status status = c.compute(request, seconds - watch.seconds(), states);
     if (!status.ok()) {
       failed.push_back({c.name, c.extended, status.outcome()});
       continue;
@@ -175,9 +175,9 @@ Reference agree(const std::vector<Candidate>& candidates, const ReferenceRequest
     }
     if (best.in_needs <= 1) break;
     // If computations in extended precision disagree, double precision cannot be more accurate.
-    if (c.extended && arrived.size() >= 2 && best.relative > worthless) break;
+    if (c.extended && arrived.size() >= 2 && best.relative > largest_disagreement) break;
   }
-  if (best.in_needs > 1 && !(best.relative <= worthless)) return none_of(arrived, best, failed);
+  if (best.in_needs > 1 && !(best.relative <= largest_disagreement)) return none_of(arrived, best, failed);
   const Arrived &a = arrived[best.first], &b = arrived[best.second];
   Reference r;
   r.first = a.by;
@@ -188,22 +188,22 @@ Reference agree(const std::vector<Candidate>& candidates, const ReferenceRequest
   return r;
 }
 
-Status states_by(const ivp::NamedIntegrator& run, const ivp::System& system, const ReferenceRequest& way,
+Status states_by(const ivp::NamedIntegrator& run, const ivp::System& system, const ReferenceRequest& request,
                  const ivp::Observer& observer, const ivp::Limits& limits, StatesAt& states) {
   const Stopwatch watch;
-  states.resize(way.x0.size(), static_cast<Eigen::Index>(way.times.size()));
+  states.resize(request.x0.size(), static_cast<Eigen::Index>(request.times.size()));
   ivp::Limits left = limits;
-  ivp::State x = way.x0.cast<double>();
-  double t = way.t0;
-  for (std::size_t k = 0; k < way.times.size(); ++k) {
+  ivp::State x = request.x0.cast<double>();
+  double t = request.t0;
+  for (std::size_t k = 0; k < request.times.size(); ++k) {
     left.seconds = limits.seconds - watch.seconds();
-    ivp::Solution end = run(system, x, t, way.times[k], observer, left);
+    ivp::Solution end = run(system, x, t, request.times[k], observer, left);
     if (end.status.outcome() == Outcome::interrupted)
       return Status::failure(Outcome::step_limit, "an explicit method takes too many steps");
     if (!end.status.ok()) return end.status;
     left.steps -= end.statistics.steps + end.statistics.rejected;
     x = end.x;
-    t = way.times[k];
+    t = request.times[k];
     states.col(static_cast<Eigen::Index>(k)) = x.cast<long double>();
   }
   return {};
@@ -215,14 +215,14 @@ Reference reference_of(std::vector<Candidate> all, const ivp::System& system, co
     const ivp::MethodInfo& method = any_method(by.name);
     if (!method.is_available() || (method.second_order_only && !system.second_order())) continue;
     all.push_back(
-        {std::string(by.name), false, [=](const ReferenceRequest& way, double seconds, StatesAt& states) {
-           return by_reference_method(by, system, needed, effort, way, seconds, states);
+        {std::string(by.name), false, [=](const ReferenceRequest& request, double seconds, StatesAt& states) {
+           return by_reference_method(by, system, needed, effort, request, seconds, states);
          }});
   }
   return agree(all, {x0.cast<long double>(), t0, times}, needed, effort.seconds);
 }
 
-std::vector<double> look_at(double t0, double t1, int count) {
+std::vector<double> times_to_check(double t0, double t1, int count) {
   std::vector<double> times;
   for (int k = 1; k < count; ++k) {
     const double t = t0 + (t1 - t0) * (static_cast<double>(k) / count);

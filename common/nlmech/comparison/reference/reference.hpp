@@ -52,7 +52,7 @@ struct WorkLimit {
 
 /// Greatest step size of reference computations from @p t0 to @p t1: that of the verified run, but at most
 /// 1/128 of the interval, so that no pulse of a few such lengths is stepped over after a long rest.
-[[nodiscard]] inline double watchful_step(double t0, double t1, double largest_step) {
+[[nodiscard]] inline double reference_step_limit(double t0, double t1, double largest_step) {
   return std::min(largest_step, std::abs(t1 - t0) / 128);
 }
 
@@ -113,7 +113,7 @@ struct Reference {
 /// Runs the candidates in turn until two agree within @p needed. If none do, uses the two that agree best,
 /// provided that they agree to two digits at all times.
 /// @param seconds limit of the wall time of all candidates
-[[nodiscard]] Reference agree(const std::vector<Candidate>& candidates, const ReferenceRequest& way,
+[[nodiscard]] Reference agree(const std::vector<Candidate>& candidates, const ReferenceRequest& request,
                               const Tolerance& needed, double seconds);
 
 /// Reference states of a problem at @p times, from the first two computations that agree: first those of
@@ -134,11 +134,11 @@ struct Reference {
 /// States at all output times by a method that restarts at each of them.
 /// @param observer receives the steps of all segments; may be empty
 [[nodiscard]] Status states_by(const ivp::NamedIntegrator& run, const ivp::System& system,
-                               const ReferenceRequest& way, const ivp::Observer& observer,
+                               const ReferenceRequest& request, const ivp::Observer& observer,
                                const ivp::Limits& limits, StatesAt& states);
 
 /// Equidistant output times from @p t0 (excluded) to @p t1 (included); @p count, or fewer if rounding makes
 /// some of them equal.
-[[nodiscard]] std::vector<double> look_at(double t0, double t1, int count);
+[[nodiscard]] std::vector<double> times_to_check(double t0, double t1, int count);
 
 }  // namespace nlmech::comparison

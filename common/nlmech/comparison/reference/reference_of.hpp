@@ -46,20 +46,20 @@ struct Backwards {
 
 /// States at ascending times by one Taylor series.
 template <class Problem>
-Status taylor_states(const Problem& problem, const ReferenceRequest& way,
+Status taylor_states(const Problem& problem, const ReferenceRequest& request,
                      const problems::ReferenceOptions& options, double most_steps, double seconds,
                      StatesAt& states) {
   constexpr int n = Problem::dimension;
   using Exact = Vector<long double, n>;
-  const std::vector<double>& times = way.times;
-  states.resize(way.x0.size(), static_cast<Eigen::Index>(times.size()));
+  const std::vector<double>& times = request.times;
+  states.resize(request.x0.size(), static_cast<Eigen::Index>(times.size()));
   std::size_t next = 0;
-  for (; next < times.size() && times[next] == way.t0; ++next)
-    states.col(static_cast<Eigen::Index>(next)) = way.x0;
+  for (; next < times.size() && times[next] == request.t0; ++next)
+    states.col(static_cast<Eigen::Index>(next)) = request.x0;
   if (next == times.size()) return {};
-  StepBudget pace(way.t0, times.back(), most_steps);
+  StepBudget budget(request.t0, times.back(), most_steps);
   const Stopwatch watch;
-  const auto look = [&](const problems::TaylorStep<long double, n>& step, const Exact& x) {
+  const auto visit_step = [&](const problems::TaylorStep<long double, n>& step, const Exact& x) {
     const long double end = step.start + step.length;
     for (; next < times.size() && times[next] <= end; ++next) {
       const Exact now = times[next] == end ? x : step.at(times[next] - step.start);
@@ -67,13 +67,13 @@ Status taylor_states(const Problem& problem, const ReferenceRequest& way,
     }
     if (next == times.size()) return;
     const bool late = watch.seconds() > seconds;
-    if (late || !pace.suffices(static_cast<double>(end)))  // the exception ends the integration
+    if (late || !budget.suffices(static_cast<double>(end)))  // the exception ends the integration
       throw Failure(Status::failure(late ? Outcome::time_limit : Outcome::step_limit,
                                     "the Taylor series in extended precision takes too many steps"));
   };
   try {
-    return problems::walk_reference(problem, Exact(way.x0), static_cast<long double>(way.t0),
-                                    static_cast<long double>(times.back()), options, look);
+    return problems::integrate_reference(problem, Exact(request.x0), static_cast<long double>(request.t0),
+                                         static_cast<long double>(times.back()), options, visit_step);
   } catch (const Failure& late) {
     return late.status();
   }
@@ -81,11 +81,12 @@ Status taylor_states(const Problem& problem, const ReferenceRequest& way,
 
 /// taylor_states() forwards or backwards in time.
 template <class Problem>
-Status taylor_either_way(const Problem& problem, const ReferenceRequest& way,
-                         const problems::ReferenceOptions& options, double most_steps, double seconds,
-                         StatesAt& states) {
-  if (way.times.back() >= way.t0) return taylor_states(problem, way, options, most_steps, seconds, states);
-  ReferenceRequest mirrored{way.x0, -way.t0, way.times};
+Status taylor_both_directions(const Problem& problem, const ReferenceRequest& request,
+                              const problems::ReferenceOptions& options, double most_steps, double seconds,
+                              StatesAt& states) {
+  if (request.times.back() >= request.t0)
+    return taylor_states(problem, request, options, most_steps, seconds, states);
+  ReferenceRequest mirrored{request.x0, -request.t0, request.times};
   for (double& t : mirrored.times) t = -t;
   return taylor_states(Backwards<Problem>{problem}, mirrored, options, most_steps, seconds, states);
 }
@@ -106,8 +107,9 @@ template <class Problem>
     options.largest_step = effort.largest_step;
     options.most_steps = static_cast<std::size_t>(std::ceil(most_steps));
     all.push_back({"Taylor series of order " + std::to_string(order), true,
-                   [=](const ReferenceRequest& way, double seconds, StatesAt& states) {
-                     return detail::taylor_either_way(problem, way, options, most_steps, seconds, states);
+                   [=](const ReferenceRequest& request, double seconds, StatesAt& states) {
+                     return detail::taylor_both_directions(problem, request, options, most_steps, seconds,
+                                                           states);
                    }});
   }
   return all;

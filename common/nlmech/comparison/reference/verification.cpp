@@ -39,16 +39,16 @@ Status derivative(const Candidate& run, const ExtendedState& x, double t0, doubl
                   const Eigen::VectorXd& by, const std::function<double()>& seconds, Eigen::MatrixXd& d) {
   d.resize(x.size(), x.size());
   StatesAt ends[2];
-  ReferenceRequest way{x, t0, {t1}};
+  ReferenceRequest request{x, t0, {t1}};
   for (Eigen::Index j = 0; j < x.size(); ++j) {
     long double begins[2];
     for (const int side : {0, 1}) {
       // Rounded to double, for methods in double precision.
       begins[side] = static_cast<double>(side == 0 ? x[j] - by[j] : x[j] + by[j]);
-      way.x0[j] = begins[side];
-      if (Status s = run.compute(way, seconds(), ends[side]); !s.ok()) return s;
+      request.x0[j] = begins[side];
+      if (Status s = run.compute(request, seconds(), ends[side]); !s.ok()) return s;
     }
-    way.x0[j] = x[j];
+    request.x0[j] = x[j];
     d.col(j) = ((ends[1].col(0) - ends[0].col(0)) / (begins[1] - begins[0])).cast<double>();
   }
   return {};
@@ -100,7 +100,7 @@ struct Comparison {
     return (error.array() <= bound.array()).all() && (uncertainty.array() <= bound.array()).all();
   }
   /// Does the error exceed most_tolerances by more than the uncertainty?
-  [[nodiscard]] bool surely_beyond() const {
+  [[nodiscard]] bool certainly_beyond() const {
     return ((error - uncertainty).array() > most_tolerances * weight.array()).any();
   }
 
@@ -139,17 +139,17 @@ Verification with_condition(const Comparison& all, const Reference& reference, c
   Verification v = all.worst(Verdict::wrong, bound);
   const double extent = size[v.component] > 0 ? size[v.component] : 1;
   const double allowed = v.allowed * v.error / std::max(v.tolerances, 1e-300);
-  const double sure = v.error - v.uncertainty;            // lower bound of the error
+  const double least_error = v.error - v.uncertainty;     // lower bound of the error
   const bool is_amplified = v.allowed > most_tolerances;  // otherwise only the tolerance is coarse
   if (v.error >= 0.1 * extent && allowed >= 0.1 * extent && is_amplified) {
     v.verdict = Verdict::undetermined;
     return v;
   }
-  if (sure > allowed) return v;
+  if (least_error > allowed) return v;
   if (all.within(bound)) return all.fewest_digits();
-  return {.reason =
-              fmt::format("{}, which is less than the tolerance asks for; the run lies within {:.2g} of them",
-                          reference.text(), v.error)};
+  return {.reason = fmt::format(
+              "{}, which is less than the tolerance requires; the run differs from them by at most {:.2g}",
+              reference.text(), v.error)};
 }
 
 /// "take --tolerance 1e-12 or another method", with a tolerance that should suffice if there is one.
@@ -167,34 +167,34 @@ Tolerance tolerance_of(const ivp::Settings& settings) {
   return {relative, settings.absolute_tolerance.value_or(relative)};
 }
 
-double enough_digits(double tolerance) { return std::max(3.0, -std::log10(tolerance) / 2); }
+double required_digits(double tolerance) { return std::max(3.0, -std::log10(tolerance) / 2); }
 
-Status amplification(const ReferenceRequest& way, const Reference& reference,
+Status amplification(const ReferenceRequest& request, const Reference& reference,
                      const Eigen::VectorXd& first_weight, const Eigen::MatrixXd& weight, double seconds,
                      Eigen::MatrixXd& moved) {
   const Stopwatch watch;
   const std::function<double()> left = [&] { return seconds - watch.seconds(); };
   // Relative perturbation: far above the errors of the reference, small against the solution.
   const double share = reference.first.extended ? 1e-7 : 1e-6;
-  const Eigen::VectorXd size = reference.size.cwiseMax(way.x0.cwiseAbs().cast<double>());
+  const Eigen::VectorXd size = reference.size.cwiseMax(request.x0.cwiseAbs().cast<double>());
   std::vector<Eigen::MatrixXd> made;  // effects of the errors of each earlier time
   moved = weight;
   Eigen::VectorXd w = first_weight;
-  ExtendedState x = way.x0;
-  double t = way.t0;
+  ExtendedState x = request.x0;
+  double t = request.t0;
   Eigen::MatrixXd d;
-  for (std::size_t k = 0; k < way.times.size(); ++k) {
+  for (std::size_t k = 0; k < request.times.size(); ++k) {
     Eigen::VectorXd by = share * x.cwiseAbs().cast<double>().cwiseMax(1e-3 * size);
     for (Eigen::Index i = 0; i < by.size(); ++i) {
       if (!(by[i] > 0)) by[i] = share;  // the component is always zero
     }
-    if (Status s = derivative(reference.first, x, t, way.times[k], by, left, d); !s.ok()) return s;
+    if (Status s = derivative(reference.first, x, t, request.times[k], by, left, d); !s.ok()) return s;
     for (Eigen::MatrixXd& error : made) error = (d * error).eval();
     made.emplace_back(d * w.asDiagonal());
     const auto column = static_cast<Eigen::Index>(k);
     for (const Eigen::MatrixXd& error : made)
       moved.col(column) = moved.col(column).cwiseMax(error.cwiseAbs().rowwise().sum());
-    t = way.times[k];
+    t = request.times[k];
     x = reference.states.col(column);
     w = weight.col(column);
   }
@@ -211,13 +211,14 @@ Verification verify(const ivp::System& system, const ivp::State& x0, double t0, 
   Comparison all(run, reference, weights(system, run.times, reference.states, size, run.tolerance),
                  scales(reference.states, size, run.tolerance));
   if (all.within(most_tolerances * all.weight)) return all.worst(Verdict::right, all.weight);
-  const ReferenceRequest way{x0.cast<long double>(), t0, run.times};
-  const Eigen::MatrixXd first = weights(system, {t0}, way.x0, size, run.tolerance);
-  const Status status = amplification(way, reference, first.col(0), all.weight, effort.seconds, all.moved);
+  const ReferenceRequest request{x0.cast<long double>(), t0, run.times};
+  const Eigen::MatrixXd first = weights(system, {t0}, request.x0, size, run.tolerance);
+  const Status status =
+      amplification(request, reference, first.col(0), all.weight, effort.seconds, all.moved);
   if (!status.ok()) all.moved.setZero();
-  if (all.surely_beyond()) {
+  if (all.certainly_beyond()) {
     Verification v = all.fewest_digits();
-    if (v.digits >= enough_digits(run.tolerance.relative)) return v;
+    if (v.digits >= required_digits(run.tolerance.relative)) return v;
     if (!status.ok()) return all.worst(Verdict::wrong, all.weight);
   }
   if (status.ok()) return with_condition(all, reference, size);
@@ -226,20 +227,20 @@ Verification verify(const ivp::System& system, const ivp::State& x0, double t0, 
 
 bool agrees(const ivp::System& system, const ivp::State& x0, double t0, const Verified& run,
             const ivp::NamedIntegrator& other, const ivp::Limits& limits) {
-  ReferenceRequest way{x0.cast<long double>(), t0, {}};
+  ReferenceRequest request{x0.cast<long double>(), t0, {}};
   Eigen::MatrixXd states(x0.size(), 0);
   for (Eigen::Index k = 0; k < run.states.cols(); ++k) {
     if (std::isnan(run.states(0, k))) continue;
-    way.times.push_back(run.times[static_cast<std::size_t>(k)]);
+    request.times.push_back(run.times[static_cast<std::size_t>(k)]);
     states.conservativeResize(Eigen::NoChange, states.cols() + 1);
     states.rightCols(1) = run.states.col(k);
   }
   StatesAt found;
-  if (!states_by(other, system, way, {}, limits, found).ok()) return false;
-  const Eigen::MatrixXd theirs = found.cast<double>();
-  const Eigen::VectorXd size = theirs.cwiseAbs().rowwise().maxCoeff().cwiseMax(x0.cwiseAbs());
-  const Eigen::MatrixXd weight = weights(system, way.times, found, size, run.tolerance);
-  return ((states - theirs).array().abs() <= most_tolerances * weight.array()).all();
+  if (!states_by(other, system, request, {}, limits, found).ok()) return false;
+  const Eigen::MatrixXd other_states = found.cast<double>();
+  const Eigen::VectorXd size = other_states.cwiseAbs().rowwise().maxCoeff().cwiseMax(x0.cwiseAbs());
+  const Eigen::MatrixXd weight = weights(system, request.times, found, size, run.tolerance);
+  return ((states - other_states).array().abs() <= most_tolerances * weight.array()).all();
 }
 
 std::string remark(const Verification& found, const Reference& reference, const ivp::MethodInfo& method,
@@ -247,28 +248,27 @@ std::string remark(const Verification& found, const Reference& reference, const 
   if (found.verdict == Verdict::unknown) return "not verified: " + found.reason;
   const double tolerance = tolerance_of(settings).relative;
   if (found.verdict == Verdict::ended)
-    throw Failure(
-        failed_with(Outcome::step_underflow,
-                    "{}: the solution seems to end on the way, and this run at the tolerance {:.6g} to have "
-                    "leapt across: {}; take an earlier end or a smaller tolerance (--no-verify prints "
-                    "the run as it is)",
-                    method.name, tolerance, found.reason));
+    throw Failure(failed_with(Outcome::step_underflow,
+                              "{}: the solution seems to end before the final time, and this run at the "
+                              "tolerance {:.6g} to have stepped across that point: {}; take an earlier end "
+                              "or a smaller tolerance (--no-verify prints the unverified run)",
+                              method.name, tolerance, found.reason));
   const std::string& name = names.at(static_cast<std::size_t>(found.component));
   const std::string place = fmt::format("{} at t = {:.9g}", name, found.t);
   if (found.verdict == Verdict::undetermined)
     throw Failure(failed_with(
         Outcome::outside_validity,
-        "{}: nothing determines {}: up to there the problem multiplies an error of the tolerance {:.6g} by "
-        "{:.2g}; take a smaller tolerance or an earlier end (--no-verify prints the run as it is)",
+        "{}: no digit of {} is certain: up to there the problem multiplies an error of the tolerance {:.6g} "
+        "by {:.2g}; take a smaller tolerance or an earlier end (--no-verify prints the unverified run)",
         method.name, place, tolerance, found.growth));
   if (found.verdict == Verdict::wrong)
     throw Failure(failed_with(Outcome::not_converged,
                               "{}: verified by integration, {} is off by {:.2g}: {:.3g} times the tolerance "
                               "{:.6g}, where the number of steps and the problem's condition explain {:.3g}; "
-                              "fewer than {:.1f} digits are right; "
-                              "the tolerance {}: {} (--no-verify prints the run as it is; reference: {})",
+                              "fewer than {:.1f} digits are correct; "
+                              "the tolerance {}: {} (--no-verify prints the unverified run; reference: {})",
                               method.name, place, found.error, found.tolerances, tolerance, found.allowed,
-                              enough_digits(tolerance), what_a_tolerance_holds, advice(found, tolerance),
+                              required_digits(tolerance), tolerance_meaning, advice(found, tolerance),
                               reference.text()));
   if (found.verdict == Verdict::right) return "";
   const double digits = std::floor(10 * std::max(found.digits, 0.0)) / 10;  // rounded down

@@ -71,13 +71,13 @@ inline constexpr int most_verified = 48;
 /// every component, with the worst signs, made at any one of the earlier times. From each time to the next
 /// every component is perturbed in turn by a small share of its size and integrated by Reference::first;
 /// products of these matrices give the effect on later times.
-/// @param way request of the reference
-/// @param first_weight weights of the components at way.t0
-/// @param weight weights at way.times
+/// @param request of the reference
+/// @param first_weight weights of the components at request.t0
+/// @param weight weights at request.times
 /// @param moved receives the result, of the size of @p weight
 /// @param seconds limit of the wall time
 /// @returns success, or why the result is unknown
-[[nodiscard]] Status amplification(const ReferenceRequest& way, const Reference& reference,
+[[nodiscard]] Status amplification(const ReferenceRequest& request, const Reference& reference,
                                    const Eigen::VectorXd& first_weight, const Eigen::MatrixXd& weight,
                                    double seconds, Eigen::MatrixXd& moved);
 
@@ -96,8 +96,7 @@ inline constexpr int most_verified = 48;
                           const ivp::NamedIntegrator& other, const ivp::Limits& limits);
 
 /// Meaning of a tolerance, as part of messages.
-inline constexpr std::string_view what_a_tolerance_holds =
-    "holds the error of each step, and not what these add up to";
+inline constexpr std::string_view tolerance_meaning = "bounds the error of each step, not their sum";
 
 /// Remark on a run that is inexact or could not be verified: "verified: 8.9 digits at the end; x is off by
 /// 1.3e-09 there, 130 tolerances"; empty for a run that is right.

@@ -37,10 +37,10 @@ Names names_of(const std::vector<NamedNode>& nodes) {
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const NamedNode& n = nodes[i];
     if (!(std::isfinite(n.x) && std::isfinite(n.y)))
-      throw refusal(ModelPart::nodes, i, "node {} is at ({}, {}); places are finite", quoted_input(n.name),
-                    n.x, n.y);
+      throw refusal(ModelPart::nodes, i, "node {} is at ({}, {}); coordinates must be finite",
+                    quoted_input(n.name), n.x, n.y);
     if (!names.emplace(n.name, static_cast<int>(i)).second)
-      throw refusal(ModelPart::nodes, i, "node {} stands twice", quoted_input(n.name));
+      throw refusal(ModelPart::nodes, i, "node {} is given twice", quoted_input(n.name));
   }
   return names;
 }
@@ -54,7 +54,7 @@ void require_places(const std::vector<NamedNode>& nodes) {
   for (std::size_t k = 1; k < order.size(); ++k) {
     const NamedNode &a = nodes[order[k - 1]], &b = nodes[order[k]];
     if (a.x == b.x && a.y == b.y)
-      throw refusal(ModelPart::nodes, order[k], "node {} is where node {} is, at ({}, {})",
+      throw refusal(ModelPart::nodes, order[k], "node {} is at the position of node {}, ({}, {})",
                     quoted_input(b.name), quoted_input(a.name), b.x, b.y);
   }
 }
@@ -117,8 +117,8 @@ void add_member(const NamedMember& m, std::size_t index, int first, int second, 
   for (std::size_t i = 0; i <= places.size(); ++i) {
     const Node &from = i == 0 ? a : places[i - 1], &to = i == places.size() ? b : places[i];
     if (!(std::hypot(to.x - from.x, to.y - from.y) > 0))
-      throw refusal(ModelPart::members, index, "{}: {} elements cannot be told apart where it stands",
-                    called(m), elements);
+      throw refusal(ModelPart::members, index,
+                    "{}: {} elements are too short for the rounding of its coordinates", called(m), elements);
   }
   for (const Node& place : places) {
     parts.nodes.push_back(place);
@@ -170,7 +170,7 @@ Eigen::Index unknown_of(const std::string& node, Motion motion, const Names& nam
   if (at < 0)
     throw refusal(
         part, index, "{} {}.{}, which {}", what, quoted_input(node), to_string(motion),
-        motion == Motion::rotation ? "is held, or which no member is rigidly joined to" : "is held");
+        motion == Motion::rotation ? "is fixed, or to which no member is rigidly joined" : "is fixed");
   return at;
 }
 
@@ -185,7 +185,7 @@ void add_actions(const FrameModel& model, const Names& names, NamedFrame& f) {
       throw refusal(ModelPart::displacements, i, "displacement of {}.{} = {}; it must be finite",
                     quoted_input(d.node), to_string(d.motion), d.value);
     if (std::find(f.given.begin(), f.given.end(), at) != f.given.end())
-      throw refusal(ModelPart::displacements, i, "displacement of {}.{} stands twice", quoted_input(d.node),
+      throw refusal(ModelPart::displacements, i, "displacement of {}.{} is given twice", quoted_input(d.node),
                     to_string(d.motion));
     f.given.push_back(at);
     f.displacement[at] = d.value;
@@ -203,7 +203,7 @@ void add_actions(const FrameModel& model, const Names& names, NamedFrame& f) {
     f.load[at] += l.value;
   }
   if (static_cast<Eigen::Index>(f.given.size()) == f.frame.size())
-    throw refusal(ModelPart::displacements, 0, "all motions of all nodes are given");
+    throw refusal(ModelPart::displacements, 0, "the displacements of all nodes are given");
   if (!(f.load.cwiseAbs().maxCoeff() > 0 || f.displacement.cwiseAbs().maxCoeff() > 0))
     throw refusal(ModelPart::loads, 0, "there is no load, or all of them are 0");
 }
@@ -217,7 +217,7 @@ Eigen::VectorXd masses_of(const FrameModel& model, const Names& names, const Fra
                &b = frame.nodes()[static_cast<std::size_t>(m.second)];
     const double length = std::hypot(b.x - a.x, b.y - a.y), all = model.members[origins[i]].mass * length;
     if (!std::isfinite(all * length * length))
-      throw refusal(ModelPart::members, origins[i], "{}: its mass is {}, beyond all numbers",
+      throw refusal(ModelPart::members, origins[i], "{}: its mass is {}, beyond the range of doubles",
                     called(model.members[origins[i]]), all);
     const std::array<Eigen::Index, 6> unknowns = frame.unknowns_of(i);
     for (std::size_t j = 0; j < 6; ++j) {
@@ -229,7 +229,8 @@ Eigen::VectorXd masses_of(const FrameModel& model, const Names& names, const Fra
     const int node = index_of(names, m.node, ModelPart::masses, i);
     for (const double value : {m.mass, m.inertia}) {
       if (!(value >= 0 && std::isfinite(value)))
-        throw refusal(ModelPart::masses, i, "mass and inertia of {} are {} and {}; neither is negative",
+        throw refusal(ModelPart::masses, i,
+                      "mass and inertia of {} are {} and {}; both must be 0 or more and finite",
                       quoted_input(m.node), m.mass, m.inertia);
     }
     for (const Motion motion : {Motion::x, Motion::y, Motion::rotation}) {
@@ -237,7 +238,8 @@ Eigen::VectorXd masses_of(const FrameModel& model, const Names& names, const Fra
       if (at >= 0) mass[at] += motion == Motion::rotation ? m.inertia : m.mass;
     }
   }
-  if (!mass.allFinite()) throw refusal(ModelPart::masses, 0, "a sum of masses is beyond all numbers");
+  if (!mass.allFinite())
+    throw refusal(ModelPart::masses, 0, "a sum of masses is beyond the range of doubles");
   return mass;
 }
 
@@ -248,7 +250,8 @@ void require_numbers(const FrameModel& model) {
   }
   if (!model.imperfection) return;
   if (model.imperfection->mode < 1)
-    throw refusal(ModelPart::imperfection, 0, "mode = {}; they count from 1", model.imperfection->mode);
+    throw refusal(ModelPart::imperfection, 0, "mode = {}; modes are numbered from 1",
+                  model.imperfection->mode);
   if (!std::isfinite(model.imperfection->amplitude))
     throw refusal(ModelPart::imperfection, 0, "amplitude = {}; it must be finite",
                   model.imperfection->amplitude);
@@ -276,30 +279,30 @@ NamedFrame build(const FrameModel& model, int elements) {
   }
   require_numbers(model);
   // Prescribed displacements count as fixed: the load factor does not change here.
-  std::vector<Support> held = supports;
+  std::vector<Support> fixed = supports;
   for (std::size_t i = 0; i < model.displacements.size(); ++i) {
     const NamedDisplacement& d = model.displacements[i];
-    held.push_back({index_of(names, d.node, ModelPart::displacements, i), d.motion});
+    fixed.push_back({index_of(names, d.node, ModelPart::displacements, i), d.motion});
   }
   // Whether a frame is a mechanism does not depend on the number of elements.
   const Parts whole = parts_of(model, names, 0), divided = parts_of(model, names, elements);
   std::optional<Mechanism> mechanism;
-  if (held.empty() && !model.may_move) mechanism = {0, Motion::x};
-  bool is_all_held = false;
+  if (fixed.empty() && !model.may_move) mechanism = {0, Motion::x};
+  bool is_all_fixed = false;
   try {
-    if (!mechanism && !model.may_move) mechanism = find_mechanism(frame_of(whole, held));
+    if (!mechanism && !model.may_move) mechanism = find_mechanism(frame_of(whole, fixed));
   } catch (const std::invalid_argument&) {
-    is_all_held = true;  // only inner nodes of members can move
+    is_all_fixed = true;  // only inner nodes of members can move
   }
   if (mechanism) {
     const auto at = static_cast<std::size_t>(mechanism->node);
     throw refusal(ModelPart::nodes, at,
-                  "node {} can move along {} and no member is strained: nothing holds it, or the frame is a "
+                  "node {} can move along {} and no member is strained: it is unsupported, or the frame is a "
                   "mechanism; give it a support or a member",
                   quoted_input(model.nodes[at].name), to_string(mechanism->motion));
   }
-  if (is_all_held && supports.size() == held.size())
-    throw refusal(ModelPart::supports, 0, "all motions of all nodes are held");
+  if (is_all_fixed && supports.size() == fixed.size())
+    throw refusal(ModelPart::supports, 0, "all nodes are fixed");
   NamedFrame f{.frame = frame_of(divided, supports), .members = divided.origins, .supports = supports};
   add_actions(model, names, f);
   f.mass = masses_of(model, names, f.frame, f.members);

@@ -17,8 +17,8 @@ void require_masses(const NamedFrame& f) {
     for (const Eigen::Index at : f.frame.unknowns_of(i)) {
       if (at >= 0 && !(f.mass[at] > 0))
         throw ModelError(ModelPart::members, f.members[i],
-                         "a motion in time needs a mass of this member, per length: something that it moves "
-                         "has none");
+                         "a motion in time needs a mass per length of this member: one of its displacements "
+                         "moves no mass");
     }
   }
 }

@@ -57,11 +57,10 @@ class PathTracer {
   FramePaths all() {
     Status status = path_.start(how_.until.value_or(1) > 0);
     if (status.ok() && path_.now().negative > 0)
-      status =
-          failed_with(Outcome::singular_matrix,
-                      "frame: by rounding {} eigenvalues of the stiffness at rest are negative: its elements "
-                      "are too short beside it, or its stiffnesses too far apart; take fewer elements",
-                      path_.now().negative);
+      status = failed_with(Outcome::singular_matrix,
+                           "frame: {} eigenvalues of the stiffness without load are negative by rounding: "
+                           "elements are too short, or stiffnesses differ too much; take fewer elements",
+                           path_.now().negative);
     if (status.ok()) status = along(0);
     note(status);
     for (std::size_t i = 0; i < crossings_.size() && out_.status.outcome() != Outcome::time_limit; ++i) {
@@ -89,8 +88,8 @@ class PathTracer {
     Status status = start_branch(from, half);
     if (status.ok()) {
       out_.branches = branch_ = branch;
-      foremost_ = greatest_ = 0;
-      reckon_with(from.point.load);
+      first_size_ = greatest_ = 0;
+      include_load(from.point.load);
       add(FramePoint::Kind::bifurcation, from.point, from.negative, from.mode, from.vanishing);
       status = along(branch);
     }
@@ -142,18 +141,18 @@ class PathTracer {
         status = {};
       }
     }
-    return status.outcome() == Outcome::step_underflow ? why_no_step(status) : status;
+    return status.outcome() == Outcome::step_underflow ? step_failure(status) : status;
   }
 
   /// Status of a path with step-size underflow: reports a beam-column shortened to zero length, or load
   /// factors whose squares underflow.
-  [[nodiscard]] Status why_no_step(const Status& status) const {
+  [[nodiscard]] Status step_failure(const Status& status) const {
     const auto [left, x, y] = equations_.shortest(path_.now().x, path_.now().load);
     if (left < 1e-3)
       return failed_with(
           status.outcome(),
           "frame: at a load factor of {:.10g} a beam-column at ({:.6g}, {:.6g}) has {:.1e} of its "
-          "length left, and the path ends: members shorten in proportion to their force, all the way",
+          "length left, and the path ends: members shorten in proportion to their force, down to zero length",
           path_.now().load, x, y, left);
     if (first_ < 1e-140)
       return failed_with(status.outcome(),
@@ -172,19 +171,18 @@ class PathTracer {
         "(turn){}",
         how_.steps, path_.now().load,
         std::isfinite(end) ? fmt::format("before {:.10g}", end)
-                           : std::string("before the limit or branch point that they are to meet"),
-        how_.until ? "" : ", or say where it is to end (until)");
+                           : std::string("before the requested limit or branch point"),
+        how_.until ? "" : ", or give the load factor at which it ends (until)");
   }
 
   /// Would another step of the duration of the last one exceed the time limit?
-  bool is_late() {
+  bool exceeds_time() {
     const double now = time_.seconds(), last = now - std::exchange(asked_, now);
     if (now + last <= how_.seconds) return false;
-    lost_ =
-        failed_with(Outcome::time_limit,
-                    "frame: the time ends at a load factor of {:.10g}, after {:.3g} s; allow more, or longer "
-                    "steps (turn)",
-                    path_.now().load, now);
+    lost_ = failed_with(Outcome::time_limit,
+                        "frame: the time limit is reached at a load factor of {:.10g}, after {:.3g} s; allow "
+                        "more time, or longer steps (turn)",
+                        path_.now().load, now);
     return true;
   }
 
@@ -195,17 +193,17 @@ class PathTracer {
 
   /// Updates the end load by the load of a limit or bifurcation point. Loads beyond twice the first do not
   /// count: a slender frame has infinitely many. The first one must exceed a thousandth of a first step.
-  void reckon_with(double load) {
+  void include_load(double load) {
     const double size = std::abs(load);
-    if (foremost_ == 0 && size > 1e-3 * first_) foremost_ = size;
-    if (size <= 2 * foremost_) greatest_ = std::max(greatest_, size);
+    if (first_size_ == 0 && size > 1e-3 * first_) first_size_ = size;
+    if (size <= 2 * first_size_) greatest_ = std::max(greatest_, size);
   }
 
   /// Records the points of the last step. @return true at the end of the branch
   bool list() {
     PathPoint before = path_.before();
     Eigen::Index negative = before.negative;
-    const Eigen::Index way = way_of_step();
+    const Eigen::Index change = direction_of_step();
     for (; listed_ < met_.size(); ++listed_) {
       const CriticalPoint& c = met_[listed_];
       if (has_ended(before, c.point)) return true;
@@ -213,26 +211,26 @@ class PathTracer {
         arrive(*met);
         return true;
       }
-      const Eigen::Index next = negative + way * c.vanishing,
+      const Eigen::Index next = negative + change * c.vanishing,
                          least = c.vanishing == 0 ? c.point.negative
-                                 : way != 0       ? std::min(negative, next)
+                                 : change != 0    ? std::min(negative, next)
                                                   : std::min(negative, c.point.negative);
       const Eigen::Index vanishing = std::max<Eigen::Index>(c.vanishing, 1);
       add(kind_of(c.kind), c.point, least, c.direction, vanishing);
-      reckon_with(c.point.load);
+      include_load(c.point.load);
       if (c.kind == CriticalPoint::Kind::bifurcation)
         crossings_.push_back({c.point, c.across, c.direction, least, branch_, vanishing});
       if (branch_ == 0 && ++criticals_ == how_.critical) return true;
       before = c.point;
-      if (c.vanishing > 0) negative = way != 0 ? next : c.point.negative;
+      if (c.vanishing > 0) negative = change != 0 ? next : c.point.negative;
     }
     if (out_.points.size() > begin_ && has_ended(before, path_.now())) return true;
     add(FramePoint::Kind::step, path_.now(), path_.now().negative);
-    return is_late();
+    return exceeds_time();
   }
 
   /// 1 if every critical point of the last step makes eigenvalues negative, -1 if positive, else 0.
-  [[nodiscard]] Eigen::Index way_of_step() const {
+  [[nodiscard]] Eigen::Index direction_of_step() const {
     Eigen::Index all = 0;
     for (std::size_t i = listed_; i < met_.size(); ++i) all += met_[i].vanishing;
     const Eigen::Index change = path_.now().negative - path_.before().negative;
@@ -251,7 +249,7 @@ class PathTracer {
       lost_ =
           failed_with(outcome,
                       "frame: between the load factors {:.10g} and {:.10g} the path has no point at {:.10g}, "
-                      "where it ends: these two are not on one path; take shorter steps (turn)",
+                      "where it should end: the two points are not on one path; take shorter steps (turn)",
                       from.load, to.load, to.load < 0 ? -end : end);
     return true;
   }
@@ -287,8 +285,8 @@ class PathTracer {
     const PathPoint& before = path_.before();
     Crossing* const met = nearest(path_.now(), 2 * distance(before, path_.now()));
     if (met == nullptr) return nullptr;
-    const algebraic::PathVector way{met->point.at.y - before.at.y, met->point.at.m - before.at.m};
-    return before.tangent.dot(way) > 0 ? met : nullptr;
+    const algebraic::PathVector chord{met->point.at.y - before.at.y, met->point.at.m - before.at.m};
+    return before.tangent.dot(chord) > 0 ? met : nullptr;
   }
 
   Crossing* nearest(const PathPoint& point, double least) {
@@ -311,18 +309,18 @@ class PathTracer {
   std::vector<Crossing> crossings_;
   std::vector<CriticalPoint> met_;
   std::size_t listed_ = 0, begin_ = 0;
-  double foremost_ = 0, greatest_ = 0, asked_ = 0;
+  double first_size_ = 0, greatest_ = 0, asked_ = 0;
   Stopwatch time_;
   Status lost_;
   int branch_ = 0, criticals_ = 0;
 };
 
-void require(const PathOptions& walk) {
-  if (walk.steps < 1 || walk.branches < 0 || walk.critical < 0)
-    throw invalid_argument("equilibrium_paths: {} steps, {} branches and {} critical points", walk.steps,
-                           walk.branches, walk.critical);
-  if (walk.until && !(*walk.until != 0 && std::isfinite(*walk.until)))
-    throw invalid_argument("equilibrium_paths: until = {}; it must be finite and not 0", *walk.until);
+void require(const PathOptions& options) {
+  if (options.steps < 1 || options.branches < 0 || options.critical < 0)
+    throw invalid_argument("equilibrium_paths: {} steps, {} branches and {} critical points", options.steps,
+                           options.branches, options.critical);
+  if (options.until && !(*options.until != 0 && std::isfinite(*options.until)))
+    throw invalid_argument("equilibrium_paths: until = {}; it must be finite and not 0", *options.until);
 }
 
 }  // namespace
@@ -336,10 +334,10 @@ std::string_view to_string(FramePoint::Kind kind) noexcept {
   }
 }
 
-FramePaths equilibrium_paths(const NamedFrame& frame, const PathOptions& walk) {
-  require(walk);
+FramePaths equilibrium_paths(const NamedFrame& frame, const PathOptions& options) {
+  require(options);
   LoadedFrame equations(frame);
-  return PathTracer(equations, walk).all();
+  return PathTracer(equations, options).all();
 }
 
 namespace {
@@ -368,11 +366,12 @@ double factor_of(const std::vector<Node>& moves) {
 
 }  // namespace
 
-Imperfect imperfect(const NamedFrame& perfect, const Imperfection& imperfection, const PathOptions& walk) {
+Imperfect imperfect(const NamedFrame& perfect, const Imperfection& imperfection, const PathOptions& options) {
   const auto& [mode, amplitude] = imperfection;
   if (mode < 1 || !std::isfinite(amplitude))
-    throw invalid_argument("imperfect: mode {} with the amplitude {}; modes count from 1", mode, amplitude);
-  PathOptions how = walk;
+    throw invalid_argument("imperfect: mode {} with the amplitude {}; modes are numbered from 1", mode,
+                           amplitude);
+  PathOptions how = options;
   how.branches = 0;
   how.critical = mode;
   const FramePaths paths = equilibrium_paths(perfect, how);
@@ -387,16 +386,17 @@ Imperfect imperfect(const NamedFrame& perfect, const Imperfection& imperfection,
           Outcome::not_converged,
           fmt::format(
               "imperfection: the perfect frame has {} limit and branch points in {} steps, and mode {} "
-              "would be that of the next; take more steps, or a lower mode",
-              met, walk.steps, mode));
+              "is beyond these; take more steps, or a lower mode",
+              met, options.steps, mode));
     return out;
   }
   out.status = {};
   const std::vector<Node> moves = displacements_of(perfect.frame, out.buckled.mode);
   const double factor = amplitude * factor_of(moves);
   if (!std::isfinite(factor)) {
-    out.status = Status::failure(Outcome::not_converged,
-                                 "imperfection: the shape turns nodes and moves none; take another mode");
+    out.status =
+        Status::failure(Outcome::not_converged,
+                        "imperfection: the mode only rotates nodes and displaces none; take another mode");
     return out;
   }
   std::vector<Node> nodes = perfect.frame.nodes();

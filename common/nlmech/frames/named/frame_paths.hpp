@@ -78,9 +78,9 @@ struct FramePaths {
 /// two-bar truss, Euler's loads, a cantilever that rolls up to a circle), and paths under a prescribed
 /// displacement with those under the corresponding force.
 /// @param frame stable at rest
-/// @param walk options
-/// @throws std::invalid_argument if an option of @p walk is out of range
-[[nodiscard]] FramePaths equilibrium_paths(const NamedFrame& frame, const PathOptions& walk);
+/// @param options limits and end of the paths
+/// @throws std::invalid_argument if an option of @p options is out of range
+[[nodiscard]] FramePaths equilibrium_paths(const NamedFrame& frame, const PathOptions& options);
 
 /// Frame with an imperfection, or the reason of failure.
 struct Imperfect {
@@ -97,10 +97,10 @@ struct Imperfect {
 /// Koiter's powers 1/2 and 2/3.
 /// @param perfect the frame
 /// @param imperfection number of the critical point, and amplitude
-/// @param walk options of the search for the point
+/// @param options limits of the search for the point
 /// @throws std::invalid_argument for a mode below 1 or an amplitude that is not finite; if nodes coincide
 /// afterwards, as build()
 [[nodiscard]] Imperfect imperfect(const NamedFrame& perfect, const Imperfection& imperfection,
-                                  const PathOptions& walk = {});
+                                  const PathOptions& options = {});
 
 }  // namespace nlmech::frames

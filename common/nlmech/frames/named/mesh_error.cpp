@@ -13,7 +13,7 @@ namespace {
 
 using Points = std::vector<FramePoint>;
 
-constexpr double most_apart = 0.5;  // relative: critical points with a greater difference of loads differ
+constexpr double largest_load_difference = 0.5;  // relative; critical points with a greater one differ
 
 /// A range of points of a branch between two limit or bifurcation points of both meshes.
 struct Stretch {
@@ -47,18 +47,18 @@ class Comparison {
 
   std::vector<std::optional<double>> all() {
     for (int branch = 0; branch <= m_.paths.branches; ++branch) {
-      const auto mine = branch_of(m_.paths.points, branch), other = branch_of(m_.compared.points, branch);
-      if (mine && other) compare(*mine, *other);
+      const auto own = branch_of(m_.paths.points, branch), other = branch_of(m_.compared.points, branch);
+      if (own && other) compare(*own, *other);
     }
     return std::move(errors_);
   }
 
  private:
   /// Compares the points of a branch, from one shared limit or bifurcation point to the next.
-  void compare(const Stretch& mine, const Stretch& other) {
+  void compare(const Stretch& own, const Stretch& other) {
     const bool is_whole = m_.compared.status.ok();
-    std::size_t begin = mine.begin, reached = other.begin, from = reached;
-    for (std::size_t i = mine.begin; i <= mine.end; ++i) {
+    std::size_t begin = own.begin, reached = other.begin, from = reached;
+    for (std::size_t i = own.begin; i <= own.end; ++i) {
       if (m_.paths.points[i].kind == FramePoint::Kind::step) continue;
       const auto met = same_point(m_.paths.points[i], {from, other.end});
       if (met) errors_[i] = share(apart(m_.paths.points[i], m_.compared.points[*met]));
@@ -67,20 +67,20 @@ class Comparison {
       compare_steps({begin, i}, {reached, *met}, true);
       begin = i, reached = *met, from = reached + 1;
     }
-    compare_steps({begin, mine.end}, {reached, other.end}, is_whole);
+    compare_steps({begin, own.end}, {reached, other.end}, is_whole);
   }
 
   /// The limit or bifurcation point of the second mesh that corresponds to one of the first.
   [[nodiscard]] std::optional<std::size_t> same_point(const FramePoint& p, const Stretch& among) const {
     for (std::size_t j = among.begin; j <= among.end; ++j) {
       const FramePoint& q = m_.compared.points[j];
-      if (q.kind == p.kind && apart(p, q) <= most_apart) return j;
+      if (q.kind == p.kind && apart(p, q) <= largest_load_difference) return j;
     }
     return std::nullopt;
   }
 
-  void compare_steps(const Stretch& mine, const Stretch& other, bool is_whole) {
-    for (std::size_t i = mine.begin; i <= mine.end && time_.seconds() < seconds_; ++i) {
+  void compare_steps(const Stretch& own, const Stretch& other, bool is_whole) {
+    for (std::size_t i = own.begin; i <= own.end && time_.seconds() < seconds_; ++i) {
       const FramePoint& p = m_.paths.points[i];
       if (p.kind != FramePoint::Kind::step) continue;
       if (p.load == 0) {
@@ -109,7 +109,7 @@ class Comparison {
     const bool is_between = (off(at) > 0) != (off(next) > 0);
     const double part = is_between ? off(at) / (off(at) - off(next)) : 0;
     const auto free = [&](const Eigen::VectorXd& x) { return second_.free(x); };
-    const Eigen::VectorXd start = free(points[at].x), way = part * (free(points[next].x) - start);
+    const Eigen::VectorXd start = free(points[at].x), chord = part * (free(points[next].x) - start);
     const double size = (free(points[next].x) - start).cwiseProduct(scale_).norm();
     // Slender members converge only for small rotations: divide the load step.
     for (const int parts : {1, 4, 16}) {
@@ -117,10 +117,10 @@ class Comparison {
       bool is_settled = true;
       for (int i = 1; i <= parts && is_settled; ++i) {
         const double share = static_cast<double>(i) / parts;
-        x += way / parts;
+        x += chord / parts;
         is_settled = settle(points[at].load - share * off(at), size, x);
       }
-      if (is_settled && (x - start - way).cwiseProduct(scale_).norm() <= size)
+      if (is_settled && (x - start - chord).cwiseProduct(scale_).norm() <= size)
         return difference(p, second_.whole(x, load));
     }
     if (is_between || !is_whole) return std::nullopt;
@@ -167,14 +167,14 @@ class Comparison {
   }
 
   [[nodiscard]] double difference_of_forces(const FramePoint& p, const Eigen::VectorXd& x) const {
-    Eigen::VectorXd mine, other;
-    if (!has_values(m_.frame.frame.force<double>(p.x, mine)) ||
+    Eigen::VectorXd own, other;
+    if (!has_values(m_.frame.frame.force<double>(p.x, own)) ||
         !has_values(m_.second.frame.force<double>(x, other)))
       return 1;
     double largest = 0, most = 0;
     for (std::size_t i = 0; i < m_.frame.given.size(); ++i) {
-      largest = std::max(largest, std::abs(mine[m_.frame.given[i]]));
-      most = std::max(most, std::abs(mine[m_.frame.given[i]] - other[m_.second.given[i]]));
+      largest = std::max(largest, std::abs(own[m_.frame.given[i]]));
+      most = std::max(most, std::abs(own[m_.frame.given[i]] - other[m_.second.given[i]]));
     }
     return largest > 0 ? most / largest : 0;
   }

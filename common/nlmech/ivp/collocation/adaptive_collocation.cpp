@@ -128,7 +128,7 @@ class Run : public AdaptiveStepLoop<System, Run<Sweeps, Newton>> {
               .kept_from = 0}),
         has_newton_(!(method.shape > 0)),
         strict_{problem.system,
-                {caution * method.absolute_tolerance, caution * method.relative_tolerance},
+                {tolerance_factor * method.absolute_tolerance, tolerance_factor * method.relative_tolerance},
                 method.shape},
         setup_{problem.system, {method.absolute_tolerance, method.relative_tolerance}},
         sweeps_(strict_, first_order(method), method.nodes > 0),
@@ -142,7 +142,7 @@ class Run : public AdaptiveStepLoop<System, Run<Sweeps, Newton>> {
 
   static constexpr std::string_view name = AdaptiveCollocation::name;
   // Fraction of the tolerance for a step of sweeps: errors of an oscillation accumulate.
-  static constexpr double caution = 0.1;
+  static constexpr double tolerance_factor = 0.1;
   static constexpr double safety = 0.85;         // safety factor of sweeps
   static constexpr double safety_newton = 0.93;  // of Newton's iteration, whose estimate is mostly too large
   static constexpr double rest = 1.2;            // smallest factor by which a step size is increased
@@ -153,8 +153,8 @@ class Run : public AdaptiveStepLoop<System, Run<Sweeps, Newton>> {
   static constexpr double least_remembered = 0.01;  // smallest error to remember: errors pass through zero
   static constexpr int max_slow_trials = 4;  // twice the number of slow trials before Newton's iteration
   static constexpr double much = 1.5;        // factor that the error allows on a step size limited by sweeps
-  static constexpr int calm = 20;            // number of steps short against the time constants before sweeps
-  static constexpr double gentle = 1;        // largest h |J| of such steps
+  static constexpr int steps_before_sweeps = 20;  // steps short against the time constants before sweeps
+  static constexpr double nonstiff_limit = 1;     // largest h |J| of such steps
   // Calls @p work with the current engine; both have the same interface.
   template <class Work>
   decltype(auto) engine(Work work) {
@@ -176,11 +176,11 @@ class Run : public AdaptiveStepLoop<System, Run<Sweeps, Newton>> {
     control_.forget();
     is_guess_ = true;
     slow_ = 0;
-    calm_ = 0;
+    nonstiff_steps_ = 0;
   }
 
   double attempt(double t1) {
-    if (is_stiff_ ? calm_ >= calm : has_newton_ && slow_ >= max_slow_trials) {
+    if (is_stiff_ ? nonstiff_steps_ >= steps_before_sweeps : has_newton_ && slow_ >= max_slow_trials) {
       is_stiff_ = !is_stiff_;
       begin_engine();
     }
@@ -209,7 +209,9 @@ class Run : public AdaptiveStepLoop<System, Run<Sweeps, Newton>> {
     double change = control_.change(safe(), root(error), root(std::max(error, least_remembered)));
     is_guess_ = is_guess_ && error < telling;
     if (is_stiff_) {
-      calm_ = newton_.current([](const auto& e) { return e.stiffness(); }) < gentle ? calm_ + 1 : 0;
+      nonstiff_steps_ = newton_.current([](const auto& e) { return e.stiffness(); }) < nonstiff_limit
+                            ? nonstiff_steps_ + 1
+                            : 0;
     } else {
       // In a problem that becomes stiff every second trial takes many sweeps or does not converge. Two such
       // trials suffice: with more, sweeps dominate the cost of a problem such as HIRES.
@@ -223,7 +225,7 @@ class Run : public AdaptiveStepLoop<System, Run<Sweeps, Newton>> {
   }
 
   double end_ = 0;
-  int slow_ = 0, calm_ = 0;
+  int slow_ = 0, nonstiff_steps_ = 0;
   bool is_stiff_ = false, is_guess_ = true, has_newton_;
   Trial trial_{};
   Setup strict_, setup_;

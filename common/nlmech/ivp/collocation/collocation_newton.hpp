@@ -182,7 +182,7 @@ class NewtonSteps : public DenseOutput {
   static constexpr double enlarged = 2;         // factor of the residual that is subtracted from the estimate
   static constexpr double visible = 0.1;        // smallest part of the estimate after the subtraction
   static constexpr double seen_in_tests = 0.1;  // factor of the quadrature error: see the class
-  static constexpr double least_trusted = 1e-3;  // smallest contraction assumed at the start of an iteration
+  static constexpr double least_contraction = 1e-3;  // smallest one assumed at the start of an iteration
 
   template <std::size_t... p>
   [[nodiscard]] std::array<ComplexFactors, pairs> of_each_pair(std::index_sequence<p...> /*pairs*/) const {
@@ -243,7 +243,7 @@ class NewtonSteps : public DenseOutput {
   [[gnu::noinline]] Trial iterate(Statistics& statistics) {
     const double enough = std::max(share, 20 * std::numeric_limits<double>::epsilon() / least_relative());
     // The contraction of the last step is forgotten gradually.
-    double eta = std::pow(std::max(eta_, least_trusted), 0.8);
+    double eta = std::pow(std::max(eta_, least_contraction), 0.8);
     double before = HUGE_VAL, contraction_before = 0;
     contraction_ = 0;
     for (int count = 1;; ++count) {

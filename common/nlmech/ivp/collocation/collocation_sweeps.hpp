@@ -130,8 +130,8 @@ class Sweeper : public DenseOutput {
   [[nodiscard]] int better_order() const {
     if (shape_ > 0) return 0;
     const auto cost = [&](int nodes) { return (nodes + 2) * std::pow(scale_, 0.5 / nodes); };
-    if (better_than_here * cost(s + 4) < cost(s)) return 1;
-    return better_than_here * cost(s - 4) < cost(s) ? -1 : 0;
+    if (least_order_gain * cost(s + 4) < cost(s)) return 1;
+    return least_order_gain * cost(s - 4) < cost(s) ? -1 : 0;
   }
 
   /// Dense output: solves the equations of the latest trial up to @p t; as accurate as its end.
@@ -154,13 +154,13 @@ class Sweeper : public DenseOutput {
  private:
   template <int, bool>
   friend class Sweeper;
-  static constexpr double better_than_here = 1.03;  ///< smallest gain for a change of order
+  static constexpr double least_order_gain = 1.03;  ///< smallest gain for a change of order
   static constexpr double first_share = 0.1;        ///< relative change of the state in the first step
   static constexpr int most_sweeps = 40;
-  static constexpr double most_foreseen = 16;  ///< limit of predicted sweeps; more cost more than two steps
-  static constexpr double slowest = 0.9;       ///< contraction of a sweep above which the trial ends
-  static constexpr double hopeless = 100;  ///< estimate over tolerance that ends a trial before it converges
-  static constexpr double share = 0.05;    ///< residual of the iteration, in tolerances
+  static constexpr double most_predicted_sweeps = 16;  ///< limit; more cost more than two steps
+  static constexpr double slowest = 0.9;               ///< contraction of a sweep above which the trial ends
+  static constexpr double abandon_ratio = 100;         ///< estimate over tolerance that ends a trial early
+  static constexpr double share = 0.05;                ///< residual of the iteration, in tolerances
   static constexpr double outside = 10;
   static constexpr int most_extrapolated = 9;  ///< largest degree used for extrapolation
 
@@ -298,10 +298,11 @@ class Sweeper : public DenseOutput {
       }
       if (count == most_sweeps || (count > 3 && contraction > slowest)) return {false, 0, count, 0.5};
       const double excess = update / std::max(share, rounding);
-      if (may_give_up && count > 3 && count - std::log(excess) / std::log(contraction) > most_foreseen)
+      if (may_give_up && count > 3 &&
+          count - std::log(excess) / std::log(contraction) > most_predicted_sweeps)
         return {false, 0, count, 0.5};
       if (may_give_up && count == 3) {
-        if (const double e = error(0); e > hopeless) return {false, e, count, 0};
+        if (const double e = error(0); e > abandon_ratio) return {false, e, count, 0};
       }
       before = update;
     }

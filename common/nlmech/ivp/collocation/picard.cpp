@@ -37,7 +37,7 @@ Status picard_failure(Outcome outcome, double t, double step, int sweeps) {
   if (outcome == Outcome::non_finite) return non_finite_state(Mcpi::name, t, step);
   return Status::failure(
       outcome, fmt::format("mcpi: Picard's iteration does not converge within {} sweeps in the step "
-                           "of {:.6g} from t = {:.17g}; take a shorter step, or a tolerance in its place",
+                           "of {:.6g} from t = {:.17g}; take a shorter step, or a tolerance instead",
                            sweeps, step, t));
 }
 

@@ -38,7 +38,7 @@ Status wrong_branch(std::string_view method, double t, double step, double estim
       Outcome::wrong_branch,
       fmt::format("{}: Newton's iteration of the step of {:.6g} from t = {:.17g} converged, but the error "
                   "estimate is {:.2g} of the displacement: its root need not continue the solution; take a "
-                  "smaller step, or a tolerance in its place",
+                  "smaller step, or a tolerance instead",
                   method, step, t, estimate));
 }
 

@@ -28,7 +28,7 @@ const HermitianPair& hermitian_pair(std::string_view name) {
     if (pair.name == name) return pair;
     known += fmt::format("{}{}", known.empty() ? "" : ", ", pair.name);
   }
-  throw std::invalid_argument(fmt::format("there are no operators '{}'; there are {}", name, known));
+  throw std::invalid_argument(fmt::format("there are no operators '{}'; choose one of {}", name, known));
 }
 
 double residual_on_power(const HermitianOperator& op, int k) {
@@ -57,7 +57,7 @@ HermitianStep solved_for_end(const HermitianPair& pair) {
   for (std::size_t i = 0; i < moved.size(); ++i) {
     if (!(std::abs(moved[i] - uniform[i]) <= 1e-12))
       throw std::invalid_argument(
-          fmt::format("{}: uniform motion is not carried on: q1 = {:.6g} q0 + {:.6g} h v0, h v1 = {:.6g} q0 "
+          fmt::format("{}: uniform motion is not preserved: q1 = {:.6g} q0 + {:.6g} h v0, h v1 = {:.6g} q0 "
                       "+ {:.6g} h v0",
                       pair.name, moved[0], moved[1], moved[2], moved[3]));
   }

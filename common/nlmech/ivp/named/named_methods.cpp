@@ -158,13 +158,13 @@ void check_settings(const MethodInfo& method, const Settings& settings) {
   check_positive(method.name, "absolute tolerance", settings.absolute_tolerance);
   if (settings.step && settings.tolerance) refuse("give a step or a tolerance, not both");
   if (settings.step && method.steps == Steps::adaptive)
-    refuse("it chooses its steps itself; give a tolerance, not a step");
+    refuse("its steps are adaptive; give a tolerance, not a step");
   if (settings.absolute_tolerance && (method.fixed_step() || settings.step))
-    refuse("an absolute tolerance is for methods that choose their steps");
+    refuse("an absolute tolerance needs a method with adaptive steps");
   for (const SettingInfo* setting : own_settings) {
     const std::optional<double> value = setting->value(settings);
     if (!value) continue;
-    if (!method.has(*setting)) refuse(fmt::format("it has no {} to choose", setting->name));
+    if (!method.has(*setting)) refuse(fmt::format("it has no setting {}", setting->name));
     if (setting->most == 0)
       check_positive(method.name, setting->name, value);
     else if (!(*value >= setting->least && *value <= setting->most))
@@ -172,7 +172,7 @@ void check_settings(const MethodInfo& method, const Settings& settings) {
                          *value));
   }
   if (method.fixed_step() && !settings.step)
-    refuse("it takes equal steps: give a step, or a method that chooses its steps, as series or dop853");
+    refuse("it takes equal steps: give a step, or a method with adaptive steps, as series or dop853");
 }
 
 }  // namespace
@@ -195,7 +195,7 @@ const MethodInfo& method_info(std::string_view name) {
   if (found != methods.end()) return *found;
   std::vector<std::string_view> known;
   for (const MethodInfo& m : methods) known.push_back(m.name);
-  throw invalid_argument("there is no method '{}'; there is {}", name, fmt::join(known, ", "));
+  throw invalid_argument("there is no method '{}'; choose one of {}", name, fmt::join(known, ", "));
 }
 
 NamedIntegrator named_integrator(std::string_view name, const Settings& settings) {

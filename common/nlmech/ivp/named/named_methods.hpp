@@ -64,14 +64,15 @@ struct SettingInfo {
 
 /// @cond
 inline constexpr SettingInfo nodes_setting{"nodes", &Settings::nodes, 2, 200,
-                                           "nodes a step of a collocation"};
-inline constexpr SettingInfo shape_setting{.name = "shape",
-                                           .member = &Settings::shape,
-                                           .meaning = "c of rbf-coll, 1/time; (N - 1)/(4 step) without it"};
+                                           "nodes per step of collocation"};
+inline constexpr SettingInfo shape_setting{
+    .name = "shape",
+    .member = &Settings::shape,
+    .meaning = "shape parameter c of rbf-coll, 1/time (default (N - 1)/(4 step))"};
 inline constexpr SettingInfo order_setting{"order", &Settings::order, 2, 100,
-                                           "N of series; by the tolerance without it, 20 with a step"};
+                                           "order N of series (default by the tolerance; 20 with --step)"};
 inline constexpr SettingInfo points_setting{"points", &Settings::points, 1, 8,
-                                            "p of mtl, steps solved at once; 3 without it"};
+                                            "steps p of mtl solved together (default 3)"};
 /// @endcond
 
 /// All such settings, in the order of the help.

@@ -91,10 +91,10 @@ struct Pair : EmbeddedPair<Pair> {
     const double h = step.h;
     const auto& k = step.k;
     for (Eigen::Index d = 0; d < step.x0.size(); ++d) {
-      const double way = step.x1[d] - step.x0[d], begin = h * k[0][d] - way;
-      step.r[0][d] = way;
+      const double change = step.x1[d] - step.x0[d], begin = h * k[0][d] - change;
+      step.r[0][d] = change;
       step.r[1][d] = begin;
-      step.r[2][d] = way - h * k[stages][d] - begin;
+      step.r[2][d] = change - h * k[stages][d] - begin;
       step.r[3][d] = h * weighted<dense_row<0>, all_stages>(k, d);
       step.r[4][d] = h * weighted<dense_row<1>, all_stages>(k, d);
       step.r[5][d] = h * weighted<dense_row<2>, all_stages>(k, d);

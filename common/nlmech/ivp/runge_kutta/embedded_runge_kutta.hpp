@@ -243,7 +243,7 @@ class EmbeddedRungeKutta : public AdaptiveStepLoop<S, EmbeddedRungeKutta<S, M>>,
     start(now_.t);
     if (!trial_.k[0].allFinite()) return non_finite_rhs(M::name, now_.t);
     if constexpr (Pair::is_nystrom) {
-      if (now_.statistics.steps == 0 && feels_velocities(now_.t)) refuse_velocities(M::name);
+      if (now_.statistics.steps == 0 && uses_velocities(now_.t)) refuse_velocities(M::name);
     }
     control_.start(first_length(std::abs(segment_end - now_.t)));
     return {};
@@ -284,15 +284,15 @@ class EmbeddedRungeKutta : public AdaptiveStepLoop<S, EmbeddedRungeKutta<S, M>>,
     if constexpr (Pair::is_nystrom) {
       start(t1);
       const bool is_first = now_.statistics.steps == 1 && t1 != this->problem_.t1;
-      if (status.ok() && is_first && feels_velocities(t1)) status = depends_on_velocities(M::name, t1);
+      if (status.ok() && is_first && uses_velocities(t1)) status = depends_on_velocities(M::name, t1);
     } else {
       std::swap(trial_.k[0], trial_.k[end]);
     }
     return status;
   }
-  [[nodiscard]] bool feels_velocities(double t) {
+  [[nodiscard]] bool uses_velocities(double t) {
     now_.statistics.right_hand_sides += 2;
-    return Pair::feels_velocities(system_, segment_(t), trial_);
+    return Pair::uses_velocities(system_, segment_(t), trial_);
   }
 
   const M& method_;

@@ -96,14 +96,14 @@ struct NystromPair : EmbeddedPair<P> {
   }
   /// Does the acceleration at the start depend on the velocities? Costs two evaluations.
   template <class S>
-  [[nodiscard]] static bool feels_velocities(const S& system, double time, NystromStep<S, P>& step) {
-    bool feels = false;
+  [[nodiscard]] static bool uses_velocities(const S& system, double time, NystromStep<S, P>& step) {
+    bool depends = false;
     for (const double factor : {0.0, -1.0}) {
       for (int i = 0; i < step.v.size(); ++i) step.v[i] = factor * step.v0[i] - i - 1;
       system.acceleration(time, step.q0, step.v, step.k[1]);
-      feels = feels || (step.k[1].allFinite() && step.k[0].allFinite() && step.k[1] != step.k[0]);
+      depends = depends || (step.k[1].allFinite() && step.k[0].allFinite() && step.k[1] != step.k[0]);
     }
-    return feels;
+    return depends;
   }
 };
 

@@ -47,7 +47,7 @@ Status mtl_wrong_branch(double t, double block, double estimate, double allowed)
   return failed_with(Outcome::wrong_branch,
                      "mtl: the equations of the block of {:.6g} from t = {:.17g} were solved, but between "
                      "its points the error is estimated as {:.2g}, above {:.2g}: the states may lie on "
-                     "another branch; take a smaller step, or a tolerance in its place",
+                     "another branch; take a smaller step, or a tolerance instead",
                      block, t, estimate, allowed);
 }
 

@@ -84,10 +84,9 @@ struct ScaledChord {
                        "straight line; move one of them",
                        problem.from.stableNorm(), problem.to.stableNorm());
   }
-  return Status::failure(
-      Outcome::outside_validity,
-      "lambert: the positions are opposite (a transfer by 180 degrees), so that every plane through "
-      "them will do; give the normal of one");
+  return Status::failure(Outcome::outside_validity,
+                         "lambert: the positions are opposite (a transfer by 180 degrees), so that the plane "
+                         "is undetermined; give its normal");
 }
 
 [[nodiscard]] Status no_such_arc(const LambertProblem& problem, const LambertArc& arc) {
@@ -101,8 +100,8 @@ struct ScaledChord {
 
 [[nodiscard]] Status out_of_reach(const LambertProblem& problem, double wanted) {
   return failed_with(Outcome::outside_validity,
-                     "lambert: a flight of {:.6g}, T = {:.3g} in Izzo's measure, is too {} for velocities in "
-                     "double precision to tell",
+                     "lambert: a flight of {:.6g}, T = {:.3g} in Izzo's measure, is too {} to be determined "
+                     "by velocities in double precision",
                      problem.time, wanted, wanted > 1 ? "long" : "short");
 }
 
@@ -116,8 +115,8 @@ constexpr double largest_without_side = 1e-6;
 /// Does the orbit with the rounded v_1 pass the centre on the requested side, or reach r_2 on either side?
 /// True for thin ellipses, false for fast passages near the centre. Uses the bound of the miss, because a
 /// computed miss may be small by chance.
-[[nodiscard]] bool keeps_its_side(const LambertProblem& problem, const Chord& chord,
-                                  const Vector3<double>& across, const Vector3<double>& v1) {
+[[nodiscard]] bool is_on_requested_side(const LambertProblem& problem, const Chord& chord,
+                                        const Vector3<double>& across, const Vector3<double>& v1) {
   if (across.dot(chord.ahead1) > least_across * std::sqrt(across.dot(across))) return true;
   const double kappa = kepler_condition({problem.from, v1}, problem.time, problem.mu).position;
   return 8 * kappa * std::numeric_limits<double>::epsilon() <= largest_without_side;
@@ -127,7 +126,7 @@ constexpr double largest_without_side = 1e-6;
   return failed_with(
       Outcome::outside_validity,
       "lambert: the arc the {} way in {:.6g} passes the centre so closely that the rounding of its "
-      "velocities decides on which side; take {}another time, or positions farther from one line",
+      "velocities decides on which side; take {}another time, or positions farther from a common line",
       arc.long_way ? "long" : "short", problem.time, arc.revolutions == 0 ? "the other way, " : "");
 }
 
@@ -160,7 +159,7 @@ constexpr double largest_without_side = 1e-6;
     solution.status = out_of_reach(problem, scaled.wanted);
     return solution;
   }
-  if (!keeps_its_side(problem, scaled.chord, scaled_v1, v1)) {
+  if (!is_on_requested_side(problem, scaled.chord, scaled_v1, v1)) {
     solution.status = passes_too_near(problem, arc);
     return solution;
   }

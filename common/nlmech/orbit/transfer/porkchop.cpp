@@ -188,8 +188,8 @@ Porkchop porkchop(const PorkchopProblem& problem, int threads) {
   grid.statistics.seconds = watch.seconds();
   if (counts.lost > 0) {
     grid.status = failed_with(Outcome::outside_validity,
-                              "porkchop: {} arcs have times of flight that velocities in double precision "
-                              "cannot tell; choose windows in proportion to the periods of the orbits",
+                              "porkchop: {} arcs have times of flight that velocities in double precision do "
+                              "not determine; choose windows in proportion to the periods of the orbits",
                               counts.lost);
   }
   return grid;

@@ -17,7 +17,8 @@ constexpr std::int64_t most_steps = 20'000'000;
 
 /// Propagates the orbit from r_0 with v_1 to the arrival and counts steps. @return false if the propagation
 /// fails
-[[nodiscard]] bool fly(const TransferProblem& p, const Vector3<double>& v1, State& end, std::int64_t& steps) {
+[[nodiscard]] bool propagate_arc(const TransferProblem& p, const Vector3<double>& v1, State& end,
+                                 std::int64_t& steps) {
   if (!v1.allFinite()) return false;
   const State start{p.from, v1};
   if (p.gravity.degree() == 0) {
@@ -66,7 +67,7 @@ class Correction {
   /// Computes the miss for @p v; stores the best one in @p transfer.
   [[nodiscard]] bool measure(const Vector3<double>& v, Vector3<double>& miss, Transfer& transfer) {
     State end;
-    if (!fly(p_, v, end, transfer.statistics.steps)) return false;
+    if (!propagate_arc(p_, v, end, transfer.statistics.steps)) return false;
     miss = end.position - p_.to;
     if (miss.norm() < best_) {
       best_ = transfer.miss = miss.norm();
@@ -81,7 +82,7 @@ class Correction {
       Vector3<double> v = v_;
       v[i] += change;
       State end;
-      if (!fly(p_, v, end, steps)) return false;
+      if (!propagate_arc(p_, v, end, steps)) return false;
       jacobian_.col(i) = (end.position - p_.to - miss) / change;
     }
     return true;
@@ -123,7 +124,7 @@ class Correction {
 double miss_of(const TransferProblem& problem, const Vector3<double>& v1, Vector3<double>* v2) {
   State end;
   std::int64_t steps = 0;
-  if (!fly(problem, v1, end, steps)) return std::numeric_limits<double>::infinity();
+  if (!propagate_arc(problem, v1, end, steps)) return std::numeric_limits<double>::infinity();
   if (v2 != nullptr) *v2 = end.velocity;
   return (end.position - problem.to).stableNorm();
 }

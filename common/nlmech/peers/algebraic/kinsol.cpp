@@ -159,7 +159,7 @@ Ending ending(int flag, const Calls& calls) {
     case KIN_SYSFUNC_FAIL:
     case KIN_FIRST_SYSFUNC_ERR:
     case KIN_REPTD_SYSFUNC_ERR: return {Outcome::non_finite, "F is not finite; start elsewhere"};
-    default: return {Outcome::not_converged, "the library gave up; start elsewhere or take another method"};
+    default: return {Outcome::not_converged, "the library failed; start elsewhere or take another method"};
   }
 }
 

@@ -21,8 +21,8 @@ bool is_lost_in_rounding(double t, const Attempt& attempt, double end) {
 }
 
 /// Integrates one smooth segment to @p end.
-Status walk_segment(std::string_view method, PeerStepper& stepper, Run& run, double end,
-                    const Stopwatch& watch, std::vector<double>& next) {
+Status integrate_segment(std::string_view method, PeerStepper& stepper, Run& run, double end,
+                         const Stopwatch& watch, std::vector<double>& next) {
   const int size = run.equations.size();
   Statistics& done = run.statistics;
   // Near a time where f is not finite, steps are halved until they underflow. Hence a recent NaN or infinity
@@ -99,7 +99,7 @@ Status non_finite_rhs(std::string_view method, double t, double step) {
                      method, step, t);
 }
 
-Status walk(std::string_view method, PeerStepper& stepper, Run& run) {
+Status integrate_steps(std::string_view method, PeerStepper& stepper, Run& run) {
   std::vector<double> ends = run.equations.discontinuities(run.t, run.t1);
   ends.push_back(run.t1);
   std::vector<double> next(static_cast<std::size_t>(run.equations.size()));
@@ -107,7 +107,7 @@ Status walk(std::string_view method, PeerStepper& stepper, Run& run) {
   Status status;
   for (const double end : ends) {
     run.equations.enter(run.t, end);
-    status = walk_segment(method, stepper, run, end, watch, next);
+    status = integrate_segment(method, stepper, run, end, watch, next);
     stepper.add_counters(run.statistics);
     if (!status.ok()) break;
   }

@@ -267,6 +267,6 @@ void require_tolerances(std::string_view method, const Tolerances& tolerances);
 /// Integrates from run.t to run.t1: restarts at discontinuities, ends exactly at run.t1, calls the observer
 /// and checks the limits. A state that is not finite or a step that does not advance the time ends the
 /// integration with a failure; run keeps the last valid step.
-[[nodiscard]] Status walk(std::string_view method, PeerStepper& stepper, Run& run);
+[[nodiscard]] Status integrate_steps(std::string_view method, PeerStepper& stepper, Run& run);
 
 }  // namespace nlmech::peers

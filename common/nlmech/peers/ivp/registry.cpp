@@ -65,7 +65,7 @@ const ivp::MethodInfo& peer_info(std::string_view name) {
   for (const ivp::MethodInfo& peer : peer_methods()) {
     if (peer.name == name) return peer;
   }
-  throw invalid_argument("there is no peer '{}'; there is {}", name, fmt::join(all_peer_names(), ", "));
+  throw invalid_argument("there is no peer '{}'; choose one of {}", name, fmt::join(all_peer_names(), ", "));
 }
 
 std::vector<std::string> all_peer_names() {

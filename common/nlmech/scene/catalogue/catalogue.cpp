@@ -53,7 +53,7 @@ void Catalogue::open() {
   buffer_.clear();
   place_ = line_number_ = 0;
   ended_ = false;
-  columns_.forget_header();
+  columns_.reset_header();
   if (path_ == "-") return;
   file_ = std::ifstream(path_, std::ios::binary);
   if (!file_ || std::filesystem::is_directory(path_))
@@ -65,8 +65,8 @@ bool Catalogue::read_line(Line& line) {
   std::size_t end = buffer_.find('\n', place_);
   while (end == std::string::npos && !ended_) {
     if (buffer_.size() - place_ > longest_line)
-      throw input_error("{}: line {}: more than {} bytes; this is no table", name_, line_number_ + 1,
-                        longest_line);
+      throw input_error("{}: line {}: more than {} bytes; a line of a table is shorter", name_,
+                        line_number_ + 1, longest_line);
     buffer_.erase(0, place_);
     place_ = 0;
     constexpr std::size_t portion = std::size_t{1} << 18U;
@@ -133,7 +133,7 @@ void print_catalogue(Catalogue& catalogue, const CatalogueOutput& output) {
   for (;;) {
     const CatalogueRows rows = catalogue.next(output.portion);
     if (rows.line.empty()) {
-      if (rows.first == 1) tell_of_no_rows(catalogue.name());
+      if (rows.first == 1) print_no_rows(catalogue.name());
       break;
     }
     const ProgressScope doing(fmt::format("at row {}{}", rows.first, of));

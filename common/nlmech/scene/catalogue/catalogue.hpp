@@ -62,7 +62,7 @@ class Catalogue {
   [[nodiscard]] std::optional<std::int64_t> rows() const { return rows_; }
 
   /// Sets the weight of rows for next(); by default each row has the weight 1.
-  void weigh_by(RowWeight weight) { weight_ = std::move(weight); }
+  void set_row_weight(RowWeight weight) { weight_ = std::move(weight); }
   /// The next portion of rows, the rest if there are fewer, none at the end.
   /// @throws InputError as the constructor
   [[nodiscard]] CatalogueRows next(const Portion& portion);

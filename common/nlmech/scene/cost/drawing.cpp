@@ -132,13 +132,13 @@ std::pair<double, double> range_of(const Table& table, std::size_t problem, std:
 void put_curves(const Diagram& d, const Axes& axes, Panel& panel) {
   const std::vector<MethodLine>& lines = d.problems[axes.problem].lines;
   bool empty = true;
-  const auto put = [&](std::size_t i, const std::string& look) {
+  const auto put = [&](std::size_t i, const std::string& style) {
     const int block = d.blocks[axes.problem][i];
     if (block < 0) return;
     empty = false;
-    panel.also(
-        fmt::format("data using \"{}\":\"digits\" every :::{}::{} with linespoints {} title {} noenhanced",
-                    d.data.columns()[axes.column].name, block, block, look, gnuplot_quoted(lines[i].method)));
+    panel.also(fmt::format(
+        "data using \"{}\":\"digits\" every :::{}::{} with linespoints {} title {} noenhanced",
+        d.data.columns()[axes.column].name, block, block, style, gnuplot_quoted(lines[i].method)));
   };
   for (std::size_t i = 0; i < lines.size(); ++i) {
     if (d.colour_of(i) != nullptr) continue;
@@ -150,8 +150,8 @@ void put_curves(const Diagram& d, const Axes& axes, Panel& panel) {
     const InColour& c = d.chosen[i];
     const Side side = lines[c.line].side;
     put(c.line, fmt::format("linecolor rgb '{}' linewidth {} dashtype {} pointtype {} pointsize 0.65",
-                            method_looks[c.colour].colour, side == Side::peer ? 1.6 : 2.4,
-                            side == Side::peer ? "6" : "solid", method_looks[c.colour].symbol));
+                            method_styles[c.colour].colour, side == Side::peer ? 1.6 : 2.4,
+                            side == Side::peer ? "6" : "solid", method_styles[c.colour].symbol));
   }
   if (empty) panel.also("NaN notitle");  // draws only the axes
 }
@@ -171,15 +171,15 @@ void put_names(const Diagram& d, const Axes& axes, Panel& panel) {
   const auto places = spread(ends, 16 / digit, d.what.least_digits, d.what.most_digits);
   for (std::size_t k = 0; k < named.size(); ++k) {
     const MethodLine& line = lines[named[k]->line];
-    const MethodLook& look = method_looks[named[k]->colour];
+    const MethodStyle& style = method_styles[named[k]->colour];
     panel.set(
         fmt::format("arrow from first {:.6g}, first {:.6g} to graph 1.02, first {:.6g} nohead linecolor rgb "
                     "'{}' linewidth 0.6 dashtype 3",
-                    line.best()->time.median, ends[k], places[k], look.colour));
+                    line.best()->time.median, ends[k], places[k], style.colour));
     panel.set(fmt::format(
         "label {} at graph 1.03, first {:.6g} left noenhanced {} textcolor rgb '{}' point "
         "linecolor rgb '{}' pointtype {} pointsize 0.65 offset 0.8,-0.15",
-        gnuplot_quoted(line.method), places[k], small_font, look.colour, look.colour, look.symbol));
+        gnuplot_quoted(line.method), places[k], small_font, style.colour, style.colour, style.symbol));
   }
 }
 
@@ -203,8 +203,8 @@ void put_leads(const Diagram& d, const Axes& axes, const Layout& layout, Panel& 
     y += 17;
     put(fmt::format("{:g}", ranking.digits), axes.left + 20, "right", "ink");
     const InColour* colour = ranking.first ? d.colour_of(*ranking.first) : nullptr;
-    put(ranking.first ? problem.lines[*ranking.first].method : "nobody", names, "left",
-        colour != nullptr ? gnuplot_quoted(method_looks[colour->colour].colour) : "soft_ink");
+    put(ranking.first ? problem.lines[*ranking.first].method : "no method", names, "left",
+        colour != nullptr ? gnuplot_quoted(method_styles[colour->colour].colour) : "soft_ink");
     if (ranking.first) put(ranking.margin(problem), margins, "left", "ink");
   }
 }
@@ -213,11 +213,11 @@ void put_leads(const Diagram& d, const Axes& axes, const Layout& layout, Panel& 
 /// point is there, above the right end.
 void put_rounding(const Diagram& d, const Axes& axes, double low, double high, Panel& panel) {
   const double level = -std::log10(d.what.rounding), end = low * std::pow(high / low, 0.4);
-  const auto in_the_way = [&](const std::vector<Cell>& row) {
+  const auto overlaps = [&](const std::vector<Cell>& row) {
     const double x = number_in(row[axes.column]);
     return x > 0 && x < end && std::abs(number_in(row[4]) - level - 0.4) < 0.6;
   };
-  const bool right = std::ranges::any_of(d.data.rows(), in_the_way);
+  const bool right = std::ranges::any_of(d.data.rows(), overlaps);
   panel.level(level);
   if (!axes.named) return;
   panel.set(fmt::format(
@@ -248,7 +248,7 @@ std::string explanation(const Diagram& d) {
     say(fmt::format("Grey: {} other method{}.", grey, grey == 1 ? "" : "s"));
   const auto above = [&](const MethodLine& line) { return line.least_error() < d.what.rounding; };
   if (std::ranges::any_of(d.problems, [&](const auto& p) { return std::ranges::any_of(p.lines, above); }))
-    say("Points above the level: rounding was kinder than at its worst.");
+    say("Points above the level: rounding errors below the worst case.");
   return text;
 }
 

@@ -89,9 +89,10 @@ std::optional<std::pair<std::size_t, double>> fastest(const std::vector<Front>& 
 }
 
 /// Comparison of lines over all problems.
-class Standings {
+class LineComparison {
  public:
-  Standings(const std::vector<ProblemLines>& problems, double least) : problems_(problems), least_(least) {
+  LineComparison(const std::vector<ProblemLines>& problems, double least)
+      : problems_(problems), least_(least) {
     for (const ProblemLines& p : problems) fronts_.push_back(fronts_of(p));
   }
 
@@ -110,10 +111,10 @@ class Standings {
 
   /// The best of these lines, see foreground(); nothing if none has a point.
   [[nodiscard]] std::optional<std::size_t> best(const Lines& of) const {
-    const auto won = wins(of);
+    const auto counts = wins(of);
     std::optional<std::size_t> best;
     const auto merit = [&](std::size_t i) {
-      return std::pair(won.contains(i) ? won.at(i) : 0, -least_error(i));
+      return std::pair(counts.contains(i) ? counts.at(i) : 0, -least_error(i));
     };
     for (const std::size_t i : of) {
       if (drawn(i) && (!best || merit(i) > merit(*best))) best = i;
@@ -158,28 +159,29 @@ Lines lines_where(const std::vector<MethodLine>& lines,
 Lines ranked(const std::vector<MethodGroup>& groups, const std::vector<ProblemLines>& problems,
              double least) {
   const std::vector<MethodLine>& lines = problems.front().lines;
-  const Standings standings(problems, least);
+  const LineComparison lines_compared(problems, least);
   Lines chosen;
   const auto choose = [&](std::optional<std::size_t> line) {
     if (line && std::ranges::count(chosen, *line) == 0) chosen.push_back(*line);
   };
   for (const Side side : {Side::subject, Side::floor, Side::peer}) {
     for (std::size_t g = 0; g < groups.size(); ++g)
-      choose(
-          standings.best(lines_where(lines, [&](const auto& l) { return l.side == side && l.group == g; })));
+      choose(lines_compared.best(
+          lines_where(lines, [&](const auto& l) { return l.side == side && l.group == g; })));
   }
   for (const ProblemLines& p : problems) {
     for (const Ranking& ranking : rankings_of(p)) choose(ranking.first);
   }
-  const auto wins = standings.wins(
-      lines_where(lines, [](const auto& l) { return l.side == Side::ours || l.side == Side::subject; }));
-  std::vector<std::pair<int, std::size_t>> ours;
-  for (const auto& [line, count] : wins) ours.emplace_back(-count, line);
-  std::ranges::sort(ours);
-  for (const auto& [count, line] : ours) choose(line);
-  const Lines all = lines_where(
-      lines, [&](const auto& l) { return standings.drawn(static_cast<std::size_t>(&l - lines.data())); });
-  if (all.size() > method_looks.size()) return chosen;
+  const auto wins = lines_compared.wins(
+      lines_where(lines, [](const auto& l) { return l.side == Side::library || l.side == Side::subject; }));
+  std::vector<std::pair<int, std::size_t>> ranked_counts;
+  for (const auto& [line, count] : wins) ranked_counts.emplace_back(-count, line);
+  std::ranges::sort(ranked_counts);
+  for (const auto& [count, line] : ranked_counts) choose(line);
+  const Lines all = lines_where(lines, [&](const auto& l) {
+    return lines_compared.drawn(static_cast<std::size_t>(&l - lines.data()));
+  });
+  if (all.size() > method_styles.size()) return chosen;
   for (const std::size_t line : all) choose(line);  // the colours suffice for all lines
   return chosen;
 }
@@ -187,26 +189,26 @@ Lines ranked(const std::vector<MethodGroup>& groups, const std::vector<ProblemLi
 }  // namespace
 
 std::string Ranking::margin(const ProblemLines& problem) const {
-  if (!first) return "nobody";
+  if (!first) return "no method";
   if (!next) return "alone";
   const std::string& other = problem.lines[*next].method;
-  if (factor <= 1.05) return "level with " + other;
-  return fmt::format("{:.{}f} times before {}", factor, factor < 9.95 ? 1 : 0, other);
+  if (factor <= 1.05) return "as fast as " + other;
+  return fmt::format("{:.{}f} times as fast as {}", factor, factor < 9.95 ? 1 : 0, other);
 }
 
 std::vector<Ranking> rankings_of(const ProblemLines& problem) {
   const std::vector<Front> fronts = fronts_of(problem);
-  const auto competes = [&](std::size_t i) { return problem.lines[i].side != Side::floor; };
+  const auto is_ranked = [&](std::size_t i) { return problem.lines[i].side != Side::floor; };
   std::vector<Ranking> rankings;
   for (const double digits : asked_digits) {
     Ranking& ranking = rankings.emplace_back(Ranking{digits, {}, {}});
-    const auto first = fastest(fronts, digits, competes);
+    const auto first = fastest(fronts, digits, is_ranked);
     if (!first) continue;
     ranking.first = first->first;
     ranking.time = first->second;
     const std::string family = problem.lines[first->first].family();
     const auto next = fastest(
-        fronts, digits, [&](std::size_t i) { return competes(i) && problem.lines[i].family() != family; });
+        fronts, digits, [&](std::size_t i) { return is_ranked(i) && problem.lines[i].family() != family; });
     if (!next) continue;
     ranking.next = next->first;
     ranking.factor = next->second / ranking.time;
@@ -214,18 +216,19 @@ std::vector<Ranking> rankings_of(const ProblemLines& problem) {
   return rankings;
 }
 
-std::string who_leads(const ProblemLines& problem) {
-  std::vector<std::pair<std::string, std::vector<double>>> leaders;
+std::string fastest_by_digits(const ProblemLines& problem) {
+  std::vector<std::pair<std::string, std::vector<double>>> fastest_methods;
   for (const Ranking& ranking : rankings_of(problem)) {
     if (!ranking.first) continue;
     const std::string& name = problem.lines[*ranking.first].method;
-    const auto known = std::ranges::find(leaders, name, &decltype(leaders)::value_type::first);
-    (known == leaders.end() ? leaders.emplace_back(name, std::vector<double>{}) : *known)
+    const auto known =
+        std::ranges::find(fastest_methods, name, &decltype(fastest_methods)::value_type::first);
+    (known == fastest_methods.end() ? fastest_methods.emplace_back(name, std::vector<double>{}) : *known)
         .second.push_back(ranking.digits);
   }
-  if (leaders.empty()) return "no method has three digits";
+  if (fastest_methods.empty()) return "no method has three digits";
   std::string text;
-  for (const auto& [name, digits] : leaders)
+  for (const auto& [name, digits] : fastest_methods)
     text +=
         fmt::format(fmt::runtime(text.empty() ? "{} is fastest at {}" : ", {} at {}"), name, listed(digits));
   return text + " digits";
@@ -235,7 +238,7 @@ std::vector<InColour> foreground(const std::vector<MethodGroup>& groups,
                                  const std::vector<ProblemLines>& problems, double least) {
   if (problems.empty()) return {};
   std::vector<InColour> chosen;
-  std::vector<bool> taken(method_looks.size());
+  std::vector<bool> taken(method_styles.size());
   Lines waiting;
   const auto give = [&](std::size_t line, std::size_t colour) {
     taken[colour] = true;
@@ -243,7 +246,7 @@ std::vector<InColour> foreground(const std::vector<MethodGroup>& groups,
   };
   // Groups get their colours first, so that other lines cannot take them.
   Lines best = ranked(groups, problems, least);
-  best.resize(std::min(best.size(), method_looks.size()));
+  best.resize(std::min(best.size(), method_styles.size()));
   for (const std::size_t line : best) {
     const std::size_t wanted = groups.at(problems.front().lines[line].group).colour;
     if (taken.at(wanted))

@@ -28,7 +28,7 @@ struct Attempt {
 
 /// Role of a method on a page, which foreground() uses to select the coloured curves.
 enum class Side {
-  ours,     ///< another nlmech method
+  library,  ///< another nlmech method
   subject,  ///< subject of the page: the source's method and the nlmech methods derived from it
   peer,     ///< method of another library
   floor     ///< lower limit of the cost, or a solution in closed form; does not compete
@@ -37,7 +37,7 @@ enum class Side {
 /// Methods of one kind.
 struct MethodGroup {
   std::string name;    ///< "Taylor series"
-  std::size_t colour;  ///< index of method_looks for its best method, the same in all figures
+  std::size_t colour;  ///< index of method_styles for its best method, the same in all figures
 };
 
 /// Runs of a method at its settings.
@@ -45,7 +45,7 @@ struct MethodLine {
   std::string method;             ///< "ode45"; a variant follows after a comma: "rbf-coll, N = 35"
   std::size_t group;              ///< index of WorkPrecision::groups
   std::vector<Attempt> attempts;  ///< runs, cheapest first; empty: method not in this build
-  Side side = Side::ours;         ///< role of the method
+  Side side = Side::library;      ///< role of the method
 
   /// The smallest error; infinite if all runs failed.
   [[nodiscard]] double least_error() const;
@@ -91,7 +91,7 @@ struct Ranking {
   double time = 0;    ///< time of the first, s
   double factor = 0;  ///< time of the next over that of the first; 0: no next
 
-  /// "2.1 times before ode45"; "level with ode45" up to 5 %; "alone"; "nobody" without a first
+  /// "2.1 times as fast as ode45"; "as fast as ode45" up to 5 %; "alone"; "no method" without a first
   [[nodiscard]] std::string margin(const ProblemLines& problem) const;
 };
 
@@ -100,26 +100,27 @@ struct Ranking {
 
 /// "series is fastest at 3, 6 and 9 digits"; "ode45 is fastest at 3, series at 6 and 9 digits"; "no method
 /// has three digits".
-[[nodiscard]] std::string who_leads(const ProblemLines& problem);
+[[nodiscard]] std::string fastest_by_digits(const ProblemLines& problem);
 
 /// Colour and symbol of a coloured method.
-struct MethodLook {
+struct MethodStyle {
   const char* colour;  ///< "#D55E00"
   int symbol;          ///< gnuplot's point type
 };
 
 /// The eight colours of Okabe and Ito, with the yellow darkened for white paper, each with its own symbol.
-inline constexpr std::array method_looks = {
-    MethodLook{"#000000", 7},  MethodLook{"#D55E00", 13}, MethodLook{"#0072B2", 5}, MethodLook{"#009E73", 9},
-    MethodLook{"#CC79A7", 11}, MethodLook{"#E69F00", 15}, MethodLook{"#56B4E9", 6}, MethodLook{"#8F7F00", 4}};
+inline constexpr std::array method_styles = {MethodStyle{"#000000", 7},  MethodStyle{"#D55E00", 13},
+                                             MethodStyle{"#0072B2", 5},  MethodStyle{"#009E73", 9},
+                                             MethodStyle{"#CC79A7", 11}, MethodStyle{"#E69F00", 15},
+                                             MethodStyle{"#56B4E9", 6},  MethodStyle{"#8F7F00", 4}};
 
 /// A coloured line.
 struct InColour {
   std::size_t line;    ///< index of the line
-  std::size_t colour;  ///< index of method_looks
+  std::size_t colour;  ///< index of method_styles
 };
 
-/// Selects the coloured lines, the most important ones first: all lines if method_looks suffice; else the
+/// Selects the coloured lines, the most important ones first: all lines if method_styles suffice; else the
 /// best line of each group of subjects, floors and peers, then the fastest lines at asked_digits, then nlmech
 /// methods that are the fastest nlmech method at some digits. The best line of a group is the fastest at most
 /// digits, or else has the smallest error. The first line of a group has the group's colour if it is free.

@@ -100,7 +100,7 @@ ChapterCheck check(const Chapter& chapter, const fs::path& data_folder, bool qui
   Measurements measured;
   std::size_t left = chapter.scenes().size();
   for (const Scene& scene : chapter.scenes()) {
-    results.take_turn(left--);
+    results.wait_for_processor(left--);
     for (CheckedQuantity& q : check_scene(chapter, scene, results, how, measured))
       result.quantities.push_back(std::move(q));
   }

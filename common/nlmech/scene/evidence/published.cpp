@@ -51,14 +51,15 @@ Verdict parse_verdict(const std::string& text, const std::string& where) {
   throw input_error("{}: '{}' is no verdict", where, quoted_input(text));
 }
 
-bool close_to(const Tolerance& tolerance, double ours, const std::optional<Range>& reference) {
-  return reference && tolerance.allows(ours, reference->low, reference->high);
+bool close_to(const Tolerance& tolerance, double result, const std::optional<Range>& reference) {
+  return reference && tolerance.allows(result, reference->low, reference->high);
 }
 
-/// Does @p ours agree with an earlier result, given by @p words of the file, within the tolerance or nearly?
-bool found_again(const Tolerance& tolerance, double ours, std::string_view words) {
+/// Does @p result agree with an earlier result, given by @p words of the file, within the tolerance or
+/// nearly?
+bool found_again(const Tolerance& tolerance, double result, std::string_view words) {
   const auto found = leading_range(words);
-  return !found || close_to(tolerance, ours, found) || close_to(Tolerance("0.05"), ours, found);
+  return !found || close_to(tolerance, result, found) || close_to(Tolerance("0.05"), result, found);
 }
 
 /// Does the number have digits to compare?
@@ -66,13 +67,13 @@ bool has_digits(const PublishedValue& p) {
   return p.kind != "rounding" && p.kind != "bound" && p.kind != "claim";
 }
 
-bool matches(const PublishedValue& p, const Tolerance& tolerance, const std::optional<double>& ours) {
-  return has_digits(p) && !tolerance.is_bound() && ours && tolerance.allows(*ours, p.value);
+bool matches(const PublishedValue& p, const Tolerance& tolerance, const std::optional<double>& result) {
+  return has_digits(p) && !tolerance.is_bound() && result && tolerance.allows(*result, p.value);
 }
 
-bool same_noise(const PublishedValue& p, const Tolerance& tolerance, const std::optional<double>& ours) {
-  if (p.kind != "rounding" || !ours) return false;
-  return tolerance.allows(*ours, p.value) && (!tolerance.is_bound() || tolerance.allows(p.value, *ours));
+bool same_noise(const PublishedValue& p, const Tolerance& tolerance, const std::optional<double>& result) {
+  if (p.kind != "rounding" || !result) return false;
+  return tolerance.allows(*result, p.value) && (!tolerance.is_bound() || tolerance.allows(p.value, *result));
 }
 
 bool supports(Verdict verdict, const PublishedValue& p, const Measured& m) {
@@ -80,7 +81,7 @@ bool supports(Verdict verdict, const PublishedValue& p, const Measured& m) {
   if (verdict == Verdict::input) return m.nominal && *m.nominal == p.value;
   const Tolerance tolerance(p.tolerance, p.printed);
   // A text that cannot be run as printed has only an inferred number.
-  const std::optional<double>& ours = m.nominal ? m.nominal : m.inferred;
+  const std::optional<double>& result = m.nominal ? m.nominal : m.inferred;
   switch (verdict) {
     case Verdict::reproduced: return matches(p, tolerance, m.nominal);
     case Verdict::reproduced_inferred: return matches(p, tolerance, m.inferred);
@@ -91,8 +92,8 @@ bool supports(Verdict verdict, const PublishedValue& p, const Measured& m) {
       return (p.kind == "bound" || p.kind == "rounding") && m.nominal &&
              found_again(tolerance, *m.nominal, p.nominal) && std::abs(*m.nominal) < std::abs(p.value);
     case Verdict::differs:
-      return ours && found_again(tolerance, *ours, m.nominal ? p.nominal : p.inferred) &&
-             !std::isnan(*ours) && !tolerance.allows(*ours, p.value);
+      return result && found_again(tolerance, *result, m.nominal ? p.nominal : p.inferred) &&
+             !std::isnan(*result) && !tolerance.allows(*result, p.value);
     case Verdict::holds: return p.kind == "claim" && m.nominal && tolerance.allows(*m.nominal, p.value);
     case Verdict::does_not_hold:
       return p.kind == "claim" && m.nominal && !std::isnan(*m.nominal) &&
@@ -238,28 +239,28 @@ Tolerance::Tolerance(std::string_view words, std::string_view printed) {
   if (kind_ == Kind::absolute) amount_ *= last_unit(printed) * edge;
 }
 
-bool Tolerance::allows(double ours, double theirs) const {
+bool Tolerance::allows(double result, double published) const {
   switch (kind_) {
     case Kind::digits: {
-      if (theirs == 0) return std::abs(ours) <= amount_;
-      const double more = theirs < 0 ? theirs - ours : ours - theirs;
+      if (published == 0) return std::abs(result) <= amount_;
+      const double more = published < 0 ? published - result : result - published;
       return more >= -amount_ / 2 && more <= amount_;
     }
-    case Kind::absolute: return std::abs(ours - theirs) <= amount_;
-    case Kind::relative: return std::abs(ours - theirs) <= amount_ * std::abs(theirs);
+    case Kind::absolute: return std::abs(result - published) <= amount_;
+    case Kind::relative: return std::abs(result - published) <= amount_ * std::abs(published);
     case Kind::factor: {
-      if (ours == theirs) return true;
-      const double ratio = ours / theirs;
+      if (result == published) return true;
+      const double ratio = result / published;
       return ratio <= amount_ && ratio >= 1 / amount_;
     }
-    case Kind::at_least: return ours >= amount_;
-    case Kind::below: return std::abs(ours) <= amount_;
+    case Kind::at_least: return result >= amount_;
+    case Kind::below: return std::abs(result) <= amount_;
   }
   return false;
 }
 
-bool Tolerance::allows(double ours, double low, double high) const {
-  return allows(ours, std::clamp(ours, std::min(low, high), std::max(low, high)));
+bool Tolerance::allows(double result, double low, double high) const {
+  return allows(result, std::clamp(result, std::min(low, high), std::max(low, high)));
 }
 
 std::string PublishedValue::name() const { return fmt::format("{}/{}/{}/{}", source, place, row, quantity); }

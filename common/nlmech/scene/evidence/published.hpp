@@ -42,10 +42,10 @@ class Tolerance {
   /// @param printed the number as printed, for its last digit
   /// @throws InputError for words of another form
   explicit Tolerance(std::string_view words, std::string_view printed = "1");
-  /// Is @p ours within the tolerance of @p theirs? False for NaN.
-  [[nodiscard]] bool allows(double ours, double theirs) const;
-  /// Is @p ours within the tolerance of some number of a range?
-  [[nodiscard]] bool allows(double ours, double low, double high) const;
+  /// Is @p result within the tolerance of @p published? False for NaN.
+  [[nodiscard]] bool allows(double result, double published) const;
+  /// Is @p result within the tolerance of some number of a range?
+  [[nodiscard]] bool allows(double result, double low, double high) const;
   /// Is it a bound on the reproduced number alone?
   [[nodiscard]] bool is_bound() const { return kind_ == Kind::at_least || kind_ == Kind::below; }
 

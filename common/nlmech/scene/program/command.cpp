@@ -27,7 +27,7 @@ namespace {
 constexpr const char* limit_name = "--limit";
 
 /// Seconds beyond the limit for commands that heed it themselves.
-constexpr double usual_grace = 0.5;
+constexpr double default_grace = 0.5;
 
 /// A command in the parser and the typed texts of its options.
 struct Parsed {
@@ -46,7 +46,7 @@ struct Parsed {
       : command(&declared), app(program.add_subcommand(declared.name, declared.help)) {
     app->footer(declared.options.footer());
     for (const Option& option : declared.options.all()) add(option);
-    if (!declared.options.heeds_limit()) add_limit();
+    if (!declared.options.supports_limit()) add_limit();
   }
   void add(const Option& option);
   void add_limit();
@@ -73,11 +73,11 @@ void Parsed::add(const Option& option) {
 void Parsed::add_limit() {
   const bool unlimited = command->options.is_unlimited();
   const std::string help =
-      unlimited ? "wall time at most, s; without it as long as it takes" : "wall time at most, s";
+      unlimited ? "stop after this much wall time, s (default none)" : "stop after this much wall time, s";
   CLI::Option* const limit = app->add_option(limit_name, limit_text, help);
   limit->multi_option_policy(CLI::MultiOptionPolicy::Throw);
   limit->type_name("NUMBER");
-  if (!unlimited) limit->default_str(fmt::format("{}", Options::usual_limit));
+  if (!unlimited) limit->default_str(fmt::format("{}", Options::default_limit));
 }
 
 void Parsed::understand() const {
@@ -99,8 +99,9 @@ TimeLimit::Command Parsed::watched(const std::string& program) const {
   std::string text = limit->count() > 0 ? limit->results().back() : limit->get_default_str();
   const bool lifted =
       command->options.is_unlimited() || (!lifted_by.empty() && app->get_option(lifted_by)->count() > 0);
-  if (text.empty() && !lifted) text = fmt::format("{}", Options::usual_limit);
-  TimeLimit::Command watched{program, command->name, {}, command->options.heeds_limit() ? usual_grace : 0};
+  if (text.empty() && !lifted) text = fmt::format("{}", Options::default_limit);
+  TimeLimit::Command watched{
+      program, command->name, {}, command->options.supports_limit() ? default_grace : 0};
   if (!text.empty()) watched.seconds = typed_positive(limit_name, text);
   return watched;
 }
@@ -194,8 +195,7 @@ int run_command(const Commands& commands, const std::string& title, int argc, co
   } catch (const InputError& error) {
     return end(ExitCode::wrong_usage, error.what());
   } catch (const std::bad_alloc&) {
-    return end(ExitCode::failed,
-               "there is not enough memory for it; ask for less at a time, as fewer rows (--every)");
+    return end(ExitCode::failed, "not enough memory; ask for less at a time, as fewer rows (--every)");
   } catch (const std::exception& error) {
     return end(ExitCode::failed, error.what());
   }

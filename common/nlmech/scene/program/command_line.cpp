@@ -50,7 +50,7 @@ std::vector<const Scene*> chosen(const Chapter& chapter, const Work& options) {
     if (options.all) scenes.push_back(&s);
   }
   if (!options.all && options.scenes.empty())
-    throw InputError("run: name scenes, or say --all; 'list' shows what there is");
+    throw InputError("run: no scene is named; give names, or --all; 'list' prints the names");
   for (const std::string& name : options.scenes) {
     const Scene& scene = chapter.scene(name);
     if (std::find(scenes.begin(), scenes.end(), &scene) == scenes.end()) scenes.push_back(&scene);
@@ -59,7 +59,7 @@ std::vector<const Scene*> chosen(const Chapter& chapter, const Work& options) {
 }
 
 /// Prints one line per scene if standard error is a terminal.
-void tell_progress(std::size_t done, std::size_t all, const std::string& scene, double seconds) {
+void print_progress(std::size_t done, std::size_t all, const std::string& scene, double seconds) {
   if (::isatty(STDERR_FILENO) == 1)
     print_message(fmt::format("[{}/{}] {} {:.1f} s", done, all, scene, seconds));
 }
@@ -80,14 +80,14 @@ std::string lines_of(const std::vector<std::filesystem::path>& files) {
 /// Runs scenes, and continues after a scene that failed or could not be drawn.
 int run(const Chapter& chapter, const Work& options) {
   if (options.no_plots && options.png)
-    throw InputError("run: --png draws what --no-plots leaves out; give one of them");
+    throw InputError("run: --png and --no-plots exclude each other; give one of them");
   const std::vector<const Scene*> scenes = chosen(chapter, options);
   const Publishing how{options.out, !options.no_plots, options.png};
   Results results(options.quick);
   int code = 0;
   std::size_t done = 0;
   for (const Scene* scene : scenes) {
-    results.take_turn(scenes.size() - done);
+    results.wait_for_processor(scenes.size() - done);
     const Stopwatch watch;
     const ProgressScope doing("computing " + scene->name);
     try {
@@ -97,7 +97,7 @@ int run(const Chapter& chapter, const Work& options) {
       print_message(fmt::format("{}: {}: {}", chapter.name(), scene->name, failure.what()));
       code = ExitCode::failed;
     }
-    tell_progress(++done, scenes.size(), scene->name, watch.seconds());
+    print_progress(++done, scenes.size(), scene->name, watch.seconds());
   }
   return code;
 }
@@ -125,22 +125,22 @@ void declare_list(Options& options, Listing& listing) {
 }
 
 void declare_both(Options& options, Work& work) {
-  options.add("--out", work.out, "folder that gets figures/, tables/, results/");
-  options.add("--quick", work.quick, "fewer samples and shorter timings, never other methods");
+  options.add("--out", work.out, "folder for figures/, tables/ and results/");
+  options.add("--quick", work.quick, "fewer samples and shorter timings with the same methods");
   options.unlimited();
 }
 
 void declare_run(Options& options, Work& work) {
   options.add("scenes", work.scenes, "names of scenes");
   options.add("--all", work.all, "every scene");
-  options.add("--no-plots", work.no_plots, "numbers and tables only");
-  options.add("--png", work.png, "a PNG image beside each SVG");
-  options.add("--quiet", work.quiet, "name no files");
+  options.add("--no-plots", work.no_plots, "write numbers and tables, no figures");
+  options.add("--png", work.png, "also write a PNG image of each figure");
+  options.add("--quiet", work.quiet, "do not print the names of files");
   declare_both(options, work);
 }
 
 void declare_check(Options& options, Work& work) {
-  options.add("--draw", work.draw, "also put every scene on disk, as run --all does");
+  options.add("--draw", work.draw, "also write every scene, as run --all does");
   declare_both(options, work);
 }
 
@@ -148,15 +148,14 @@ void declare_check(Options& options, Work& work) {
 
 int chapter_main(const Chapter& chapter, void (*add_commands)(Commands&), int argc, const char* const* argv) {
   Commands commands(chapter.name());
-  commands.add("list", "Scenes, what they show and need: columns on a terminal, Markdown in a pipe",
+  commands.add("list", "List the scenes, what they show and need: columns on a terminal, Markdown in a pipe",
                declare_list, [&](const Listing& listing) { list(chapter, listing.csv); });
-  commands.add(
-      "run",
-      "Compute scenes: numbers, tables and figures. Names the files that hold them, a line each, as seen "
-      "from --out",
-      declare_run, [&](const Work& work) { return run(chapter, work); });
-  commands.add("check", "Published beside reproduced; exit code 1 if a check fails", declare_check,
-               [&](const Work& work) { return check(chapter, work); });
+  commands.add("run",
+               "Compute scenes: numbers, tables and figures. Prints the names of the files written, one per "
+               "line, relative to --out",
+               declare_run, [&](const Work& work) { return run(chapter, work); });
+  commands.add("check", "Compare published with reproduced values; exit code 1 if a check fails",
+               declare_check, [&](const Work& work) { return check(chapter, work); });
   add_commands(commands);
   return run_command(commands, chapter.title(), argc, argv);
 }

@@ -69,10 +69,10 @@ bool same_but_for_case(std::string_view a, std::string_view b) {
 
 /// Hint at the likely mistake of a line that could not be parsed.
 const char* hint(std::string_view line) {
-  if (line.starts_with('#')) return "; comments stand before the header";
-  if (line.find('\r') != std::string_view::npos) return "; lines end with LF or CR LF, not with CR";
+  if (line.starts_with('#')) return "; put comments before the header";
+  if (line.find('\r') != std::string_view::npos) return "; end lines with LF or CR LF, not with CR";
   if (line.find_first_of(";\t") != std::string_view::npos)
-    return "; cells are separated by commas alone, and numbers have a decimal point";
+    return "; separate cells by commas and write numbers with a decimal point";
   return "";
 }
 
@@ -84,7 +84,7 @@ std::string number_fault(std::string_view text) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   const bool is_small = error == std::errc::result_out_of_range && end == text.data() + text.size() &&
                         std::abs(std::strtod(std::string(text).c_str(), nullptr)) < 1;
-  return is_small ? "nearer to 0 than any double but 0, which is above 4.9e-324; write 0"
+  return is_small ? "smaller in magnitude than the smallest double, 4.9e-324; write 0"
                   : "not a finite number";
 }
 
@@ -118,7 +118,7 @@ std::string CsvColumns::expected() const {
   return fmt::format("{}{}", required_ > 0 ? "" : "some of ", fmt::join(names, ","));
 }
 
-void CsvColumns::forget_header() {
+void CsvColumns::reset_header() {
   cells_.clear();
   names_.clear();
   column_.clear();
@@ -249,8 +249,8 @@ NumberColumns parse_numbers(std::string_view text, const std::string& name,
   return out;
 }
 
-void tell_of_no_rows(const std::string& name) {
-  print_message(fmt::format("{}: no row stands behind the header", name));
+void print_no_rows(const std::string& name) {
+  print_message(fmt::format("{}: no row follows the header", name));
 }
 
 std::vector<CsvRecord> parse_csv(std::string_view text, const std::string& name) {

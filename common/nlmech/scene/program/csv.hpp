@@ -52,8 +52,8 @@ class CsvColumns {
   void read_row(std::string_view line, std::size_t number, std::vector<double>& numbers,
                 std::string& rest) const;
 
-  /// Forgets the header, for a file that is read again.
-  void forget_header();
+  /// Removes the header, for a file that is read again.
+  void reset_header();
   /// Throws that the file has no line. @throws InputError
   [[noreturn]] void refuse_empty() const;
   /// Does the file have this column?
@@ -92,7 +92,7 @@ struct NumberColumns {
                                           const std::vector<std::string>& own = {});
 
 /// Reports on standard error that a file has a header and no row.
-void tell_of_no_rows(const std::string& name);
+void print_no_rows(const std::string& name);
 
 /// Parses a finite decimal number that fills @p text, except for blanks around it: "+1.5", "1e-3".
 /// @returns false, with @p value unchanged, for any other text and for a number that would underflow to 0

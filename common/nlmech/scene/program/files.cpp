@@ -53,16 +53,16 @@ std::string read_to_end(std::FILE* in, const std::string& name) {
 class TemporaryFile {
  public:
   explicit TemporaryFile(fs::path path) : path_(std::move(path)) {
-    const CriticalSection act;
+    const CriticalSection section;
     file_.reset(std::fopen(path_.c_str(), "wb"));
-    if (file_) trace_.emplace(act, [this] { ::unlink(path_.c_str()); });
+    if (file_) cleanup_.emplace(section, [this] { ::unlink(path_.c_str()); });
   }
   TemporaryFile(const TemporaryFile&) = delete;
   TemporaryFile& operator=(const TemporaryFile&) = delete;
   ~TemporaryFile() {
-    if (!trace_) return;
-    const CriticalSection act;
-    trace_->gone(act);
+    if (!cleanup_) return;
+    const CriticalSection section;
+    cleanup_->dismiss(section);
     ::unlink(path_.c_str());
   }
   /// Writes the text to the disk. @returns false with errno set on failure
@@ -74,17 +74,17 @@ class TemporaryFile {
   }
   /// Renames the file. @returns false with errno set on failure
   bool rename_to(const fs::path& path) {
-    const CriticalSection act;
+    const CriticalSection section;
     if (std::rename(path_.c_str(), path.c_str()) != 0) return false;
-    trace_->gone(act);
-    trace_.reset();
+    cleanup_->dismiss(section);
+    cleanup_.reset();
     return true;
   }
 
  private:
   fs::path path_;
   std::unique_ptr<std::FILE, Close> file_;
-  std::optional<CleanupOnExit> trace_;
+  std::optional<CleanupOnExit> cleanup_;
 };
 }  // namespace
 

@@ -46,17 +46,17 @@ std::string described(const Option& option) {
   if (!option.is_flag() && !is_word(option)) head += fmt::format(" \\fI{}\\fR", option.kind());
   std::string text = fmt::format(".TP\n{}\n{}", head, roff(option.help()));
   if (option.is_required()) text += "; required";
-  const std::string usual = option.default_text();
-  if (!usual.empty()) text += "; " + roff(usual) + " without it";
+  const std::string value = option.default_text();
+  if (!value.empty()) text += " (default " + roff(value) + ")";
   return text + "\n";
 }
 
 std::string described(const Commands::Command& command) {
   std::string text = fmt::format(".SS {}\n{}\n", roff(usage(command)), roff(command.help));
   for (const Option& option : command.options.all()) text += described(option);
-  if (!command.options.heeds_limit()) {
-    text += fmt::format(".TP\n\\fB{}\\fR \\fINUMBER\\fR\nwall time at most, s; {} without it\n",
-                        roff(limit_option), command.options.is_unlimited() ? "no limit" : "60");
+  if (!command.options.supports_limit()) {
+    text += fmt::format(".TP\n\\fB{}\\fR \\fINUMBER\\fR\nstop after this much wall time, s (default {})\n",
+                        roff(limit_option), command.options.is_unlimited() ? "none" : "60");
   }
   if (!command.options.footer().empty())
     text += fmt::format(".PP\n.nf\n{}\n.fi\n", roff(command.options.footer()));
@@ -85,7 +85,7 @@ std::string branch(const Commands::Command& command) {
       values += fmt::format("        {}) words={} ;;\n", option.name(),
                             quoted(fmt::format("{}", fmt::join(option.texts(), " "))));
   }
-  if (!command.options.heeds_limit()) names.emplace_back(limit_option);
+  if (!command.options.supports_limit()) names.emplace_back(limit_option);
   std::string words = quoted(fmt::format("{}", fmt::join(names, " ")));
   // In a pipe `list` prints a Markdown table.
   if (scenes)

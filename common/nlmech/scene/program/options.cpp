@@ -57,7 +57,7 @@ void Option::check(double value, const std::string& text) const {
 
 void Option::check_text(const std::string& text) const {
   if (!texts_.empty() && std::ranges::find(texts_, text) == texts_.end())
-    throw input_error("{} {}: there is {}", name_, quoted_input(text), fmt::join(texts_, ", "));
+    throw input_error("{} {}: must be one of {}", name_, quoted_input(text), fmt::join(texts_, ", "));
 }
 
 double Option::number(const std::string& text) const {
@@ -91,7 +91,7 @@ void Option::understand(const std::vector<std::string>& typed) const {
                  [&](const std::span<double>& to) {
                    const std::vector<double> all = numbers();
                    if (all.size() != to.size())
-                     throw input_error("{} {}: {} numbers where {} are needed", name_, quoted_input(text),
+                     throw input_error("{} {}: {} numbers; {} are needed", name_, quoted_input(text),
                                        all.size(), to.size());
                    std::ranges::copy(all, to.begin());
                  }},
@@ -132,17 +132,17 @@ Option& Options::add(const std::string& name, Option::Destination to, const std:
 }
 
 void Options::limit(double& seconds) {
-  heeds_limit_ = true;
-  add("--limit", seconds, "wall time at most, s").positive();
+  supports_limit_ = true;
+  add("--limit", seconds, "stop after this much wall time, s").positive();
 }
 
 void Options::limit(std::optional<double>& seconds, const std::string& lifted_by) {
-  heeds_limit_ = true;
+  supports_limit_ = true;
   lifted_by_ = lifted_by;
   add("--limit", seconds,
-      lifted_by.empty() ? fmt::format("wall time at most, s; {} without it", usual_limit)
-                        : fmt::format("wall time at most, s; without it {}, and with {} as long as it takes",
-                                      usual_limit, lifted_by))
+      lifted_by.empty() ? fmt::format("stop after this much wall time, s (default {})", default_limit)
+                        : fmt::format("stop after this much wall time, s (default {}; none with {})",
+                                      default_limit, lifted_by))
       .positive();
 }
 

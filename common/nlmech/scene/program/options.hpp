@@ -84,10 +84,10 @@ class Options {
   /// Adds `--limit`, the wall time in seconds, for a command that heeds it itself; other commands get the
   /// option automatically.
   void limit(double& seconds);
-  /// Adds `--limit` with the default usual_limit, but without a limit if the option @p lifted_by (of many
-  /// tasks) is given. @param lifted_by may be empty
+  /// Adds `--limit` with the default `default_limit`, but without a limit if the option @p lifted_by (of
+  /// many tasks) is given. @param lifted_by may be empty
   void limit(std::optional<double>& seconds, const std::string& lifted_by);
-  static constexpr double usual_limit = 60;  ///< default wall time of a command, s
+  static constexpr double default_limit = 60;  ///< default wall time of a command, s
   /// Removes the default limit of the command.
   void unlimited() { unlimited_ = true; }
   /// Sets the text below the help.
@@ -95,14 +95,14 @@ class Options {
 
   /// All options.
   [[nodiscard]] const std::deque<Option>& all() const { return all_; }
-  [[nodiscard]] bool heeds_limit() const { return heeds_limit_; }            ///< limit()
+  [[nodiscard]] bool supports_limit() const { return supports_limit_; }      ///< limit()
   [[nodiscard]] const std::string& lifted_by() const { return lifted_by_; }  ///< limit(); may be empty
   [[nodiscard]] bool is_unlimited() const { return unlimited_; }             ///< unlimited()
   [[nodiscard]] const std::string& footer() const { return footer_; }        ///< footer()
 
  private:
   std::deque<Option> all_;  // references to its elements stay valid
-  bool heeds_limit_ = false, unlimited_ = false;
+  bool supports_limit_ = false, unlimited_ = false;
   std::string footer_, lifted_by_;
 };
 

@@ -93,30 +93,30 @@ class Child {
  public:
   Child(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
         const std::vector<std::string>& settings, const std::array<Pipe, 2>& pipes) {
-    const CriticalSection act;
+    const CriticalSection section;
     id_ = start(arguments, folder, settings, pipes[0].end[1], pipes[1].end[1]);
-    trace_.emplace(act, [this] { ::kill(id_, SIGKILL); });
+    cleanup_.emplace(section, [this] { ::kill(id_, SIGKILL); });
   }
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
   ~Child() {
-    if (trace_) static_cast<void>(wait());
+    if (cleanup_) static_cast<void>(wait());
   }
   /// Waits for its end. @returns its status, or none with errno set if the system has discarded it
   std::optional<int> wait() {
     siginfo_t ended{};  // WNOWAIT keeps the process id reserved until the cleanup entry is removed
     while (::waitid(P_PID, static_cast<id_t>(id_), &ended, WEXITED | WNOWAIT) < 0 && errno == EINTR) {
     }
-    const CriticalSection act;
-    trace_->gone(act);
-    trace_.reset();
+    const CriticalSection section;
+    cleanup_->dismiss(section);
+    cleanup_.reset();
     int status = 0;
     return ::waitpid(id_, &status, 0) == id_ ? std::optional(status) : std::nullopt;
   }
 
  private:
   pid_t id_ = 0;
-  std::optional<CleanupOnExit> trace_;
+  std::optional<CleanupOnExit> cleanup_;
 };
 
 /// Reads both pipes as they fill, so that a program which writes much to one of them does not block.

@@ -50,7 +50,7 @@ void narrow(std::vector<std::size_t>& widths, std::size_t gap, std::size_t most)
 
 std::optional<std::size_t> terminal_width(int stream) {
   if (::isatty(stream) != 1) return {};
-  constexpr std::size_t usual = 80, least = 20, most = 10000;
+  constexpr std::size_t default_width = 80, least = 20, most = 10000;
   if (const char* columns = std::getenv("COLUMNS")) {
     const std::string_view text = columns;
     std::size_t width = 0;
@@ -59,7 +59,8 @@ std::optional<std::size_t> terminal_width(int stream) {
       return width;
   }
   winsize size{};
-  return ::ioctl(stream, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? std::size_t{size.ws_col} : usual;
+  return ::ioctl(stream, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? std::size_t{size.ws_col}
+                                                                    : default_width;
 }
 
 std::string aligned(const Table& table, std::size_t width) {

@@ -15,7 +15,7 @@ namespace {
 
 struct State {
   std::mutex mutex;
-  std::list<std::function<void()>> traces;
+  std::list<std::function<void()>> cleanups;
   std::string doing = "computing";
   bool silent = false;
   bool progress_shown = false;
@@ -36,12 +36,12 @@ void write_error(std::string_view text) {
   static_cast<void>(std::fflush(stderr));
 }
 
-void wipe_within_act() {
+void clear_line_locked() {
   if (std::exchange(state().progress_shown, false)) write_error(wipe);
 }
 
-void print_within_act(std::string_view text) {
-  wipe_within_act();
+void print_locked(std::string_view text) {
+  clear_line_locked();
   errno = 0;
   if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0) {
     throw Failure("standard output: cannot be written: " + std::generic_category().message(errno));
@@ -58,43 +58,43 @@ std::string line_of(std::string_view message) {
 
 CriticalSection::CriticalSection() : lock_(state().mutex) {}
 
-CleanupOnExit::CleanupOnExit(const CriticalSection& /*act*/, std::function<void()> clear)
-    : place_(state().traces.insert(state().traces.end(), std::move(clear))) {}
+CleanupOnExit::CleanupOnExit(const CriticalSection& /*section*/, std::function<void()> clear)
+    : place_(state().cleanups.insert(state().cleanups.end(), std::move(clear))) {}
 
-void CleanupOnExit::gone(const CriticalSection& /*act*/) { state().traces.erase(place_); }
+void CleanupOnExit::dismiss(const CriticalSection& /*section*/) { state().cleanups.erase(place_); }
 
 ProgressScope::ProgressScope(std::string what, bool silent) {
-  const CriticalSection act;
+  const CriticalSection section;
   before_ = std::exchange(state().doing, std::move(what));
   silent_before_ = std::exchange(state().silent, silent);
 }
 
 ProgressScope::~ProgressScope() {
-  const CriticalSection act;
+  const CriticalSection section;
   state().doing = std::move(before_);
   state().silent = silent_before_;
 }
 
 std::string doing_now() {
-  const CriticalSection act;
+  const CriticalSection section;
   return state().doing;
 }
 
 void print_result(std::string_view text) {
-  const CriticalSection act;
-  print_within_act(text);
+  const CriticalSection section;
+  print_locked(text);
 }
 
 void print_last_result(std::string_view text) {
-  const CriticalSection act;
-  print_within_act(text);
+  const CriticalSection section;
+  print_locked(text);
   state().done = true;
 }
 
 void print_message(std::string_view message) {
   const std::string line = line_of(message);
-  const CriticalSection act;
-  wipe_within_act();
+  const CriticalSection section;
+  clear_line_locked();
   write_error(line);
 }
 
@@ -106,16 +106,16 @@ void show_progress(std::string_view line) {
 }
 
 void wipe_progress() {
-  const CriticalSection act;
-  wipe_within_act();
+  const CriticalSection section;
+  clear_line_locked();
 }
 
 void end_process(int exit_code, std::string_view message) {
   const std::string line = line_of(message);
-  const CriticalSection act;
+  const CriticalSection section;
   if (state().done) return;
-  wipe_within_act();
-  for (const auto& clear : state().traces) clear();
+  clear_line_locked();
+  for (const auto& clear : state().cleanups) clear();
   write_error(line);
   ::_exit(exit_code);
 }

@@ -32,11 +32,11 @@ class CriticalSection {
 class CleanupOnExit {
  public:
   /// @param clear removes the object; called at most once, by the thread that ends the process
-  CleanupOnExit(const CriticalSection& /*act*/, std::function<void()> clear);
+  CleanupOnExit(const CriticalSection& /*section*/, std::function<void()> clear);
   CleanupOnExit(const CleanupOnExit&) = delete;
   CleanupOnExit& operator=(const CleanupOnExit&) = delete;
   /// Unregisters the cleanup: the object is removed or has its final place.
-  void gone(const CriticalSection& act);
+  void dismiss(const CriticalSection& section);
 
  private:
   std::list<std::function<void()>>::iterator place_;

@@ -38,7 +38,7 @@ Frequencies undamped(const Parameters& parameters, double kappa, int count) {
 ClosedLoop::ClosedLoop(const Parameters& parameters, const Gains& gains) : plant_(parameters), gains_(gains) {
   require_finite(gains);
   require(gains.k1 >= 0, "k1", "at least 0", gains.k1);
-  require(gains.k2 > -2, "k2", "above -2, where the hub no longer feels the appendages", gains.k2);
+  require(gains.k2 > -2, "k2", "above -2, at which the appendages exert no torque on the hub", gains.k2);
   require(gains.k3 >= 0, "k3", "at least 0", gains.k3);
 }
 

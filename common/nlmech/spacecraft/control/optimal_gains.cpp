@@ -18,8 +18,8 @@ void require_weights(const CostWeights& w) {
     throw invalid_argument("cost: the weight of the deflection is {:g}; it must be at least 0", w.deflection);
   if (!(w.torque > 0) || !std::isfinite(w.torque))
     throw invalid_argument(
-        "cost: the weight of the torque is {:g}; it must be positive, for without a price the gains grow "
-        "without bound",
+        "cost: the weight of the torque is {:g}; it must be positive, because the gains grow without bound "
+        "as it tends to 0",
         w.torque);
 }
 

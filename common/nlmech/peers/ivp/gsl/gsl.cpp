@@ -22,11 +22,11 @@ class ErrorsAsCodes {
  public:
   ErrorsAsCodes() {
     const std::lock_guard lock(shared().mutex);
-    if (shared().living++ == 0) shared().before = gsl_set_error_handler(&note);
+    if (shared().users++ == 0) shared().before = gsl_set_error_handler(&note);
   }
   ~ErrorsAsCodes() {
     const std::lock_guard lock(shared().mutex);
-    if (--shared().living == 0) gsl_set_error_handler(shared().before);
+    if (--shared().users == 0) gsl_set_error_handler(shared().before);
   }
   ErrorsAsCodes(const ErrorsAsCodes&) = delete;
   ErrorsAsCodes& operator=(const ErrorsAsCodes&) = delete;
@@ -37,7 +37,7 @@ class ErrorsAsCodes {
  private:
   struct Shared {
     std::mutex mutex;
-    int living = 0;
+    int users = 0;
     gsl_error_handler_t* before = nullptr;
   };
   static Shared& shared() {
@@ -149,7 +149,7 @@ class GslStepper final : public PeerStepper {
     rejected_ = rejected;
     if (ErrorsAsCodes::met_singular_matrix()) return halved();
     if (code == not_finite) return {Attempt::Result::failed, t0_, h_, non_finite_rhs(name_, t0_, h_)};
-    // After a failure GSL may leave t and x at the rejected step; walk() has its own copies.
+    // After a failure GSL may leave t and x at the rejected step; integrate_steps() has its own copies.
     if (code != GSL_SUCCESS) return {Attempt::Result::failed, t0_, h_, ivp::step_underflow(name_, t0_, h_)};
     t1_ = t;
     std::copy(x1_.begin(), x1_.end(), x);
@@ -243,7 +243,7 @@ bool gsl_available() noexcept { return true; }
 Status integrate_by(Run& run, const Gsl& method) {
   require_tolerances(method.name(), {method.relative_tolerance, method.absolute_tolerance});
   GslStepper stepper(run.equations, method, run.limits.largest_step);
-  return walk(method.name(), stepper, run);
+  return integrate_steps(method.name(), stepper, run);
 }
 
 bool gsl_natively(const Gsl& method, const NativeEquations& equations, double t0, double t1, double* x) {

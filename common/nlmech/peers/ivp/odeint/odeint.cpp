@@ -60,7 +60,7 @@ class RosenbrockStepper final : public PeerStepper, detail::RosenbrockEquations 
 
 Status run_rosenbrock4(Run& run, const Odeint& method) {
   RosenbrockStepper stepper(run.equations, method, run.limits.largest_step);
-  return walk(method.name(), stepper, run);
+  return integrate_steps(method.name(), stepper, run);
 }
 
 }  // namespace

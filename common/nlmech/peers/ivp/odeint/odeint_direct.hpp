@@ -1,6 +1,6 @@
 /// @file
-/// Odeint with an inlined right-hand side, for benchmarks: as in its manual, without walk(), and as a method
-/// of integrate() on a Direct. Requires Boost.
+/// Odeint with an inlined right-hand side, for benchmarks: as in its manual, without integrate_steps(), and
+/// as a method of integrate() on a Direct. Requires Boost.
 #pragma once
 
 #include <array>

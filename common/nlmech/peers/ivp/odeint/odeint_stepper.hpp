@@ -261,14 +261,14 @@ class OdeintStepper final : public PeerStepper {
 /// explicit
 template <class State, class E>
 [[nodiscard]] Status run_explicit_odeint(E& equations, Run& run, const Odeint& method) {
-  const auto walk_with = [&]<template <class> class Kind>(std::type_identity<Kind<State>>) {
+  const auto integrate_with = [&]<template <class> class Kind>(std::type_identity<Kind<State>>) {
     OdeintStepper<E, State, Kind> stepper(equations, method, run.limits.largest_step);
-    return walk(method.name(), stepper, run);
+    return integrate_steps(method.name(), stepper, run);
   };
   switch (method.formula) {
-    case Odeint::Formula::dopri5: return walk_with(std::type_identity<Dopri5<State>>{});
-    case Odeint::Formula::fehlberg78: return walk_with(std::type_identity<Fehlberg78<State>>{});
-    case Odeint::Formula::bulirsch_stoer: return walk_with(std::type_identity<BulirschStoer<State>>{});
+    case Odeint::Formula::dopri5: return integrate_with(std::type_identity<Dopri5<State>>{});
+    case Odeint::Formula::fehlberg78: return integrate_with(std::type_identity<Fehlberg78<State>>{});
+    case Odeint::Formula::bulirsch_stoer: return integrate_with(std::type_identity<BulirschStoer<State>>{});
     case Odeint::Formula::rosenbrock4: break;
   }
   throw std::invalid_argument("odeint-rosenbrock4 is not explicit");

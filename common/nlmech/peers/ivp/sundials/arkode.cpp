@@ -32,7 +32,7 @@ class ArkodeStepper final : public SundialsStepper {
     ARKStepSetErrHandlerFn(memory, &silence_sundials, nullptr);
     ARKStepSetUserData(memory, &callbacks_);
     ARKStepSStolerances(memory, method.relative_tolerance, method.absolute_tolerance);
-    ARKStepSetMaxNumSteps(memory, -1);  // no limit of its own (500): walk() has the limit
+    ARKStepSetMaxNumSteps(memory, -1);  // no limit of its own (500): integrate_steps() has the limit
     if (implicit_) {
       use_newton();
       // One factorisation per step. By default ARKODE keeps the factorisation while the step size changes by
@@ -64,7 +64,7 @@ bool arkode_available() noexcept { return true; }
 Status integrate_by(Run& run, const Arkode& method) {
   require_tolerances(method.name(), {method.relative_tolerance, method.absolute_tolerance});
   ArkodeStepper stepper(run.equations, method, run.limits.largest_step);
-  return walk(method.name(), stepper, run);
+  return integrate_steps(method.name(), stepper, run);
 }
 
 }  // namespace nlmech::peers

@@ -35,7 +35,7 @@ class CvodeStepper final : public SundialsStepper {
     CVodeInit(memory, &SundialsCallbacks::rhs, 0, state_.get());
     CVodeSetUserData(memory, &callbacks_);
     CVodeSStolerances(memory, method.relative_tolerance, method.absolute_tolerance);
-    CVodeSetMaxNumSteps(memory, -1);  // no limit of its own (500): walk() has the limit
+    CVodeSetMaxNumSteps(memory, -1);  // no limit of its own (500): integrate_steps() has the limit
     if (method.formula == Cvode::Formula::adams) {
       fixed_point_.emplace(SUNNonlinSol_FixedPoint(state_.get(), 0, context_.get()));
       CVodeSetNonlinearSolver(memory, fixed_point_->get());
@@ -85,7 +85,7 @@ bool cvode_available() noexcept { return true; }
 Status integrate_by(Run& run, const Cvode& method) {
   require_tolerances(method.name(), {method.relative_tolerance, method.absolute_tolerance});
   CvodeStepper stepper(run.equations, method, run.limits.largest_step);
-  return walk(method.name(), stepper, run);
+  return integrate_steps(method.name(), stepper, run);
 }
 
 bool cvode_natively(const Cvode& method, const NativeEquations& equations, double t0, double t1, double* x) {

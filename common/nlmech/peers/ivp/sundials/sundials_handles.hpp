@@ -80,7 +80,7 @@ struct SundialsCallbacks {
     case -27: return ivp::step_underflow(method, t, step);
     default:
       return Status::failure(Outcome::not_converged,
-                             sentence("the library gave up; loosen the tolerance or take another method"));
+                             sentence("the library failed; loosen the tolerance or take another method"));
   }
 }
 
