@@ -50,7 +50,7 @@ void draw(const Flight& flight, scene::Show& show) {
   std::vector<Sample> fifths;
   for (std::size_t i = 0; i < flight.path.size(); i += 5) fifths.push_back(flight.path[i]);
   fifths.push_back(flight.landing);
-  scene::Plot& plot = show.plots("The printed wind: sideways, and ten times too far").stacked({3, 4});
+  scene::Plot& plot = show.plots("Projectile path: the printed wind makes the range ten times longer").stacked({3, 4});
   plot.data(scene::table_of(
       fifths, {{"t_s", &Sample::t}, {"x_m", Component{0}}, {"y_m", Component{1}}, {"z_m", Component{2}}}));
   plot.panel("", "height {/:Italic z} (m)")

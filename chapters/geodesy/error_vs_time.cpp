@@ -109,17 +109,17 @@ void put(const scene::ProblemLines& all, scene::Show& show) {
     height = std::max(height, std::get<double>(a.work.front()));
   }
   scene::show_work_precision(
-      {.heading = fmt::format("Full precision in {:.1f} times the time of two arctangents", batch / floor),
-       .digits = "digits: -log_{10} of the latitude's greatest error (rad)",
+      {.heading = fmt::format("Latitude to full precision in {:.1f} times the time of two arctangents", batch / floor),
+       .digits = "digits: −log_{10} of max |latitude error| (rad)",
        .least_digits = 7,
        .most_digits = 17,
        .error = "max latitude error (rad)",
-       .time = "time a point (s)",
+       .time = "time per point (s)",
        .unit = "ns",
        .work = {"max height error (m)"},
        .groups = {{"series of the dissertation", 2},
-                  {"ours, in batches", 0},
-                  {"ours, one point", 1},
+                  {"nlmech, in batches", 0},
+                  {"nlmech, one point", 1},
                   {"published, in batches", 3},
                   {"published, one point", 4},
                   {"library", 5}},
@@ -138,7 +138,7 @@ std::vector<scene::Scene> scenes() {
                             "errors over 40 000 points",
                             measure);
   return {{.name = "error-vs-time",
-           .title = "Latitude error against time a point: ours and the peers, one by one and in batches",
+           .title = "Latitude error against time per point: nlmech and peers, single points and batches",
            .content = scene::Content(put, costs)}};
 }
 

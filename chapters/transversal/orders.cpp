@@ -64,7 +64,7 @@ std::vector<Fall> all_falls() {
 }
 
 void put(const std::vector<Fall>& all, scene::Show& show) {
-  scene::Panel& panel = show.plot("Order p + 1 for odd p, p + 2 for even p", "step {/:Italic h}",
+  scene::Panel& panel = show.plot("Error against step: order {/:Italic p} + 1 for odd {/:Italic p}, {/:Italic p} + 2 for even {/:Italic p}", "step {/:Italic h}",
                                   "largest error at {/:Italic t} = 12");
   panel.log_x(2e-3, 0.3).log_y(1e-13, 1).key("outside right center");
   show.figure().columns({"series", "step", "error"});

@@ -85,7 +85,7 @@ void check(const std::string& label, const Fates& all, double rk6, double rk4, s
   show.between(
       "error of p = 3 at h = 0.21 over the amplitude, " + label, all.at("mtl 3", 0.21).error / all.amplitude,
       0.5, 3,
-      "no digit is right, and twice the amplitude and a little is all that bounded motions can be apart");
+      "no digit is right, and two bounded motions differ by little more than twice the amplitude");
   const auto wild = std::ranges::find_if(all.fates, [&](const Fate& f) {
     return f.method == "mtl 3" && f.status == "success" && f.error > 10 * all.amplitude;
   });
@@ -104,7 +104,7 @@ std::string in_legend(const std::string& name) {
 
 /// Draws one error curve per method. Crosses mark step sizes that fail, one row per method.
 void draw(const Fates& all, scene::Show& show) {
-  scene::Panel& panel = show.plot("Bounded is not accurate: at {/:Italic h} = 0.21 nothing is right",
+  scene::Panel& panel = show.plot("Error against step: at {/:Italic h} = 0.21 no method has a correct digit",
                                   "step {/:Italic h} (periods of the force)",
                                   "greatest error of {/:Italic x} to {/:Italic t} = 40");
   panel.log_x(8e-3, 0.6).log_y(1e-9, 300).key("outside right center");
@@ -163,7 +163,7 @@ scene::Result<Fates> fates_of(double e2) {
 
 std::vector<scene::Scene> scenes() {
   return {{.name = "overflow",
-           .title = "RK4, RK6 and MTL against the step: bounded is not accurate",
+           .title = "Error and overflow of RK4, RK6 and MTL against the step",
            .place = "our own, for Figure 2",
            .content = scene::Content(put, fates_of(0.5), fates_of(1))}};
 }

@@ -90,7 +90,7 @@ void check(const std::vector<Fragile>& all, scene::Show& show) {
 }
 
 void put(const std::vector<Fragile>& all, scene::Show& show) {
-  scene::Panel& panel = show.plot("Feedback of the root load makes the loop fragile",
+  scene::Panel& panel = show.plot("Sensitivity near each mode: grows with the mode if the root load is fed back",
                                   "frequency of the mode (rad/s)", "largest |{/:Italic S}| near the mode");
   panel.log_x(0.1, 2e4).log_y(0.5, 1e6).key("top left");
   show.figure().columns({"curve", "panel", "x", "y"});
@@ -115,10 +115,10 @@ void put(const std::vector<Fragile>& all, scene::Show& show) {
 
 std::vector<scene::Scene> scenes() {
   const scene::Result loops(
-      "delays", "the torque loop with a delay; each pole is followed from that without; theta_f = 1 rad",
+      "delays", "the torque loop with a delay; each pole is followed from delay 0; theta_f = 1 rad",
       measure_all);
   return {{.name = "delay-margin",
-           .title = "What a delay in the loop does: unstable modes, sensitivity",
+           .title = "Delay in the loop: unstable modes and sensitivity",
            .place = "our own, for two claims of section 3.1.4",
            .content = scene::Content(put, loops)}};
 }

@@ -96,11 +96,11 @@ scene::ProblemLines measure_all(bool quick) {
 }
 
 void put(const scene::ProblemLines& all, scene::Show& show) {
-  scene::show_work_precision({.heading = "The exact forms have all digits, truncated models few",
+  scene::show_work_precision({.heading = "Digits of {/:Italic θ}/{/:Italic u}: 15 by exact forms, at most 10 by truncated models",
                               .digits = "digits of {/:Italic θ}/{/:Italic u}, median over frequencies",
                               .most_digits = 17,
                               .error = "median error of theta/u",
-                              .time = "time a frequency (s)",
+                              .time = "time per frequency (s)",
                               .unit = "ns",
                               .work = {"largest error"},
                               .groups = {{"exact forms", 2},

@@ -37,30 +37,25 @@ struct Words {
 };
 
 void declare(scene::Options& options, Words& words) {
-  options.add("file", words.file, "the frame, TOML; - is standard input").required();
+  options.add("file", words.file, "TOML file of the frame; - is standard input").required();
   options
       .add("--steps", words.steps,
-           "along each branch, at most; without it 200. A branch that does not come to its end by then is a "
-           "failure")
+           "largest number of steps along each branch (default 200); a branch that needs more is a failure")
       .range(1, 100'000);
   options.add(
       "--until", words.until,
-      "load factor of either sign at which a branch ends, not 0; negative: the path sets out to negative "
-      "ones; "
-      "without it twice the greatest of its limit and branch points up to twice the first, if it has one");
+      "load factor at which a branch ends, not 0; negative: the path starts towards negative load factors. Default: twice the largest of the limit and branch points up to twice the first, if there is one");
   options
       .add("--turn", words.turn,
-           "angle by which a path turns in a step, rad, about; without it 0.15; what shorter steps are told "
-           "by")
+           "approximate rotation of the path's tangent in a step, rad (default 0.15); smaller values give shorter steps")
       .range(1e-3, 1);
   options.add("--elements", words.elements, "beam-columns a member, times its own number of elements")
       .range(1, 100'000);
   options
       .add("--branches", words.branches,
-           "so many branches are followed besides the path from rest, both ways from a bifurcation, in the "
-           "order in which they are met; with a column branch; without it none")
+           "number of branches to follow besides the path from rest (default 0): both directions from each bifurcation, in the order of their detection; adds a column branch")
       .range(0, 1000);
-  options.add("--case", words.load_case, "which load case, of a file with several");
+  options.add("--case", words.load_case, "name of the load case, for a file with several");
   options.add("--plot", words.plot, "FILE.svg: load factor against the largest displacement, and shapes");
   options.limit(words.limit);
   declare_dynamic(options, words.dynamic);
@@ -78,14 +73,14 @@ frames::PathOptions walk_of(const Words& words) {
 /// Throws InputError for an option that the mode does not use. With --dynamic, an imperfection still uses
 /// --turn and --steps: its shape comes from a path.
 void require_heeded(const Words& words, const FrameFile& file) {
-  if (words.until && *words.until == 0) throw InputError("--until 0: the frame is at rest there");
+  if (words.until && *words.until == 0) throw InputError("--until 0: the frame is at rest there; give another load factor");
   if (!words.dynamic.is_wanted) return require_none(words.dynamic);
   const std::array typed = {std::pair{"--until", words.until.has_value()},
                             std::pair{"--branches", words.branches.has_value()},
                             std::pair{"--turn", words.turn && !file.model.imperfection},
                             std::pair{"--steps", words.steps && !file.model.imperfection}};
   for (const auto& [option, is_typed] : typed) {
-    if (is_typed) throw InputError(fmt::format("{}: of a path alone; leave it or --dynamic out", option));
+    if (is_typed) throw InputError(fmt::format("{}: is for equilibrium paths; leave out this option or --dynamic", option));
   }
 }
 
@@ -175,13 +170,11 @@ void tell_of_mesh(const Estimated& e, const Words& words) {
                   worst, words.elements, e.second, worst > 0.01 ? "; more --elements reduce them" : ""));
   if (alone > 0)
     scene::print_message(
-        fmt::format("frame: limit and branch points that {} elements a member do not have: {}; take more "
-                    "--elements",
+        fmt::format("frame: limit and branch points that were not found with {} elements a member: {}; take more --elements",
                     e.second, alone));
   if (!e.status.ok())
     scene::print_message(
-        fmt::format("frame: mesh errors are not known where the path with {} elements a member was not "
-                    "followed: {}",
+        fmt::format("frame: the mesh errors are unknown where the path with {} elements a member was not followed: {}",
                     e.second, e.status.sentence()));
 }
 
@@ -195,15 +188,12 @@ void tell_of_unfollowed(const frames::FramePaths& paths) {
   }
   if (first != nullptr)
     scene::print_message(fmt::format(
-        "frame: {} eigenvalues vanish at the bifurcation at load factor {:.10g}{}; branches from such a "
-        "point "
-        "are not followed, whatever --branches: a small difference between what buckles there parts it",
+        "frame: {} eigenvalues vanish at the bifurcation at load factor {:.10g}{}; branches from such a point are not followed, whatever --branches; a small difference between the members that buckle there makes simple bifurcations of it",
         first->vanishing, first->load,
         multiple > 1 ? fmt::format(", and several at {} others", multiple - 1) : ""));
   if (paths.unfollowed > 0)
     scene::print_message(
-        fmt::format("frame: {} halves of branches leave the paths and are not followed; --branches {} "
-                    "follows more",
+        fmt::format("frame: {} branches leave the paths and are not followed; --branches {} follows more",
                     paths.unfollowed, paths.branches + paths.unfollowed));
 }
 
@@ -213,7 +203,7 @@ void move(const Words& words, const FrameFile& file, const frames::NamedFrame& f
   scene::print_result(csv_of(frame, run));
   if (picture.wanted()) picture.draw([&] { return motion_picture(frame, run); });
   if (!run.status.ok()) throw Failure(run.status);
-  scene::print_message(fmt::format("frame: energies balance within {:.1e} of the greatest", run.imbalance));
+  scene::print_message(fmt::format("frame: the energies balance within {:.1e} of the largest", run.imbalance));
 }
 
 void work(const Words& words) {
@@ -226,7 +216,7 @@ void work(const Words& words) {
   if (!made.status.ok()) throw Failure(made.status);
   if (file.model.imperfection)
     scene::print_message(
-        fmt::format("frame: imperfect by {:.6g} along the shape of the {} at load factor {:.10g}",
+        fmt::format("frame: imperfection of {:.6g} in the shape of the {} at load factor {:.10g}",
                     file.model.imperfection->amplitude, to_string(made.buckled.kind), made.buckled.load));
   const frames::NamedFrame& frame = made.frame;
   if (words.dynamic.is_wanted) return move(words, file, frame, picture);
@@ -240,8 +230,7 @@ void work(const Words& words) {
   if (picture.wanted()) picture.draw([&] { return frame_picture(frame, paths); });
   if (!paths.status.ok())
     throw Failure(Status::failure(
-        paths.status.outcome(), fmt::format("frame: all points found are printed, and a path did not get to "
-                                            "its end: {}",
+        paths.status.outcome(), fmt::format("frame: all points found are printed, but a path did not reach its end: {}",
                                             paths.status.sentence())));
   tell_of_mesh(e, words);
   tell_of_unfollowed(paths);
@@ -252,12 +241,7 @@ void work(const Words& words) {
 void add_frame_command(scene::Commands& all) {
   all.add(
       "frame",
-      "The equilibrium path of a plane frame of your own under growing dead loads or given displacements, "
-      "from rest, as CSV: load_factor, displacements of the named nodes that are not held, forces on given "
-      "ones, mesh_error (relative, estimated by other elements: of limit and branch points the load factor, "
-      "else "
-      "displacements and forces), negative_eigenvalues (of the tangent stiffness: 0 is stable), kind: step, "
-      "maximum, minimum, bifurcation. With --dynamic its motion: time, load_factor, displacements, energies",
+      "Follow the equilibrium path of a plane frame from rest under dead loads or given displacements; prints as CSV load_factor, displacements of the named nodes that are free, forces at given displacements, mesh_error (relative, estimated with another number of elements: of the load factor at limit and branch points, else of displacements and forces), negative_eigenvalues (of the tangent stiffness; 0: stable), kind (step, maximum, minimum, bifurcation). With --dynamic its motion: time, load_factor, displacements, energies",
       declare, work);
 }
 

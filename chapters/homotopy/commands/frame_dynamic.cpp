@@ -35,7 +35,7 @@ LoadHistory history_of(const DynamicWords& words) {
                                  : words.history == "pulse" ? LoadHistory::Kind::pulse
                                                             : LoadHistory::Kind::step;
   if (kind == LoadHistory::Kind::step && words.duration)
-    throw InputError("--duration: a step has none; say --history ramp or pulse");
+    throw InputError("--duration: is for --history ramp or pulse; leave it out or give one of them");
   if (kind != LoadHistory::Kind::step && !words.duration)
     throw InputError("--history " + words.history + " needs a --duration");
   return {kind, words.factor.value_or(1), words.duration.value_or(0)};
@@ -46,16 +46,16 @@ std::string method_of(const DynamicWords& words) { return words.method.empty() ?
 /// Step size or tolerance of the method. Default step size of fixed-step methods: time/2000, for `explicit`
 /// within its stability limit.
 ivp::Settings settings_of(const DynamicWords& words, const frames::FrameMotion& motion, double time) {
-  if (words.step && words.tolerance) throw InputError("--step and --tolerance: one of both");
+  if (words.step && words.tolerance) throw InputError("--step and --tolerance: give only one of them");
   const ivp::MethodInfo& method = ivp::method_info(method_of(words));
   if (!method.fixed_step()) {
     if (words.step && method.steps == ivp::Steps::adaptive)
-      throw InputError("--step: " + words.method + " chooses its steps by --tolerance");
+      throw InputError("--step: " + words.method + " adapts its steps to --tolerance");
     return {.step = words.step, .tolerance = words.tolerance};
   }
   if (words.tolerance)
     throw input_error(
-        "--tolerance {}: {} takes equal steps; give --step, or a method that chooses its steps, as dop853",
+        "--tolerance {}: {} takes equal steps; give --step, or a method with adaptive steps, such as dop853",
         *words.tolerance, method.name);
   if (words.step) return {.step = words.step};
   double step = time / 2000;
@@ -121,8 +121,7 @@ class Runs {
       if (!has_rows || words_.every) return true;
       if (run.moments.size() > most_rows)
         throw InputError(
-            fmt::format("without --every each step has a row: more than {} rows at t = {:.6g}; "
-                        "say --every",
+            fmt::format("without --every each step has a row: more than {} rows at t = {:.6g}; give --every",
                         most_rows, step.t1));
       run.moments.push_back(moment_of(motion_, step.t1, step.x1, energies));
       return true;
@@ -136,7 +135,7 @@ class Runs {
       run.status = Status::failure(
           Outcome::not_converged,
           fmt::format(
-              "{}: {:.2g} of the greatest energy is too much or missing, more than {}; take a shorter "
+              "{}: the energies do not balance: the error is {:.2g} of the largest energy, more than {}; take a shorter "
               "step, a smaller tolerance, or newmark, which does not dissipate",
               method_of(words_), run.imbalance, most_imbalance));
     return run;
@@ -211,27 +210,25 @@ class Runs {
 }  // namespace
 
 void declare_dynamic(scene::Options& options, DynamicWords& words) {
-  options.add("--dynamic", words.is_wanted, "the motion in time instead; members need a mass");
-  options.add("--history", words.history, "with --dynamic: of the load factor, from time 0; without it step")
+  options.add("--dynamic", words.is_wanted, "compute the motion in time instead; members need a mass");
+  options.add("--history", words.history, "with --dynamic: history of the load factor from time 0 (default step)")
       .one_of({"step", "ramp", "pulse"});
-  options.add("--factor", words.factor, "with --dynamic: the greatest load factor; without it 1");
+  options.add("--factor", words.factor, "with --dynamic: the largest load factor (default 1)");
   options
-      .add("--duration", words.duration, "with --dynamic: in which a ramp rises, or after which a pulse ends")
+      .add("--duration", words.duration, "with --dynamic: time in which a ramp rises, or after which a pulse ends")
       .positive();
   options.add("--time", words.time, "with --dynamic: end of the motion").positive();
-  options.add("--method", words.method, "with --dynamic: the integrator; without it newmark")
+  options.add("--method", words.method, "with --dynamic: the integrator (default newmark)")
       .one_of({methods.begin(), methods.end()});
   options
       .add("--step", words.step,
-           "with --dynamic: time step; without it a two-thousandth of the time, halved until half of it "
-           "changes no displacement by more than a hundredth of the largest")
+           "with --dynamic: time step. Default: 1/2000 of --time, halved until halving it changes no displacement by more than 1/100 of the largest")
       .positive();
-  options.add("--tolerance", words.tolerance, "with --dynamic: for methods that choose their steps")
+  options.add("--tolerance", words.tolerance, "with --dynamic: tolerance of methods with adaptive steps")
       .positive();
   options
       .add("--every", words.every,
-           "with --dynamic: rows at multiples of this time and at the end, by the method's dense output; "
-           "without it each step has one")
+           "with --dynamic: rows at multiples of this time and at the end, by dense output (default: a row for each step)")
       .positive();
 }
 
@@ -243,13 +240,13 @@ void require_none(const DynamicWords& words) {
       std::pair{"--tolerance", words.tolerance.has_value()}, std::pair{"--every", words.every.has_value()}};
   for (const auto& [option, is_typed] : typed) {
     if (is_typed)
-      throw InputError(fmt::format("{}: of a motion in time alone; say --dynamic, or leave it out", option));
+      throw InputError(fmt::format("{}: is for a motion in time; add --dynamic or leave it out", option));
   }
 }
 
 FrameRun run_frame(const FrameFile& file, const frames::NamedFrame& frame, const DynamicWords& words,
                    double seconds) {
-  if (!words.time) throw InputError("--dynamic needs a --time at which it ends");
+  if (!words.time) throw InputError("--dynamic: needs --time T, the end of the motion");
   const LoadHistory history = history_of(words);
   if (words.every && *words.time / *words.every > static_cast<double>(most_rows))
     throw InputError(fmt::format("--every {}: more than {} rows", *words.every, most_rows));
@@ -258,7 +255,7 @@ FrameRun run_frame(const FrameFile& file, const frames::NamedFrame& frame, const
     const ivp::Settings settings = settings_of(words, motion, *words.time);
     if (!words.every && settings.step && *words.time / *settings.step > static_cast<double>(most_rows))
       throw InputError(
-          fmt::format("without --every each of {:.3g} steps has a row, more than {}; say --every",
+          fmt::format("without --every each of {:.3g} steps has a row, more than {}; give --every",
                       *words.time / *settings.step, most_rows));
     return Runs(motion, words, seconds).held(settings);
   } catch (const frames::ModelError& error) {

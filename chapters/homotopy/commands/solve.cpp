@@ -28,14 +28,12 @@ struct Words {
 };
 
 void declare(scene::Options& options, Words& words) {
-  declare_toggle(options, words.toggle, "one does not bow");
-  options.add("--load", words.load, "W on the apex, downwards, pound").required();
-  options.add("--solver", words.solver, "its name; an unknown one lists them");
+  declare_toggle(options, words.toggle, "one element does not bend sideways");
+  options.add("--load", words.load, "load W on the apex, downwards, pound").required();
+  options.add("--solver", words.solver, "name of the solver; an unknown name lists all");
   options
       .add("--tolerance", words.tolerance,
-           "on the residual, below 1; if not given 1e-10, or where that is more, as with very many elements, "
-           "4 "
-           "times what rounding of the displacements makes of it (the bound that is printed)")
+           "tolerance on the residual, below 1. Default: 1e-10, or 4 times the residual that rounding of the displacements causes if that is larger, as with very many elements (the printed bound)")
       .positive();
 }
 
@@ -84,7 +82,7 @@ algebraic::Report run(const algebraic::NamedSolver& method, algebraic::Equations
   }
   const auto names = algebraic::solver_names();
   if (std::find(names.begin(), names.end(), method.name) == names.end())
-    throw InputError(fmt::format("--solver {}: there are {}{}", method.name, fmt::join(names, ", "),
+    throw InputError(fmt::format("--solver {}: no such solver; the solvers are {}{}", method.name, fmt::join(names, ", "),
                                  peers::kinsol_available() ? ", kinsol" : ""));
   return find_root(method, equations, x);
 }
@@ -116,22 +114,19 @@ std::string stability_of(const Standing& s) {
 /// Prints to standard error how the equilibrium found relates to the path from rest.
 void tell(const Standing& s, double height, double drop) {
   if (!s.from_rest.status.ok()) {
-    std::cerr << fmt::format("solve: whether the path from rest leads here is not known: {}\n",
+    std::cerr << fmt::format("solve: it is not known whether the path from rest leads to this equilibrium: {}\n",
                              s.from_rest.status.text());
   } else if (!s.from_rest.events.empty()) {
     const frames::ToggleEvent& e = s.from_rest.events[0];
     std::cerr << fmt::format(
-        "solve: before this load the path from rest meets {}{} at {:.7g} lb and a drop of {:.6g} in, where "
-        "it "
-        "loses its stability; the shape found lies beyond and is {}\n",
+        "solve: before this load the path from rest reaches {}{} at {:.7g} lb and a drop of {:.6g} in, where it loses its stability; the equilibrium found lies beyond it and is {}\n",
         e.kind == algebraic::CriticalPoint::Kind::bifurcation
             ? (e.is_symmetric ? "a symmetric " : "an antisymmetric ")
             : "a ",
         to_string(e.kind), e.load, e.drop, stability_of(s));
   } else if (!(std::abs(s.from_rest.drop - drop) <= 1e-3 * height)) {
     std::cerr << fmt::format(
-        "solve: another equilibrium than the one on the path from rest, which carries this load at a drop of "
-        "{:.6g} in; this one is {}\n",
+        "solve: this equilibrium is not on the path from rest, which carries this load at a drop of {:.6g} in; it is {}\n",
         s.from_rest.drop, stability_of(s));
   }
 }
@@ -165,14 +160,9 @@ std::string solve(const Words& words) {
 void add_solve_command(scene::Commands& all) {
   all.add(
       "solve",
-      "An equilibrium of half a loaded toggle, from rest, as CSV: "
-      "status,deflection,residual,iterations,bound,stability,critical_load. Members, inch and pound as in "
+      "Solve for an equilibrium of half a loaded toggle from rest; prints as CSV status,deflection,residual,iterations,bound,stability,critical_load. Members, inch and pound as in "
       "Table "
-      "2.1. residual: |F| there, relative to half the load, at most the bound; stability: of the whole "
-      "toggle, "
-      "antisymmetric motions included; critical_load: the limit point or bifurcation that the path from rest "
-      "meets before this load, empty if none. Ends with 1 and says why if there is no such equilibrium to "
-      "show",
+      "2.1. residual: |F| relative to half the load, at most the bound; stability: of the whole toggle, including antisymmetric motions; critical_load: load of the limit point or bifurcation on the path from rest before this load, empty if there is none. Exits with 1 and a message if no equilibrium is found",
       declare, solve);
 }
 

@@ -80,15 +80,15 @@ void put_forks(const Walked& w, const std::function<double(const FramePoint&)>& 
 Walked walk_lee() { return walk("lee", 4, {.until = 3, .turn = 0.06}); }
 
 void show_lee(const Walked& lee, scene::Show& show) {
-  scene::Plot& plot = show.plots("Lee's frame: the load turns back, then its displacement");
+  scene::Plot& plot = show.plots("Lee's frame: limit points of the load and of its displacement");
   plot.size(960, 480).columns({"panel", "curve", "x", "y"});
   scene::Panel& path =
-      plot.panel("displacement of the load, downwards, in the file's units", "load factor").key("top left");
+      plot.panel("downward displacement of the load (units of the file)", "load factor").key("top left");
   const auto down = lee.motion("load.y", -1);
   path.x_range(0, 100).y_range(-1.5, 4.4);
   path.curve("path from rest", lee.points(0), down, &FramePoint::load);
   put_forks(lee, down, path);
-  scene::Panel& shapes = plot.panel("x, in the file's units", "y, in the file's units").key("top left");
+  scene::Panel& shapes = plot.panel("x (units of the file)", "y (units of the file)").key("top left");
   shapes.x_range(-40, 264).y_range(-37, 250);
   put_shape(lee, Eigen::VectorXd::Zero(lee.frame.frame.size()), "at rest", scene::thin_lines(8), shapes);
   const FramePoint high = lee.points(Kind::maximum).at(0), low = lee.points(Kind::minimum).at(0);
@@ -114,7 +114,7 @@ void show_lee(const Walked& lee, scene::Show& show) {
 Walked walk_arch() { return walk("shallow-arch", 4, {.until = 60, .branches = 2, .turn = 0.05}); }
 
 void show_arch(const Walked& arch, scene::Show& show) {
-  scene::Plot& plot = show.plots("A shallow arch falls straight, or tilts on its way");
+  scene::Plot& plot = show.plots("Shallow arch: symmetric path, and tilted branch between its bifurcations");
   plot.size(960, 480).columns({"panel", "curve", "x", "y"});
   const auto put = [&](const char* label, const std::function<double(const FramePoint&)>& x, bool is_named) {
     scene::Panel& panel = plot.panel(label, "load factor").key(is_named ? "top left" : "off").y_range(0, 80);
@@ -124,8 +124,8 @@ void show_arch(const Walked& arch, scene::Show& show) {
     panel.curve("tilted to the right", arch.points(2), x, &FramePoint::load, scene::lines(4));
     put_forks(arch, x, panel);
   };
-  put("displacement of the crown, downwards, in the file's units", arch.motion("crown.y", -1), true);
-  put("rotation of the crown, rad", arch.motion("crown.rotation"), false);
+  put("downward displacement of the crown (units of the file)", arch.motion("crown.y", -1), true);
+  put("rotation of the crown (rad)", arch.motion("crown.rotation"), false);
   const auto forks = arch.points(Kind::bifurcation);
   if (forks.size() != 2) throw Failure("shallow arch: other bifurcations than two");
   // oracle: homotopy_frames shallow arch of 32 limit, shallow arch of 32 lower limit
@@ -137,7 +137,7 @@ void show_arch(const Walked& arch, scene::Show& show) {
   show.between("load of the first bifurcation", forks[0].load, 26.5, 27.5,
                "regression value near 27.0, between two places of a displacement-controlled path");
   show.between("drop of the crown at the first bifurcation", arch.motion("crown.y", -1)(forks[0]), 0.74, 0.76,
-               "the same walk");
+               "the same path");
   show.at_most("distance of the end of a tilted branch from the second bifurcation",
                std::abs(arch.points(1).back().load - forks[1].load), 1e-9,
                "both halves join the two bifurcations");

@@ -60,7 +60,7 @@ class Reader {
   void only(std::initializer_list<std::string_view> known) const {
     for (const auto& [key, node] : table_) {
       if (std::find(known.begin(), known.end(), key.str()) == known.end())
-        refuse(&node, fmt::format("{} means nothing here; there are {}", full(quoted_input(key.str())),
+        refuse(&node, fmt::format("{}: no such key; the keys are {}", full(quoted_input(key.str())),
                                   fmt::join(known, ", ")));
     }
   }

@@ -121,7 +121,7 @@ std::vector<scene::ProblemLines> measure(bool quick) {
 
 void put(const std::vector<scene::ProblemLines>& problems, scene::Show& show) {
   scene::show_work_precision(
-      {.heading = "Printed Gaussians lose their digits again, refined intervals keep them",
+      {.heading = "Digits of {/:Italic λ}(0): lost with more nodes by printed Gaussians, not by refinement",
        .digits = "digits of {/:Italic λ}(0)",
        .most_digits = 16,
        .error = "error of the initial co-states",

@@ -73,7 +73,7 @@ void put(const std::vector<const FromGuesses*>& all, scene::Show& show) {
 
 std::vector<scene::Scene> scenes() {
   return {{.name = "from-guesses",
-           .title = "What the printed method finds from zeros and ten random guesses, and at what cost",
+           .title = "Extremals that the printed method finds from zeros and ten random guesses, with their cost",
            .place = "our own, for the claims of section 5.5",
            .content = scene::Content(put, all_printed_results())}};
 }

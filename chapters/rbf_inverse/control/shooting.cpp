@@ -215,7 +215,7 @@ std::vector<scene::Scene> scenes() {
       "guess, its root integrated; a reading is a final time, a guess and what divergence means",
       compute);
   return {{.name = "shooting",
-           .title = "Where single shooting converges, and the printed method from the same guess",
+           .title = "Convergence of single shooting and of the printed method from the same guess",
            .place = "our own, for the claim of section 5.3.5",
            .content = scene::Content(put, rows)}};
 }

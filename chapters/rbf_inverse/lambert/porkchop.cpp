@@ -102,7 +102,7 @@ std::vector<Row> put_minima(const Porkchop& grid, scene::Show& show) {
 }
 
 void put_earth_to_mars(const Porkchop& grid, scene::Show& show) {
-  show.draw(porkchop_map(grid, {.heading = "Earth to Mars, summer of 2003: km/s by departure and arrival",
+  show.draw(porkchop_map(grid, {.heading = "Earth to Mars, 2003: excess speed (km/s) by departure and arrival",
                                 .departure = "departure (days since J2000)",
                                 .arrival = "arrival (days since J2000)",
                                 .speed = "km/s",

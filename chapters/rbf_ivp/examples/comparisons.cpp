@@ -67,7 +67,7 @@ void put(const Example& example, const Comparison& figure, const Records& record
     off += distance(*record, c, figure.component) > visible ? 1 : 0;
   }
   scene::Panel& panel = show.plot(
-      fmt::format("{}: {} of {} runs have left {}", example.title, off, records.size(), figure.symbol),
+      fmt::format("{}: {} of {} runs deviate visibly from {}", example.title, off, records.size(), figure.symbol),
       "{/:Italic t} (s)", figure.symbol);
   std::vector<std::string> labels = figure.methods;
   if (!figure.also_inferred.empty())

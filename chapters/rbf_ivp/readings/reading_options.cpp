@@ -262,7 +262,7 @@ ReadingChoice normalisation(const Printed& printed, const std::vector<Answer>& s
 }
 
 ReadingChoice begin_counted(const Printed& printed, const std::vector<Answer>& steps) {
-  ReadingChoice q{"begin counted in the mean", "4.2 4.4 4.6", "", "yes", {}};
+  ReadingChoice q{"start included in the mean", "4.2 4.4 4.6", "", "yes", {}};
   q.options.push_back({"yes", score(steps, printed, at_step_ends)});
   q.options.push_back({"no", score(steps, printed, [](const Answer& a) {
                          return a.rms(a.inferred_end(), Points::ends, 0, false);

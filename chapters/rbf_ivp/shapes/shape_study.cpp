@@ -216,7 +216,7 @@ void draw_study(const Study& study, int i, scene::Plot& plot) {
 }
 
 void draw(const std::vector<Study>& all, scene::Show& show) {
-  scene::Plot& plot = show.plots("Leave-one-out picks where rounding is; the error does not");
+  scene::Plot& plot = show.plots("Shapes by leave-one-out lie where rounding dominates, unlike those of least error");
   scene::Table data({{"nodes", 3, true},
                      {"shape"},
                      {"inverse"},
@@ -292,7 +292,7 @@ void check_choices(const std::vector<Study>& all, scene::Show& show) {
                  HUGE_VAL, "a scan gained as much; two digits each");
     show.between(fmt::format("gain of the shape of an earlier arc over polynomials, N = {}", n),
                  study.flat / study.of_earlier_arc().stable, 1, 1.001 * gain,
-                 "a loss would speak against it; no shape gains more than the best for this arc");
+                 "no loss expected; no shape gains more than the best for this arc");
   }
 }
 
@@ -322,7 +322,7 @@ std::vector<scene::Scene> scenes() {
       "rounding and without, and shapes chosen by each",
       studies);
   return {{.name = "shape-study",
-           .title = "The shape by leave-one-out cross-validation, and by the error itself",
+           .title = "Shape parameter by leave-one-out cross-validation and by the error",
            .place = "our own, for the claims of section 4.3",
            .content = scene::Content(put, runs)}};
 }

@@ -95,7 +95,7 @@ void tabulate(const std::vector<Line>& lines, scene::Show& show) {
 
 /// Draws the rows from the top down with labels at the left; the key is below the heading.
 void draw(const std::vector<Line>& lines, const Orbit& orbit, double ratio, scene::Show& show) {
-  scene::Plot& plot = show.plots(fmt::format("{}: Analytic-Cont is {} times better than printed", orbit.name,
+  scene::Plot& plot = show.plots(fmt::format("{}: energy error of Analytic-Cont {} times smaller than printed", orbit.name,
                                              scene::format_number(ratio, 2)));
   plot.size(760, 640).data(
       scene::table_of(lines, {{"row", [&](const Line& l) { return &l - lines.data() + 1; }},
@@ -117,7 +117,7 @@ void draw(const std::vector<Line>& lines, const Orbit& orbit, double ratio, scen
       .key("at screen 0.5, screen 0.91 center center horizontal maxrows 1 samplen 1")
       .columns("ours", "ours:row:ytic(stringcolumn('label'))", dots)
       .columns("printed", "published:row", rings);
-  add_panel("time of a run (ms)", 0.72, 0.97)
+  add_panel("time per run (ms)", 0.72, 0.97)
       .set("xtics 100")
       .set("ytics 1")
       .set("format y ''")
@@ -220,7 +220,7 @@ scene::Scene table(const Orbit& orbit) {
   }
   const std::string name = table_of(orbit);
   return {.name = name,
-          .title = fmt::format("{}: energy error and time over 5, 10 and 20 orbits, published beside ours",
+          .title = fmt::format("{}: energy error and time over 5, 10 and 20 orbits, published and recomputed",
                                orbit.name),
           .place = "Table " + name.substr(6),
           .content = scene::Content(put, records)};

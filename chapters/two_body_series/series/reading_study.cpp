@@ -211,7 +211,7 @@ void add_panel(scene::Panel& panel, int first_block, scene::Table& data, const S
 }
 
 void draw(const Study& low, const Study& high, scene::Show& show) {
-  scene::Plot& plot = show.plots("No pair of degrees gives the printed errors with the printed steps");
+  scene::Plot& plot = show.plots("Ratio of errors: no pair of degrees fits the printed errors at the printed steps");
   scene::Table data({{"curve", 3, true}, {"steps"}, {"distance"}});
   scene::Panel& left = plot.panel("steps an orbit", "max(ours/printed, printed/ours) − 1");
   left.x_range(18.8, 25.2).log_y(1e-2, 1e4).set("margins screen 0.12, screen 0.52, screen 0.13, screen 0.74");
@@ -298,7 +298,7 @@ std::vector<scene::Result<EnergyRecord>> ode45_of(const Orbit& orbit) {
 
 std::vector<scene::Scene> scenes() {
   return {{.name = "reading-study",
-           .title = "Which degrees and steps the printed energy errors fit",
+           .title = "Degrees and steps that fit the printed energy errors",
            .place = "our own, for Tables 3.2 and 3.3",
            .content = scene::Content(put, trials_of("leo-readings", low_orbit()),
                                      trials_of("heo-readings", high_orbit()), ode45_of(low_orbit()),
