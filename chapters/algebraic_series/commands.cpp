@@ -19,7 +19,8 @@ struct PoincareOptions {
 };
 
 void declare(scene::Options& options, PoincareOptions& typed) {
-  options.add("--sections", typed.sections, "number of sections, from 1 to 1e7; the first is the initial state")
+  options
+      .add("--sections", typed.sections, "number of sections, from 1 to 1e7; the first is the initial state")
       .range(1, 1e7)
       .required();
   options.add("--initial", typed.initial, "initial state x,v (default -0.5,0)");

@@ -144,9 +144,11 @@ std::vector<scene::Scene> scenes() {
   const scene::Result result(
       "extremes", "steps by the radius of convergence where none is given; at most 2 million steps",
       attempts);
-  return {{.name = "extremes",
-           .title = "Limits of the series: radius of convergence, encounters, stiffness, singular points, branches",
-           .content = scene::Content(put, result)}};
+  return {
+      {.name = "extremes",
+       .title =
+           "Limits of the series: radius of convergence, encounters, stiffness, singular points, branches",
+       .content = scene::Content(put, result)}};
 }
 
 }  // namespace nlmech::chapters::algebraic_series::extremes

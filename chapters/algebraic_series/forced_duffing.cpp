@@ -75,8 +75,8 @@ scene::Table data_of(const Motion& m, double end) {
 }
 
 void put_time(const Motion& m, scene::Show& show) {
-  scene::Plot& plot =
-      show.plots("Forced Duffing: displacement; error of the printed steps above 0.1 before {/:Italic t} = 40");
+  scene::Plot& plot = show.plots(
+      "Forced Duffing: displacement; error of the printed steps above 0.1 before {/:Italic t} = 40");
   plot.stacked({4, 3}).data(data_of(m, 50));
   plot.panel("", "{/:Italic u}").x_range(0, 143).columns("", "tau:u", {"lines linewidth 1.6", 1});
   plot.panel("{/:Italic τ} = {/:Italic t}/{/:Italic T}, {/:Italic T} = 0.35", "error, printed steps")

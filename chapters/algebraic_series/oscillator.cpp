@@ -35,8 +35,8 @@ void put_time(const Motions& m, scene::Show& show) {
     data.add({t, x, m.euler[i].x[0]});
     if (i > 0 && t <= 28.14 && x * m.series[i - 1].x[0] < 0) ++crossings;
   }
-  show.plot("Displacement: forward Euler (h = 0.01 s) departs from the series before 30 s", "{/:Italic t} (s)",
-            "{/:Italic x}")
+  show.plot("Displacement: forward Euler (h = 0.01 s) departs from the series before 30 s",
+            "{/:Italic t} (s)", "{/:Italic x}")
       .x_range(3, 43.2)
       .y_range(-0.8, 0.8)
       .key("below")
@@ -71,10 +71,10 @@ void put_phase(const Motions& m, scene::Show& show) {
 }  // namespace
 
 std::vector<scene::Scene> scenes() {
-  const scene::Result result(
-      "oscillator",
-      "T = 0.125 s and N = 50 as printed; forward Euler with h = 0.01 s, the largest step that departs visibly as late as in the paper",
-      compute);
+  const scene::Result result("oscillator",
+                             "T = 0.125 s and N = 50 as printed; forward Euler with h = 0.01 s, the largest "
+                             "step that departs visibly as late as in the paper",
+                             compute);
   return {{.name = "fig-5",
            .title = "Oscillator with nonlinear damping modulated in time: series and forward Euler",
            .place = "Figure 5",

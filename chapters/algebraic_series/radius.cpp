@@ -122,7 +122,8 @@ void draw(const std::vector<Problem>& all, scene::Show& show) {
     for (std::size_t i = 0; i < p.radii.t.size(); ++i)
       data.add({p.name, p.radii.t[i] / p.radii.t.back(), p.radii.radius[i], p.choices[0].step});
   }
-  scene::Plot& plot = show.plots("Radius of convergence along each solution, above the printed steps (dashed)");
+  scene::Plot& plot =
+      show.plots("Radius of convergence along each solution, above the printed steps (dashed)");
   plot.stacked().size(760, 640).data(std::move(data));
   auto panel = [&, block = 0](const char* caption, double largest, double tics) mutable {
     plot.panel("fraction of the time interval", "radius")

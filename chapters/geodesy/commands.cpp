@@ -72,16 +72,16 @@ void declare_forward(scene::Options& options, Request& request) {
                  "latitude_deg (or latitude, lat), longitude_deg (longitude, lon), height_m "
                  "(height, h)");
   options.footer(
-      "At a pole x = y = 0, so the longitude is lost. If a point is so deep that another point of the ellipsoid is nearer (in the Earth below -6335 km), reverse returns the coordinates that belong to the nearest point.");
+      "At a pole x = y = 0, so the longitude is lost. If a point is so deep that another point of the "
+      "ellipsoid is nearer (in the Earth below -6335 km), reverse returns the coordinates that belong to the "
+      "nearest point.");
 }
 
 void declare_reverse(scene::Options& options, Request& request) {
   options.add("--method", request.method, "full precision, or the series").one_of({"fast", "series"});
   options.add("--order", request.order, "order of the series (default 4)")
       .range(1, nlmech::geodesy::highest_order);
-  options
-      .add("--height", request.height,
-           "height from the series (default) or by projection on the normal")
+  options.add("--height", request.height, "height from the series (default) or by projection on the normal")
       .one_of({"series", "projection"});
   declare_common(options, request, "x, y, z");
   options.footer(
@@ -107,8 +107,8 @@ std::string plain_name(const std::string& text) {
 /// @throws InputError
 Shape parse_ellipsoid(const std::string& text) {
   const auto refuse = [&](const std::string& why) {
-    return input_error("--ellipsoid {}: {}; give {}, or A,F as in 6378137,1/298.257223563", quoted_input(text),
-                       why, names_of_ellipsoids());
+    return input_error("--ellipsoid {}: {}; give {}, or A,F as in 6378137,1/298.257223563",
+                       quoted_input(text), why, names_of_ellipsoids());
   };
   const auto comma = text.find(',');
   if (comma == std::string::npos) {
@@ -216,10 +216,10 @@ std::string reverse_by_series(const Input& in, const Shape& shape, const Request
     const nlmech::geodesy::Reversed found = nlmech::geodesy::reverse(p, shape.ellipsoid, method);
     const SeriesError error = error_of(found.position, closest(p).position, shape.ellipsoid);
     if (found.outcome != Outcome::success || !(error.total <= nlmech::geodesy::largest_relative_miss)) {
-      throw Failure(
-          failed_with(found.outcome == Outcome::success ? Outcome::outside_validity : found.outcome,
-                      "{}, line {}: the series of order {} is not valid at ({:g}, {:g}, {:g}); use --method fast, which is valid everywhere",
-                      in.name, in.points.line[i], order, p.x, p.y, p.z));
+      throw Failure(failed_with(found.outcome == Outcome::success ? Outcome::outside_validity : found.outcome,
+                                "{}, line {}: the series of order {} is not valid at ({:g}, {:g}, {:g}); use "
+                                "--method fast, which is valid everywhere",
+                                in.name, in.points.line[i], order, p.x, p.y, p.z));
     }
     if (error.total > largest.total) {
       largest = error;
@@ -279,7 +279,8 @@ std::string forward(const Request& request) {
   }
   if (beyond > 0)
     scene::print_message(
-        fmt::format("geodesy: note: the point of line {} is so deep that another point of the ellipsoid is nearer; reverse returns the coordinates of the nearest point",
+        fmt::format("geodesy: note: the point of line {} is so deep that another point of the ellipsoid is "
+                    "nearer; reverse returns the coordinates of the nearest point",
                     beyond));
   return out.text();
 }

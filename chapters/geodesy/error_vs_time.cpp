@@ -28,10 +28,10 @@ const char *const fast = "fast", *const geographiclib = "GeographicLib";
 
 /// Line of a method without times.
 scene::MethodLine line_of(const TimedMethod& c) {
-  const bool ours = c.method.starts_with(fast);
+  const bool computed = c.method.starts_with(fast);
   const Group group = c.method.starts_with("series") ? series
                       : c.method == geographiclib    ? library
-                      : ours                         ? (c.batch ? fast_batch : fast_point)
+                      : computed                     ? (c.batch ? fast_batch : fast_point)
                       : c.batch                      ? other_batch
                                                      : other_point;
   return {c.name(), group, {}, group <= fast_point ? scene::Side::subject : scene::Side::peer};
@@ -109,7 +109,8 @@ void put(const scene::ProblemLines& all, scene::Show& show) {
     height = std::max(height, std::get<double>(a.work.front()));
   }
   scene::show_work_precision(
-      {.heading = fmt::format("Latitude to full precision in {:.1f} times the time of two arctangents", batch / floor),
+      {.heading = fmt::format("Latitude to full precision in {:.1f} times the time of two arctangents",
+                              batch / floor),
        .digits = "digits: −log_{10} of max |latitude error| (rad)",
        .least_digits = 7,
        .most_digits = 17,

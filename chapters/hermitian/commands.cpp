@@ -15,7 +15,9 @@ struct PeakOptions {
 };
 
 void declare(scene::Options& options, PeakOptions& typed) {
-  options.add("--problem", typed.problem, "oscillator of the paper: from rest (laier-duffing) or from 0.01 (laier-van-der-pol)")
+  options
+      .add("--problem", typed.problem,
+           "oscillator of the paper: from rest (laier-duffing) or from 0.01 (laier-van-der-pol)")
       .one_of({"laier-duffing", "laier-van-der-pol"})
       .required();
   options.add("--method", typed.method, "author of the operators")

@@ -54,11 +54,12 @@ Branches compute() {
   static_cast<void>(run(unchecked(0.0625), &b.wrong));
   static_cast<void>(run({.relative_tolerance = 1e-8, .absolute_tolerance = 1e-8}, &b.right));
   for (const double step : {0.25, 0.125, 0.0625, 0.03125, 0.015625, 0.0078125, 0.00390625, 0.001953125}) {
-    const auto blind = run(unchecked(step)), seeing = run({.step = step});
-    b.pairs.push_back({step, std::string(to_string(blind.status.outcome())),
-                       std::string(to_string(seeing.status.outcome())),
-                       blind.status.ok() ? std::optional(std::abs(blind.x[0] - reference)) : std::nullopt,
-                       seeing.t});
+    const auto without_check = run(unchecked(step)), with_check = run({.step = step});
+    b.pairs.push_back(
+        {step, std::string(to_string(without_check.status.outcome())),
+         std::string(to_string(with_check.status.outcome())),
+         without_check.status.ok() ? std::optional(std::abs(without_check.x[0] - reference)) : std::nullopt,
+         with_check.t});
   }
   return b;
 }
@@ -67,7 +68,8 @@ void draw(const Branches& b, scene::Show& show) {
   scene::Table data({{"run"}, {"t"}, {"x"}});
   for (const Point& p : b.right) data.add({"right", p.t, p.x});
   for (const Point& p : b.wrong) data.add({"wrong", p.t, p.x});
-  show.plot("Van der Pol: Newton's iteration converges at every step, but to a wrong branch", "time (s)", "{/:Italic x}")
+  show.plot("Van der Pol: Newton's iteration converges at every step, but to a wrong branch", "time (s)",
+            "{/:Italic x}")
       .x_range(0, end)
       .set("bmargin 7")
       .key("at screen 0.55, screen 0.02 center bottom maxrows 2")

@@ -144,7 +144,8 @@ void put(const std::vector<RunEnd>& all, scene::Show& show) {
   const auto silent = std::ranges::count_if(all, [](const RunEnd& f) {
     return f.how.find("estimate") != std::string::npos && f.status == "success" && *f.error > 0.1;
   });
-  show.equals("runs with an estimate that report success far from the solution", silent, 0, "the estimate stops them");
+  show.equals("runs with an estimate that report success far from the solution", silent, 0,
+              "the estimate stops them");
   show.between("runs that end with wrong_branch", std::ranges::count(all, "wrong_branch", &RunEnd::status), 2,
                10, "at least both of mu = 1000 with steps that cannot resolve the fast transition");
   show.between("error of p = 8, h = 0.4, without an estimate",

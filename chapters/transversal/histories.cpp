@@ -47,7 +47,8 @@ void curve(scene::Panel& panel, const std::string& name, const std::vector<Point
 }
 
 void draw(const Histories& all, scene::Show& show) {
-  scene::Plot& plot = show.plots("Displacement at {/:Italic h} = 0.21: RK6 overflows, MTL stays bounded but inaccurate");
+  scene::Plot& plot =
+      show.plots("Displacement at {/:Italic h} = 0.21: RK6 overflows, MTL stays bounded but inaccurate");
   plot.stacked().size(760, 620).columns({"series", "t", "x"});
   for (const Pair& pair : all.pairs) {
     scene::Panel& panel = plot.panel("time (periods of the force)", "{/:Italic x}");

@@ -73,7 +73,8 @@ std::vector<Long> all_runs() {
 
 void put(const std::vector<Long>& all, scene::Show& show) {
   scene::Panel& panel =
-      show.plot("Energy error: no drift of MTL, which is symmetric in time; rk4 and rk6 drift", "time", "relative error of the energy");
+      show.plot("Energy error: no drift of MTL, which is symmetric in time; rk4 and rk6 drift", "time",
+                "relative error of the energy");
   panel.x_range(0, end).log_y(1e-8, 1e-1).key("outside right center");
   show.figure().columns({"series", "t", "error"});
   std::vector<double> middles;

@@ -37,7 +37,8 @@ void declare_mu(scene::Options& options, std::optional<double>& mu) {
 }
 
 void declare_state(scene::Options& options, TypedState& s) {
-  options.add("--position", s.at.position, "position x,y,z from the centre, in any consistent units").required();
+  options.add("--position", s.at.position, "position x,y,z from the centre, in any consistent units")
+      .required();
   options.add("--velocity", s.at.velocity, "velocity x,y,z").required();
   declare_mu(options, s.mu);
 }
@@ -49,8 +50,8 @@ std::string text_of(const orbit::Vector3<double>& v) { return fmt::format("{},{}
 
 void refuse_centre(const orbit::State& s) {
   if (s.position.isZero(0))
-    throw InputError(
-        fmt::format("--position {}: is the centre of attraction; give another position", text_of(s.position)));
+    throw InputError(fmt::format("--position {}: is the centre of attraction; give another position",
+                                 text_of(s.position)));
 }
 
 /// Throws InputError if the state suggests wrong units. Called after all other checks.
@@ -76,9 +77,9 @@ struct Propagation {
 void declare_propagation(scene::Options& options, Propagation& p) {
   options.add("--position", p.position, "position x,y,z from the centre, in any consistent units");
   options.add("--velocity", p.velocity, "velocity x,y,z");
-  options.add(
-      "--states", p.states,
-      "CSV file of initial states (columns x,y,z,vx,vy,vz, optional mu and until, in any order and case); other columns are passed through; - is standard input");
+  options.add("--states", p.states,
+              "CSV file of initial states (columns x,y,z,vx,vy,vz, optional mu and until, in any order and "
+              "case); other columns are passed through; - is standard input");
   declare_mu(options, p.mu);
   options.add("--until", p.until, "final time, from 0; negative: backwards");
   options
@@ -90,16 +91,17 @@ void declare_propagation(scene::Options& options, Propagation& p) {
   options.add("--method", p.method, "kepler is the closed form").one_of({"series", "rkn1210", "kepler"});
   options
       .add("--tolerance", p.tolerance,
-           "error per step, relative to |r| and |v| (default 1e-15). About a point mass rows are compared with Kepler's solution: fewer than six correct digits give a warning, none a failure")
+           "error per step, relative to |r| and |v| (default 1e-15). About a point mass rows are compared "
+           "with Kepler's solution: fewer than six correct digits give a warning, none a failure")
       .range(1e-18, 0.1);
-  options.add("--threads", p.threads, "number of threads for --states (default: one for each processor)").range(1, 1024);
+  options.add("--threads", p.threads, "number of threads for --states (default: one for each processor)")
+      .range(1, 1024);
   options.limit(p.limit, "--states");
 }
 
 orbit::Gravity gravity_of(const Propagation& p) {
   orbit::Gravity gravity{.mu = p.mu.value_or(earth_mu)};
-  if (p.radius && p.zonal.empty())
-    throw input_error("--radius {}: needs --zonal J2[,J3,...]", *p.radius);
+  if (p.radius && p.zonal.empty()) throw input_error("--radius {}: needs --zonal J2[,J3,...]", *p.radius);
   if (p.zonal.empty()) return gravity;
   const std::string zonal = fmt::format("--zonal {}", fmt::join(p.zonal, ","));
   if (!p.radius) throw InputError(zonal + ": needs --radius R");
@@ -121,8 +123,8 @@ void check_method(const Propagation& p) {
 int propagate_all(const Propagation& p) {
   for (const auto& [option, typed] : {std::pair("--position", &p.position), {"--velocity", &p.velocity}}) {
     if (!typed->empty())
-      throw input_error("{} {}: --states {} contains the states; give only one of the two", option, fmt::join(*typed, ","),
-                        p.states);
+      throw input_error("{} {}: --states {} contains the states; give only one of the two", option,
+                        fmt::join(*typed, ","), p.states);
   }
   if (p.method == "rkn1210")
     throw input_error("--method rkn1210: --states takes series or kepler; rkn1210 takes one --position");
@@ -222,10 +224,13 @@ void declare_elements(scene::Options& options, TypedElements& t) {
   options.add("--raan", t.raan, "longitude of the ascending node in degrees").range(-360, 360);
   options.add("--argp", t.argp, "argument of the periapsis in degrees").range(-360, 360);
   options.add("--nu", t.nu, "true anomaly in degrees (default 0)").range(-360, 360);
-  options.add("--eccentric-anomaly", t.eccentric_anomaly,
-              "eccentric anomaly in degrees, in place of --nu; for hyperbolas the hyperbolic anomaly times 180/pi");
-  options.add("--mean-anomaly", t.mean_anomaly, "mean anomaly in degrees, in place of --nu, not for parabolas");
-  options.add("--time-since-periapsis", t.time_since_periapsis, "time since the periapsis, in place of --nu, for any conic");
+  options.add(
+      "--eccentric-anomaly", t.eccentric_anomaly,
+      "eccentric anomaly in degrees, in place of --nu; for hyperbolas the hyperbolic anomaly times 180/pi");
+  options.add("--mean-anomaly", t.mean_anomaly,
+              "mean anomaly in degrees, in place of --nu, not for parabolas");
+  options.add("--time-since-periapsis", t.time_since_periapsis,
+              "time since the periapsis, in place of --nu, for any conic");
   declare_mu(options, t.mu);
 }
 
@@ -318,7 +323,8 @@ std::string state(const TypedElements& t) {
   refuse_other_units(shape, s, t.mu);
   if (const double lost = lost_by_rounding(t, s); lost > 1e-6)
     scene::print_message(fmt::format(
-        "two_body_series: {} {}: rounding of e or nu changes the position by {:.1g} of its distance; --a and --q with --time-since-periapsis, as printed by elements, determine it to rounding",
+        "two_body_series: {} {}: rounding of e or nu changes the position by {:.1g} of its distance; --a and "
+        "--q with --time-since-periapsis, as printed by elements, determine it to rounding",
         shape, place, lost));
   return fmt::format("x,y,z,vx,vy,vz\n{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g}\n", s.position[0],
                      s.position[1], s.position[2], s.velocity[0], s.velocity[1], s.velocity[2]);
@@ -331,12 +337,14 @@ void commands(scene::Commands& all) {
       "propagate",
       "Propagate an orbit; prints t,x,y,z,vx,vy,vz as CSV (with --states: row,t,x,y,z,vx,vy,vz,...,status)",
       declare_propagation, propagate);
-  all.add(
-      "elements",
-      fmt::format("Print the classical elements of a state, angles in degrees, as CSV: {}. The command state recovers the state from a, q (for parabolas q and e = 1), the angles and time_since_periapsis",
-                  element_columns),
-      declare_state, elements);
-  all.add("state", "Print the state of given classical elements as CSV: x,y,z,vx,vy,vz", declare_elements, state);
+  all.add("elements",
+          fmt::format(
+              "Print the classical elements of a state, angles in degrees, as CSV: {}. The command state "
+              "recovers the state from a, q (for parabolas q and e = 1), the angles and time_since_periapsis",
+              element_columns),
+          declare_state, elements);
+  all.add("state", "Print the state of given classical elements as CSV: x,y,z,vx,vy,vz", declare_elements,
+          state);
 }
 
 }  // namespace nlmech::chapters::two_body_series

@@ -1,4 +1,4 @@
-# How every solver ended under every load: a row a solver, a column a load.
+# Outcome of each solver (row) under each load (column).
 #
 #   gnuplot -e "data='results/homotopy/solvers.csv'; solvers='20'; width='900'; height='700'" \
 #       figures/style.gp figures/templates/homotopy-solvers.gp > out.svg

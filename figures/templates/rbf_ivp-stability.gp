@@ -1,4 +1,4 @@
-# Every method on stiff problems: the largest step of use, or the digits at a tolerance, or how it fails.
+# Every method on stiff problems: the largest usable step, or the digits at a tolerance, or the failure.
 #
 #   gnuplot -e "data='results/rbf_ivp/stability.csv'; rows_fixed='13'; rows_adaptive='14'; height='620'" \
 #       figures/style.gp figures/templates/rbf_ivp-stability.gp > out.svg

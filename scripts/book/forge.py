@@ -1,4 +1,4 @@
-"""The chapters' pages as forges show them, tracked as docs/chapters/<chapter>.md: the page maker of the book, writing Markdown.
+"""The chapters' pages for GitHub and other forges, tracked as docs/chapters/<chapter>.md: the page maker of the book, writing Markdown.
 
   python3 scripts/book/forge.py write SOURCE OUT CHAPTER...   writes them, with the numbers and tables of OUT
   python3 scripts/book/forge.py check SOURCE OUT CHAPTER...   exit code 1 if one is not what it would write, line by line
@@ -150,7 +150,7 @@ class ForgePage(Page):
 
 
 def with_forge_formulas(page):
-    r"""\f$ \f$ and \f[ \f] as GitHub's kin show them. A formula is closed on the line on which it begins."""
+    r"""\f$ \f$ and \f[ \f] in the form of GitHub and similar forges. A formula ends on the line on which it starts."""
     page = re.sub(r"\\f\$(.*?)\\f\$", lambda formula: f"$`{' '.join(formula[1].split())}`$", page, flags=re.DOTALL)
     return re.sub(r"^([ \t]*)\\f\[(.*?)\\f\]",
                   lambda formula: f"{formula[1]}```math\n{formula[1]}{formula[2].strip()}\n{formula[1]}```",
@@ -158,7 +158,7 @@ def with_forge_formulas(page):
 
 
 def plain_number(text):
-    """The number at the start of a result as a page shows it, and what stands behind it; None for words."""
+    """The number at the start of a result as a page shows it, and the text after it; None if it starts with text."""
     for shown, meant in (("&nbsp;", ""), ("&minus;", "-"), ("\u202f", ""), ("\\,", ""), (" ", "")):
         text = text.replace(shown, meant)
     match = NUMBER.fullmatch(text)
@@ -179,19 +179,19 @@ def without_marks(made):
 
 
 def disagreement(made, kept):
-    """In what does the kept line differ from what was made, results as far as they must agree? Empty if in nothing."""
+    """How the tracked line differs from the generated one; results are compared with their tolerance. Empty if they agree."""
     parts = SPAN.split(made)  # text, kind, result, text, ...
     pattern = "(.*?)".join(re.escape(text) for text in parts[::3])
     match = re.fullmatch(pattern, kept)
     if not match:
-        return f"the page says\n  {kept}\nand would say\n  {without_marks(made)}"
+        return f"the page has\n  {kept}\nand should have\n  {without_marks(made)}"
     pairs = [f"{found} on the page, {result} now" for kind, result, found in zip(parts[1::3], parts[2::3], match.groups())
              if kind == COMPUTED and not agree(result, found)]
     return "; ".join(pairs)
 
 
 def differences(made, kept):
-    """(line, in what it differs) for all that do, lines from 1; of texts that differ in length the first alone."""
+    """(line from 1, difference) for all lines that differ; only the first if the numbers of lines differ."""
     made, kept = made.split("\n"), kept.split("\n")
     found = [(number, words) for number, lines in enumerate(zip(made, kept), 1) if (words := disagreement(*lines))]
     if len(made) == len(kept):

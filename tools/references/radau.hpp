@@ -110,7 +110,7 @@ inline Eigen::MatrixXd step_derivative(const Eigen::MatrixXd& a, double h,
   return m.partialPivLu().solve(begin).bottomRows(n);
 }
 
-/// One step of the walk.
+/// One step of the integration.
 template <class Real>
 struct RadauStep {
   Real end;                    ///< time
@@ -118,7 +118,7 @@ struct RadauStep {
   Eigen::MatrixXd derivative;  ///< of the end by the start
 };
 
-/// Walks along the solution of a stiff problem, to each of @p times in turn.
+/// Integrates a stiff problem to each of @p times.
 /// @param problem right-hand side for Real, and for dual numbers
 /// @param stages 2 stages - 1 is the order
 /// @param tolerance of the last coefficient of a step's polynomial, relative to the components

@@ -35,9 +35,10 @@ struct Craft {
 
 /// Declares --spacecraft and, with @p with_gains, --gains.
 void declare_craft(scene::Options& options, Craft& craft, bool with_gains = true) {
-  options.add(
-      "--spacecraft", craft.file,
-      "TOML file (- is standard input) with hub_inertia, mass_per_length, youngs_modulus, length, hub_radius, second_moment, tip_mass, tip_inertia in any consistent units; options and results have the same units. Default, also for missing keys: Table 3.1 in slug, ft, lb, s");
+  options.add("--spacecraft", craft.file,
+              "TOML file (- is standard input) with hub_inertia, mass_per_length, youngs_modulus, length, "
+              "hub_radius, second_moment, tip_mass, tip_inertia in any consistent units; options and results "
+              "have the same units. Default, also for missing keys: Table 3.1 in slug, ft, lb, s");
   if (with_gains)
     options.add("--gains", craft.gains, "k1,k2,k3 of u = -k1 (theta - theta_f) - k2 (r S0 - M0) - k3 theta'");
 }
@@ -186,8 +187,11 @@ std::string print_zeros(const FrequencyOptions& typed) {
   const spacecraft::Plant plant(craft);
   if (typed.at.empty()) return table_of(on_axis(spacecraft::hub_zeros(plant, count)), count);
   const std::vector<Place> places = typed_places("--at", typed.at, craft);
-  if (places.size() != 1) throw InputError(fmt::format("--at {}: several places; give one, whose zeros are found", typed.at));
-  if (places[0].x == 0) throw InputError(fmt::format("--at {}: the deflection at the root is 0 for every s; give a distance above 0", typed.at));
+  if (places.size() != 1)
+    throw InputError(fmt::format("--at {}: several places; give one, whose zeros are found", typed.at));
+  if (places[0].x == 0)
+    throw InputError(fmt::format(
+        "--at {}: the deflection at the root is 0 for every s; give a distance above 0", typed.at));
   const std::vector<Complex> found = deflection_zeros(plant, places[0].x, count);
   if (found.size() < std::size_t(count))
     throw Failure(
@@ -253,8 +257,7 @@ spacecraft::TimeResponse respond(const StepOptions& typed, const spacecraft::Par
                                  const std::vector<double>& places) {
   if (!typed.craft.gains.empty())
     return step_response(typed_loop(craft, typed.craft.gains), typed.angle.value_or(1), places);
-  if (typed.angle)
-    throw InputError(fmt::format("--final-angle {}: needs --gains k1,k2,k3", *typed.angle));
+  if (typed.angle) throw InputError(fmt::format("--final-angle {}: needs --gains k1,k2,k3", *typed.angle));
   return torque_response(spacecraft::Plant(craft), 1, places);
 }
 
@@ -314,20 +317,25 @@ std::string print_optimal(const OptimalOptions& typed) {
 
 void commands(scene::Commands& all) {
   all.add("poles",
-          "Print the poles of theta/u, or with --gains of the closed loop, as CSV: index,real,imag (1/s); imaginary part 0 or more, in order of modulus, without the double pole at 0",
+          "Print the poles of theta/u, or with --gains of the closed loop, as CSV: index,real,imag (1/s); "
+          "imaginary part 0 or more, in order of modulus, without the double pole at 0",
           declare_poles, print_poles);
   all.add("zeros",
-          "Print the zeros of theta/u, or with --at of y/u at that place, as CSV: index,real,imag (1/s); imaginary part 0 or more, in order of modulus; gains do not change them",
+          "Print the zeros of theta/u, or with --at of y/u at that place, as CSV: index,real,imag (1/s); "
+          "imaginary part 0 or more, in order of modulus; gains do not change them",
           declare_zeros, print_zeros);
   all.add("response",
-          "Print theta/u and y/u at s = j omega, or with --gains theta/theta_f and y/theta_f, as CSV: omega,theta_re,theta_im,y@X_re,y@X_im,...",
+          "Print theta/u and y/u at s = j omega, or with --gains theta/theta_f and y/theta_f, as CSV: "
+          "omega,theta_re,theta_im,y@X_re,y@X_im,...",
           declare_response, print_response);
   all.add("step",
-          "Print the motion from rest under a unit torque, or with --gains to a target angle, computed by residues, as CSV: "
+          "Print the motion from rest under a unit torque, or with --gains to a target angle, computed by "
+          "residues, as CSV: "
           "t,theta,theta_dot,y@X,ydot@X; in the spacecraft's units, s, rad and ft for Table 3.1",
           declare_step, print_step);
   all.add("optimal-gains",
-          "Print the gains that minimise int (theta - theta_f)^2 + W y(L)^2 + R u^2 dt for a rotation by 1 rad, as CSV: "
+          "Print the gains that minimise int (theta - theta_f)^2 + W y(L)^2 + R u^2 dt for a rotation by 1 "
+          "rad, as CSV: "
           "k1,k2,k3,cost",
           declare_optimal, print_optimal);
 }

@@ -69,8 +69,9 @@ Gains with_load(Gains gains, double k2) {
 }
 
 void draw(const DiscreteModel& model, scene::Show& show) {
-  scene::Panel& panel = show.plot("Integrals against {/:Italic k}_2: no extremum where {/:Italic k}_2 changes its sign", "{/:Italic k}_2",
-                                  "integral over that at {/:Italic k}_2 = 0");
+  scene::Panel& panel =
+      show.plot("Integrals against {/:Italic k}_2: no extremum where {/:Italic k}_2 changes its sign",
+                "{/:Italic k}_2", "integral over that at {/:Italic k}_2 = 0");
   panel.x_range(-2, 4).y_range(0, 4);
   show.figure().columns({"curve", "panel", "x", "y"});
   const Parameters p = craft(true);

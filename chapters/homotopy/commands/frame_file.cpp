@@ -113,7 +113,8 @@ class Reader {
     for (const std::string& name : cases_) names.append(names.empty() ? "" : ", ").append(quoted_input(name));
     if (single != nullptr && !cases_.empty())
       throw InputError(
-          fmt::format("{}, line {}: loads or displacements without a case beside cases ({}); put all of them under a case, or none",
+          fmt::format("{}, line {}: loads or displacements without a case beside cases ({}); put all of them "
+                      "under a case, or none",
                       file_.name, single->source().begin.line, quoted_input(names, 400)));
     if (case_ && !cases_.contains(*case_))
       throw InputError(fmt::format(
@@ -175,7 +176,8 @@ class Reader {
   void read_node(const std::string& name, const toml::node& node) {
     const std::string key = "nodes." + name;
     const toml::array* const place = node.as_array();
-    if (place == nullptr || place->size() != 2) complain(node, key, "must be a position of two numbers, [x, y]");
+    if (place == nullptr || place->size() != 2)
+      complain(node, key, "must be a position of two numbers, [x, y]");
     file_.model.nodes.push_back({name, number((*place)[0], key), number((*place)[1], key)});
     note_line(ModelPart::nodes, node);
   }
@@ -208,7 +210,8 @@ class Reader {
         hinges = texts(*node, key);
         hinges_at = node;
       } else {
-        complain(*node, key, "no such key; the keys of a member are nodes, EA, EI, hinges, elements, radius, mass");
+        complain(*node, key,
+                 "no such key; the keys of a member are nodes, EA, EI, hinges, elements, radius, mass");
       }
     }
     for (const std::string_view key : {"nodes", "EA", "EI"}) {
@@ -291,7 +294,8 @@ class Reader {
                     const NamedNumber& first, const NamedNumber& second) const {
     for (const auto& [word, value] : table_of(node, key, what)) {
       if (word != first.first && word != second.first)
-        complain(*value, key + "." + word, fmt::format("no such key; the keys are {}, {}", first.first, second.first));
+        complain(*value, key + "." + word,
+                 fmt::format("no such key; the keys are {}, {}", first.first, second.first));
       *(word == first.first ? first : second).second = number(*value, key + "." + word);
     }
   }

@@ -21,7 +21,7 @@ using frames::FramePoint;
 using Kind = FramePoint::Kind;
 
 /// A shipped frame and its equilibrium paths.
-struct Walked {
+struct TracedPath {
   frames::NamedFrame frame;
   frames::FramePaths paths;
 
@@ -51,7 +51,7 @@ struct Walked {
 };
 
 /// Traces the equilibrium paths of a file of chapters/homotopy/frames. @throws Failure if tracing fails
-Walked walk(const std::string& name, int elements, const frames::PathOptions& how) {
+TracedPath trace(const std::string& name, int elements, const frames::PathOptions& how) {
   const auto file = scene::data_folder() / "chapters" / "homotopy" / "frames" / (name + ".toml");
   frames::NamedFrame frame = build(parse_frame(scene::read_whole(file), name + ".toml").model, elements);
   frames::FramePaths paths = equilibrium_paths(frame, how);
@@ -59,14 +59,14 @@ Walked walk(const std::string& name, int elements, const frames::PathOptions& ho
   return {std::move(frame), std::move(paths)};
 }
 
-void put_shape(const Walked& w, const Eigen::VectorXd& x, const std::string& name, const scene::Look& look,
-               scene::Panel& panel) {
+void put_shape(const TracedPath& w, const Eigen::VectorXd& x, const std::string& name,
+               const scene::Look& look, scene::Panel& panel) {
   const Shape shape = shape_of(w.frame.frame, x);
   panel.curve(name, shape.x, shape.y, look);
 }
 
 /// Draws the limit and bifurcation points of the path from rest.
-void put_forks(const Walked& w, const std::function<double(const FramePoint&)>& x, scene::Panel& panel) {
+void put_forks(const TracedPath& w, const std::function<double(const FramePoint&)>& x, scene::Panel& panel) {
   for (const auto& [kind, style] :
        {std::pair{Kind::maximum, 5}, {Kind::minimum, 4}, {Kind::bifurcation, 3}}) {
     if (!w.points(kind).empty())
@@ -77,9 +77,9 @@ void put_forks(const Walked& w, const std::function<double(const FramePoint&)>& 
 
 // ------------------------------------------------------------------------------------------- Lee's frame
 
-Walked walk_lee() { return walk("lee", 4, {.until = 3, .turn = 0.06}); }
+TracedPath trace_lee() { return trace("lee", 4, {.until = 3, .turn = 0.06}); }
 
-void show_lee(const Walked& lee, scene::Show& show) {
+void show_lee(const TracedPath& lee, scene::Show& show) {
   scene::Plot& plot = show.plots("Lee's frame: limit points of the load and of its displacement");
   plot.size(960, 480).columns({"panel", "curve", "x", "y"});
   scene::Panel& path =
@@ -111,9 +111,9 @@ void show_lee(const Walked& lee, scene::Show& show) {
 
 // ----------------------------------------------------------------------------------------- shallow arch
 
-Walked walk_arch() { return walk("shallow-arch", 4, {.until = 60, .branches = 2, .turn = 0.05}); }
+TracedPath trace_arch() { return trace("shallow-arch", 4, {.until = 60, .branches = 2, .turn = 0.05}); }
 
-void show_arch(const Walked& arch, scene::Show& show) {
+void show_arch(const TracedPath& arch, scene::Show& show) {
   scene::Plot& plot = show.plots("Shallow arch: symmetric path, and tilted branch between its bifurcations");
   plot.size(960, 480).columns({"panel", "curve", "x", "y"});
   const auto put = [&](const char* label, const std::function<double(const FramePoint&)>& x, bool is_named) {
@@ -147,10 +147,10 @@ void show_arch(const Walked& arch, scene::Show& show) {
 
 std::vector<scene::Scene> scenes() {
   const scene::Result lee("lee-path", "Lee's frame, chapters/homotopy/frames/lee.toml, 20 elements a member",
-                          walk_lee);
+                          trace_lee);
   const scene::Result arch("shallow-arch-paths",
                            "chapters/homotopy/frames/shallow-arch.toml, 16 elements a half, both branches",
-                           walk_arch);
+                           trace_arch);
   return {{.name = "lee-frame",
            .title = "Lee's frame: its whole path, with limit points of the load and of the displacement",
            .content = scene::Content(show_lee, lee)},

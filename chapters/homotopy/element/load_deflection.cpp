@@ -157,7 +157,8 @@ void published_loads(scene::Show& show) {
       published(near_load, "element", *element, 42.435492120383, 0.621922545486),
       published(last_load, "Williams", *williams, 42.771896097273, 0.636310193301),
       published(last_load, "element", *element, 42.435492120383, 0.623070489)};
-  scene::Panel& panel = show.plot("Load against deflection: both published loads exceed the limit load", drop_label, load_label);
+  scene::Panel& panel = show.plot("Load against deflection: both published loads exceed the limit load",
+                                  drop_label, load_label);
   panel.key("below").x_range(0, 0.75).y_range(24, 48);
   draw(panel, *williams, *element, 0.75, scene::lines);
   panel.curve("43.79 and 44 lb", {0, 0.75}, {near_load, near_load}, scene::lines(3));

@@ -171,8 +171,8 @@ void draw(const std::vector<Toggle>& toggles, scene::Show& show) {
   const auto passed =
       std::ranges::count_if(last, [](const scene::MethodLine& l) { return l.least_error() < 1; });
   scene::show_work_precision(
-      {.heading =
-           fmt::format("Digits against time: with 16 elements {} of {} solvers pass the limit point", passed, last.size()),
+      {.heading = fmt::format("Digits against time: with 16 elements {} of {} solvers pass the limit point",
+                              passed, last.size()),
        .digits = "digits of the deflection",
        .most_digits = 17.5,
        .error = "error of the deflection",

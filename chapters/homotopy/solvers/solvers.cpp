@@ -212,8 +212,9 @@ void check_counts(const Solvers& s, scene::Show& show) {
   for (std::size_t k = 0; k < loads.size(); ++k)
     show.between(fmt::format("solvers that find an equilibrium, {}", loads[k].label), s.reached(k), 5,
                  k == above_fold ? 5 : static_cast<double>(s.names.size()),
-                 k == above_fold ? "the five above; all others stop at a minimum of |F| of 1e-9"
-                                 : "five follow a path or minimise the energy; results of the others depend on rounding");
+                 k == above_fold
+                     ? "the five above; all others stop at a minimum of |F| of 1e-9"
+                     : "five follow a path or minimise the energy; results of the others depend on rounding");
 }
 
 void put(const Solvers& s, scene::Show& show) {
@@ -231,7 +232,9 @@ std::vector<scene::Scene> scenes() {
       "half a toggle of one and four beam-columns a member from rest, under loads next to the limit load and "
       "past it, by every solver with its usual options, at most 2500 steps",
       compute);
-  return {{.name = "solvers", .title = "Iterations of each solver on each load", .content = scene::Content(put, result)}};
+  return {{.name = "solvers",
+           .title = "Iterations of each solver on each load",
+           .content = scene::Content(put, result)}};
 }
 
 }  // namespace nlmech::chapters::homotopy::solvers

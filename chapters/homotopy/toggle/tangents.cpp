@@ -35,8 +35,8 @@ std::vector<double> newton_iterates(double x, int count) {
 }
 
 void flat_slope(scene::Show& show) {
-  scene::Panel& panel =
-      show.plot("Newton's iteration: large steps where the slope of {/:Italic F} is small", "{/:Italic x}", "{/:Italic F}");
+  scene::Panel& panel = show.plot("Newton's iteration: large steps where the slope of {/:Italic F} is small",
+                                  "{/:Italic x}", "{/:Italic F}");
   panel.key("top left").x_range(-3, 4).y_range(-3, 8);
   std::vector<double> grid, zigzag_x, zigzag_y;
   for (int i = 0; i <= 200; ++i) grid.push_back(-3 + 0.03 * i);
@@ -121,8 +121,9 @@ void limit_point(scene::Show& show) {
     const double height = load(from) + curve->stiffness(from) * (to - from) - near_load;
     defect = std::max(defect, std::abs(height) / near_load);
   }
-  scene::Panel& panel = show.plot("Newton's iteration under a load above the maximum: stays near the limit point",
-                                  "deflection of the apex {/:Italic δ} (in)", "load {/:Italic W} (lb)");
+  scene::Panel& panel =
+      show.plot("Newton's iteration under a load above the maximum: stays near the limit point",
+                "deflection of the apex {/:Italic δ} (in)", "load {/:Italic W} (lb)");
   panel.key("bottom right").x_range(0, 0.75).y_range(0, 60);
   panel.note("maximum, 42.77 lb", limits.maximum.deflection, 47.5, "center");
   panel.curve("load of 43.79 lb", {-0.05, 0.75}, {near_load, near_load}, scene::lines(3))

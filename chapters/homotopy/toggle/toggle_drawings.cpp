@@ -109,10 +109,11 @@ void draw_deflected(scene::Show& show) {
   drawing.text("{/:Italic s′}", fallen + Spot{-0.55, 0.35});
   drawing.joint(fallen);
   const double n = -k * k, force = frames::stability_functions<double>(n).antisymmetric.value + n;
-  show.draw(drawing.take({{"heading", "Symmetric deformation: the apex does not rotate, each member bends to an S"},
-                          {"xrange", "[-10:10]"},
-                          {"yrange", "[-1.2:5]"},
-                          {"height", "290"}}));
+  show.draw(
+      drawing.take({{"heading", "Symmetric deformation: the apex does not rotate, each member bends to an S"},
+                    {"xrange", "[-10:10]"},
+                    {"yrange", "[-1.2:5]"},
+                    {"height", "290"}}));
   show.near("transverse force of the drawn shape over 6 EI d_5 delta/l^3", sway.d * k * k * k / force, 1,
             1e-13, "the beam-column's differential equation solved in closed form; some hundred roundings");
 }

@@ -35,15 +35,16 @@ struct Arc {
 };
 
 void declare_arc(scene::Options& options, Arc& a) {
-  options.add("--from", a.problem.from, "x,y,z of the departure from the centre, in any consistent units").required();
+  options.add("--from", a.problem.from, "x,y,z of the departure from the centre, in any consistent units")
+      .required();
   options.add("--to", a.problem.to, "x,y,z of the arrival").required();
   options.add("--time", a.problem.time, "time of flight").positive().required();
   options
-      .add("--mu", a.mu,
-           fmt::format("gravitational parameter (default {}, the Earth's)", orbit::earth().mu))
+      .add("--mu", a.mu, fmt::format("gravitational parameter (default {}, the Earth's)", orbit::earth().mu))
       .positive();
   options.add("--long-way", a.long_way, "transfer by more than 180 degrees");
-  options.add("--revolutions", a.revolutions, "number of complete revolutions before the arrival").range(0, 1e6);
+  options.add("--revolutions", a.revolutions, "number of complete revolutions before the arrival")
+      .range(0, 1e6);
   options.add("--branch", a.branch, "of an arc of one or more revolutions; low: the smaller semi-major axis")
       .one_of({"low", "high"});
   options.add("--plane", a.plane, "nx,ny,nz: normal of the plane; only for opposite positions");
@@ -82,7 +83,8 @@ orbit::TransferProblem problem_of(const Arc& a) {
   p.gravity.mu = a.mu.value_or(orbit::earth().mu);
   for (const auto& [option, r] : {std::pair("--from", p.from), {"--to", p.to}}) {
     if (r.isZero(0))
-      throw InputError(fmt::format("{} {}: is the centre of attraction; give another position", option, text_of(r)));
+      throw InputError(
+          fmt::format("{} {}: is the centre of attraction; give another position", option, text_of(r)));
   }
   if (!a.plane.empty()) {
     const std::string typed = fmt::format("--plane {}", fmt::join(a.plane, ","));
@@ -111,7 +113,8 @@ orbit::LambertArc arc_of(const Arc& a) {
 orbit::Transfer by_collocation(const orbit::TransferProblem& p, const orbit::LambertArc& arc) {
   if (arc.revolutions > 0)
     throw InputError(
-        fmt::format("--method collocation --revolutions {}: collocation has no initial guess for complete revolutions; use --method izzo",
+        fmt::format("--method collocation --revolutions {}: collocation has no initial guess for complete "
+                    "revolutions; use --method izzo",
                     arc.revolutions));
   if (arc.long_way)
     throw InputError(
@@ -161,8 +164,9 @@ void declare_grid(scene::Options& options, Grid& g) {
       .required();
   options.add("--grid", g.grid, "NxM: departures and arrivals").required();
   options.add("--threads", g.threads, "number of threads; 0: one for each processor").range(0, 1024);
-  options.add("--plot", g.plot,
-              "also draw the grid to <name of the TOML file>.svg in this folder; replaces only an older picture");
+  options.add(
+      "--plot", g.plot,
+      "also draw the grid to <name of the TOML file>.svg in this folder; replaces only an older picture");
   options.footer(porkchop_keys());
 }
 
@@ -233,7 +237,8 @@ void porkchop(const Grid& g) {
   if (!grid.status.ok()) throw Failure(grid.status);
   if (std::ranges::none_of(grid.cells, &orbit::PorkchopCell::exists))
     scene::print_message(
-        "rbf_inverse: no cell has a transfer: no arrival is later than its departure, or both positions are in the same direction from the centre");
+        "rbf_inverse: no cell has a transfer: no arrival is later than its departure, or both positions are "
+        "in the same direction from the centre");
   scene::print_result(porkchop_csv(grid));
   if (picture.wanted()) picture.draw([&] { return porkchop_map(grid, plain_axes(grid)); });
 }
@@ -242,10 +247,13 @@ void porkchop(const Grid& g) {
 
 void add_lambert_commands(scene::Commands& all) {
   all.add("lambert",
-          "Solve Lambert's problem: the orbit from one position to another in a given time; prints as CSV vx0,vy0,vz0,vx1,vy1,vz1,miss. The departure is integrated by another method; a miss above a millionth of the distance is a failure",
+          "Solve Lambert's problem: the orbit from one position to another in a given time; prints as CSV "
+          "vx0,vy0,vz0,vx1,vy1,vz1,miss. The departure is integrated by another method; a miss above a "
+          "millionth of the distance is a failure",
           declare_arc, lambert);
   all.add("porkchop",
-          "Print the excess speeds of transfers between two orbits over a grid of times as CSV: departure,arrival,v_departure,v_arrival,revolutions",
+          "Print the excess speeds of transfers between two orbits over a grid of times as CSV: "
+          "departure,arrival,v_departure,v_arrival,revolutions",
           declare_grid, porkchop);
 }
 

@@ -89,7 +89,8 @@ TypedBoundary::TypedBoundary(program::Equations equations, double from, double u
     throw InputError("--equation: give values at a time, such as x(0) = 1, by --begin and --end");
   if (equations_.final_time() || !equations_.lower_bounds().empty() || !equations_.conserved().empty())
     throw InputError(
-        "--equation: end, bounds and conserved quantities are for initial value problems; give the end by --until");
+        "--equation: end, bounds and conserved quantities are for initial value problems; give the end by "
+        "--until");
   slopes_ = Program(equations_.graph(), equations_.slopes());
   constexpr std::size_t most_jumps = 200;  // each jump adds one condition per component
   const std::vector<double> jumps =
@@ -99,8 +100,9 @@ TypedBoundary::TypedBoundary(program::Equations equations, double from, double u
   end_ = conditions_of("--end", end);
   const std::size_t given = begin_.outputs() + end_.outputs(), needed = names().size();
   if (given != needed)
-    throw input_error("--begin, --end: {} conditions, but the state has {} components, {}; give one condition for each",
-                      given, needed, quoted_input(fmt::format("{}", fmt::join(names(), ", ")), 200));
+    throw input_error(
+        "--begin, --end: {} conditions, but the state has {} components, {}; give one condition for each",
+        given, needed, quoted_input(fmt::format("{}", fmt::join(names(), ", ")), 200));
 }
 
 Program TypedBoundary::conditions_of(const char* option, const std::string& text) {
@@ -136,7 +138,8 @@ bvp::Start TypedBoundary::guess(const std::string& text) const {
       const std::size_t equals = piece.find('=');
       const auto at = std::ranges::find(names(), trimmed(piece.substr(0, equals)));
       if (equals == std::string::npos || at == names().end())
-        throw input_error("--guess {}: must begin with a component and =; the components are {}", quoted_input(piece),
+        throw input_error("--guess {}: must begin with a component and =; the components are {}",
+                          quoted_input(piece),
                           quoted_input(fmt::format("{}", fmt::join(names(), ", ")), 200));
       std::optional<Program>& one = (*known)[static_cast<std::size_t>(at - names().begin())];
       if (one) throw input_error("--guess {}: {} is given twice", quoted_input(piece), *at);

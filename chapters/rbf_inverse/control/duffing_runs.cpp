@@ -187,7 +187,8 @@ scene::Result<bvp::Multistart> extremals(DuffingCase which, double final_time) {
 scene::Result<FromGuesses> printed_results(const DuffingSubject& subject, double final_time) {
   return {fmt::format("printed-{}-T{:g}", to_string(subject.which), final_time),
           fmt::format("T = {:g}, S = I; 40 LGL nodes, Newton's iteration from zeros and ten random guesses "
-                      "(independent at the nodes in +-1, or constant in +-5), 60 iterations at most; errors against the trajectory integrated from the same initial values at 1e-13",
+                      "(independent at the nodes in +-1, or constant in +-5), 60 iterations at most; errors "
+                      "against the trajectory integrated from the same initial values at 1e-13",
                       final_time),
           [&subject, final_time] { return solve_from_guesses(subject, final_time); }};
 }

@@ -139,7 +139,8 @@ void put(const Extremes& all, scene::Show& show) {
     if (!r.estimate)
       show.at_most("lowest cost, " + r.task, cost, 14.5, "staying at rest costs (5^2 + 2^2)/2");
     else if (r.known)
-      show.at_most("lowest cost, " + r.task, cost, r.most, "regression value, its digits; a lower cost is an improvement");
+      show.at_most("lowest cost, " + r.task, cost, r.most,
+                   "regression value, its digits; a lower cost is an improvement");
   }
   show.equals("are two values at one end refused as infeasible?", all.rows.back().status == "infeasible", 1,
               "x1(0) = 0 and x1(0) = 1");

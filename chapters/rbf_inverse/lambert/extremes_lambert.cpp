@@ -169,7 +169,8 @@ void put(scene::Show& show) {
     if (t.extreme.label == "parabola") parabola = std::abs(t.solution.reciprocal_axis);
   }
   show.equals("cases that end as they must", right, static_cast<double>(trials.size()),
-              "0 and 360 degrees, 180 without a plane, times that double precision cannot distinguish and times too short for the revolutions are refused, all others solved");
+              "0 and 360 degrees, 180 without a plane, times that double precision cannot distinguish and "
+              "times too short for the revolutions are refused, all others solved");
   show.at_most("largest miss over kappa eps, positions and velocities", worst, 8,
                "what the method states; integrated in 50 digits, kappa the condition of the orbit");
   show.at_most("1/a on the parabola", parabola, 64 * eps,

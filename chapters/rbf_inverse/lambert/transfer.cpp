@@ -103,8 +103,9 @@ void put_history(const CollocatedTransfer& printed, const CollocatedTransfer& po
   const auto largest = [&](const std::vector<Apart>& all) -> scene::Amount {
     return {std::ranges::max(all, {}, &Apart::distance).distance, part.unit};
   };
-  scene::Plot& plot = show.plots(
-      fmt::format("Printed nodes: up to {:.1f} {} from the orbit of their initial velocity", largest(own).value, part.unit));
+  scene::Plot& plot =
+      show.plots(fmt::format("Printed nodes: up to {:.1f} {} from the orbit of their initial velocity",
+                             largest(own).value, part.unit));
   plot.size(1000, 520).columns({"panel", "curve", "time_of_flight_s", "y"});
   draw_components(plot.panel("time (s)", part.axis), printed, part);
   // Right panel: differences, with those of polynomial collocation.
@@ -116,8 +117,8 @@ void put_history(const CollocatedTransfer& printed, const CollocatedTransfer& po
     right.curve(name, all | std::views::filter(apart), &Apart::t, &Apart::distance, look);
   };
   curve("as printed, from F and G of its velocity", own, scene::linespoints(1));
-  curve("F and G of its velocity, from Izzo's orbit", off_orbit(orbit_between(printed.v1, 0, 4320, 200), izzo.v1, part),
-        scene::lines(2));
+  curve("F and G of its velocity, from Izzo's orbit",
+        off_orbit(orbit_between(printed.v1, 0, 4320, 200), izzo.v1, part), scene::lines(2));
   curve("polynomial collocation, from Izzo's orbit", better, scene::linespoints(3));
   const char* const by_rounding = "regression value: 5 to 1800 m by unit of time, 0.2 m in all digits";
   show.between(part.name + " as printed, off F and G of their own velocity", largest(own), part.may_least,

@@ -180,10 +180,12 @@ std::vector<scene::Scene> scenes() {
       "one interval; Gaussians in 50 digits, rounded to double afterwards; errors of components "
       "by their amplitudes, at the end / at all nodes and 3 (N - 1) points between",
       compute);
-  return {{.name = "node-study",
-           .title = "Placed nodes, individual shapes, least squares and refinement with the same number of unknowns",
-           .place = "our own, for the claim of section 4.5 and the future work of chapter 6",
-           .content = scene::Content(put, comparisons)}};
+  return {
+      {.name = "node-study",
+       .title =
+           "Placed nodes, individual shapes, least squares and refinement with the same number of unknowns",
+       .place = "our own, for the claim of section 4.5 and the future work of chapter 6",
+       .content = scene::Content(put, comparisons)}};
 }
 
 }  // namespace nlmech::chapters::rbf_ivp::node_study

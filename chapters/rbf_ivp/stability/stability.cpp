@@ -214,7 +214,8 @@ void check(const std::vector<Ending>& endings, scene::Show& show) {
   }
   show.between("problems but van der Pol 1000 and Robertson of which radau-coll finds a digit or more", radau,
                show.quick() ? smooth - 1 : smooth, smooth,
-               "L-stable, order 11: all of them with a step short enough for the fast transitions; with --quick one less, because its search ends earlier");
+               "L-stable, order 11: all of them with a step short enough for the fast transitions; with "
+               "--quick one less, because its search ends earlier");
   show.between("fewest digits of adaptive-collocation on a problem", least, 4, 16,
                "two digits less than the tolerance, as the codes of the test set's tables lose at most");
 }

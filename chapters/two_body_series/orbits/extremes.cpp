@@ -214,7 +214,8 @@ void put(const Outcome& m, scene::Show& show) {
             2, 0.05, "a hundredth of the error with ten times the steps");
   show.equals("series that refuse r = 0, of three", count("r = 0", "refused"), 3, "all of them");
   show.at_most("error of no time", error("no time", "series"), 0, "the start itself");
-  show.at_most("difference between SI and units by powers of two", m.powers_of_two, 0, "exact: no digit changes");
+  show.at_most("difference between SI and units by powers of two", m.powers_of_two, 0,
+               "exact: no digit changes");
   show.at_most("difference between SI and canonical units", m.canonical,
                16 * m.rounding + std::numeric_limits<double>::epsilon(),
                "mu, time and six components rounded once more, times the condition");
