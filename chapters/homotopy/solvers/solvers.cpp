@@ -38,9 +38,9 @@ constexpr std::size_t below_fold = 5, above_fold = 6;
 
 /// Outcome of a solver.
 enum class End : std::uint8_t {
-  equilibrium,  ///< success reported
-  held_up,      ///< failure within 0.02 in of the limit point, where |F| has a minimum
-  elsewhere     ///< failure elsewhere
+  equilibrium,     ///< success reported
+  at_limit_point,  ///< failure within 0.02 in of the limit point, where |F| has a minimum
+  elsewhere        ///< failure elsewhere
 };
 
 struct Trial {
@@ -86,7 +86,7 @@ Trial attempt(const std::string& name, const Load& column, double limit_load, do
   if (report.status.ok()) {
     t.end = End::equilibrium;
   } else if (column.height == 0.44 && std::abs(t.deflection - limit_deflection) < 0.02) {
-    t.end = End::held_up;
+    t.end = End::at_limit_point;
   }
   return t;
 }
@@ -114,7 +114,7 @@ std::string words_of(const Trial& t) {
   std::string counts = fmt::format("{}/{}", t.iterations, t.evaluations);
   switch (t.end) {
     case End::equilibrium: return counts;
-    case End::held_up: return fmt::format("at the fold, {} {}", to_string(t.outcome), counts);
+    case End::at_limit_point: return fmt::format("at the limit point, {} {}", to_string(t.outcome), counts);
     default: return fmt::format("{} {}", to_string(t.outcome), counts);
   }
 }
@@ -133,7 +133,7 @@ void put_table(const Solvers& s, scene::Show& show) {
 
 void draw(const Solvers& s, scene::Show& show) {
   scene::Table data({{"solver"}, {"row"}, {"column"}, {"end"}, {"iterations"}});
-  constexpr std::array ends = {"equilibrium", "held up", "elsewhere"};
+  constexpr std::array ends = {"equilibrium", "at limit point", "elsewhere"};
   for (std::size_t i = 0; i < s.names.size(); ++i) {
     for (std::size_t k = 0; k < loads.size(); ++k) {
       const Trial& t = s.trials[i][k];

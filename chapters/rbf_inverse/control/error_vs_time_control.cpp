@@ -81,7 +81,7 @@ void multiple_shooting(const Subject& s) {
   if (!multiple_shooting_available()) return;
   for (int power = 4; power <= 12; power += s.quick ? 4 : 1)
     s.add(fmt::format("tolerance 1e-{}", power), [&] {
-      const Shot shot = shoot(s.problem, s.start, {.tolerance = std::pow(10, -power)});
+      const ShootingResult shot = shoot(s.problem, s.start, {.tolerance = std::pow(10, -power)});
       return Answer{shot.status, shot.first};
     });
 }

@@ -67,7 +67,7 @@ Row solved(const Hard& h) {
 }
 
 /// Oscillator with the right number of conditions, two of which are contradictory.
-struct TwoBegins {
+struct ContradictoryStart {
   static constexpr int states = 2, parameters = 0;
   [[nodiscard]] std::vector<double> points() const { return {0, 2}; }
   template <class T>
@@ -120,7 +120,7 @@ Extremes compute(bool quick) {
   const bvp::Extremal jerk = solve_extremal(sudden, bvp::constant_start(Eigen::VectorXd::Ones(4)));
   all.rows.push_back({"fixed, T = 1e-3", std::string(to_string(jerk.solution.status.outcome())), jerk.cost});
   const auto contradiction =
-      solve(bvp::DualProblem(TwoBegins{}), bvp::constant_start(Eigen::VectorXd::Zero(2)));
+      solve(bvp::DualProblem(ContradictoryStart{}), bvp::constant_start(Eigen::VectorXd::Zero(2)));
   all.rows.push_back({"x1(0) = 0 and x1(0) = 1", std::string(to_string(contradiction.status.outcome()))});
   return all;
 }

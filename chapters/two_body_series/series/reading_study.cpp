@@ -214,7 +214,7 @@ void draw(const Study& low, const Study& high, scene::Show& show) {
   scene::Plot& plot =
       show.plots("Ratio of errors: no pair of degrees fits the printed errors at the printed steps");
   scene::Table data({{"curve", 3, true}, {"steps"}, {"distance"}});
-  scene::Panel& left = plot.panel("steps an orbit", "max(ours/printed, printed/ours) − 1");
+  scene::Panel& left = plot.panel("steps an orbit", "max(computed/printed, printed/computed) − 1");
   left.x_range(18.8, 25.2).log_y(1e-2, 1e4).set("margins screen 0.12, screen 0.52, screen 0.13, screen 0.74");
   left.set("label 4 '10 %' at graph 0.97, first 0.14 right textcolor rgb soft_ink");
   add_panel(left, 0, data, low, show);
