@@ -2,7 +2,7 @@
 
 SOURCE is the source tree, OUT the folder with the generated figures/, tables/, results/; the chapters are in reading order.
 Steps: look for the tools; turn the pages into what Doxygen reads; run Doxygen, where any warning is a failure; copy what the
-pages need from MathJax; write the index of the search. All complaints are shown, each with its file and line, before it stops with exit code 1."""
+pages need from MathJax; write the index of the search. All errors are shown, each with its file and line, before it stops with exit code 1."""
 import pathlib
 import re
 import shutil

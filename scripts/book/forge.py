@@ -3,11 +3,11 @@
   python3 scripts/book/forge.py write SOURCE OUT CHAPTER...   writes them, with the numbers and tables of OUT
   python3 scripts/book/forge.py check SOURCE OUT CHAPTER...   exit code 1 if one is not what it would write, line by line
 
-A page shows the few of its figures that are kept in docs/gallery (`make gallery` draws them, a test holds them to their scenes) and
-names the command for the others; likewise for long tables and tables of run times. Tables of the sources stand without their run times. A table
+A page shows the few of its figures that are kept in docs/gallery (`make gallery` draws them, a test compares them with their scenes) and
+names the command for the others; likewise for long tables and tables of run times. Tables of the sources are shown without their run times. A table
 whose numbers depend on rounding is marked by the chapter's page and left out, [caption](path "depends on rounding"), or loses the rows and columns that are named there,
-[caption](path "depends on rounding: row; column"). Run times differ at each run, and rounding from machine to machine. So a check takes any number where one is of a scene with run times; other results may differ by a factor of two, or
-as they like where both are below 1e-10 and are noise. All else is compared by the letter.
+[caption](path "depends on rounding: row; column"). Run times differ at each run, and rounding from machine to machine. So a check accepts any number for a result of a scene with run times; other results may differ by a factor of two, or
+by any factor if both are below 1e-10, which is rounding. All other text is compared exactly.
 """
 import pathlib
 import re
@@ -25,8 +25,8 @@ IN_TABLE = re.compile(r"(?<![\w.#-])-?[0-9]+(?:\.[0-9]+)?(?:e-?[0-9]+)?(?![\w.])
 IDENTIFIER = re.compile(r"(`[^`]*`|\[[^]]*\]\([^)]*\))|\bnlmech::\w+(?:::\w+)*")
 LIST_MARK = re.compile(f"^([{TIMED}{COMPUTED}][0-9]+{END})([.)])(?=\\s|$)")
 MOST_ROWS = 24
-ADVICE = ("Where you changed a result or a page: `make pages`, and look at the difference. Where you did not, the number depends on rounding: its "
-          'scene shows the median of perturbed runs, or the chapter\'s page marks its table, [caption](path "depends on rounding"), and names no such number.')
+ADVICE = ("If you changed a result or a page: `make pages`, and review the difference. If not, the number depends on rounding: let its "
+          'scene show the median of perturbed runs, or mark its table on the chapter\'s page, [caption](path "depends on rounding"), and print no such number.')
 NOISE = 1e-10
 
 

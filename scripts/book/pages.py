@@ -3,8 +3,8 @@
   {{geodesy/fig-2.27: max latitude error | 3}}    a number of results/geodesy/fig-2.27.json
   {{ratios: table-4.2, RK4-1 (P/10), ours | 2}}   a number of tables/ratios.json
   [@elgohary2015, Eq. 2.45]                       a citation
-  ![caption](../../figures/geodesy/fig-2.27.svg)  on lines of its own: the figure; behind the path may stand "what is seen",
-                                                  for who does not see it, where the picture's own words do not tell
+  ![caption](../../figures/geodesy/fig-2.27.svg)  on lines of its own: the figure; after the path, optionally: "alternative text",
+                                                  if the texts in the picture do not describe it
   [caption](../../tables/geodesy/table-2.6.md)    on lines of its own: the table; a long one is folded away in chapters
   [Fig. 2.27](../../figures/geodesy/fig-2.27.svg) within a sentence: a link to the figure in the book; so for
                                                   tables, pages, headers; any other file is copied
@@ -27,7 +27,7 @@ from book import Complaint
 from quantities import quantity_text
 
 FENCE = re.compile(r"[ \t]*(```|~~~)")
-OPEN = re.compile(r"\{\{[^{}]*$|\[@[^]]*$|^!\[.*[^)]$|^!?\[[^]]*$")  # a mark, citation or caption that goes on in the next line
+OPEN = re.compile(r"\{\{[^{}]*$|\[@[^]]*$|^!\[.*[^)]$|^!?\[[^]]*$")  # a mark, citation or caption that continues in the next line
 FIGURE = re.compile(r'!\[(.*)\]\(([^() ]+)(?: +"([^"]*)")?\)[ \t]*')
 FIGURE_PARAGRAPH = re.compile(r'!\[[^\0]*\]\([^() ]+(?:\s+"[^"]*")?\)\s*')
 ROUNDING = "depends on rounding"  # behind the path of a table: forge.py

@@ -15,7 +15,7 @@ namespace nlmech::references {
 /// A step of a solution: its start, and the derivatives of its end by its start.
 struct Link {
   double end;                  ///< time
-  Eigen::VectorXd begin;       ///< state
+  Eigen::VectorXd start;       ///< state
   Eigen::MatrixXd derivative;  ///< n times n
 };
 
@@ -67,7 +67,7 @@ inline double condition(const std::vector<Link>& links, const std::vector<double
     while (last > 0 && links[last - 1].end > times[k]) --last;
     for (; last > 0; --last) {
       m = (m * links[last - 1].derivative).eval();
-      greatest = std::max(greatest, factor(m, links[last - 1].begin));
+      greatest = std::max(greatest, factor(m, links[last - 1].start));
     }
     all.push_back(greatest);
   }
