@@ -288,9 +288,9 @@ std::string forward(const Request& request) {
 }  // namespace
 
 void commands(scene::Commands& all) {
-  all.add("reverse", "x,y,z to latitude_deg,longitude_deg,height_m (height with an ellipsoid A,F)",
+  all.add("reverse", "Convert x,y,z to latitude_deg,longitude_deg,height_m (height with an ellipsoid A,F)",
           declare_reverse, reverse);
-  all.add("forward", "latitude_deg,longitude_deg,height_m to x,y,z", declare_forward, forward);
+  all.add("forward", "Convert latitude_deg,longitude_deg,height_m to x,y,z", declare_forward, forward);
 }
 
 }  // namespace nlmech::chapters::geodesy

@@ -24,7 +24,7 @@ set x2tics scale 0 ("1 el.\n0.44 in\n43.79 lb" 1, "1 el.\n0.44 in\n44 lb" 2, "4 
                     "4 el.\n0.44 in\n(1+10^{–9}){/:Italic W_L}" 7, "4 el.\n0.44 in\n60 lb" 8)
 unset key
 array kind[3] = ["equilibrium, with iterations", "no equilibrium, at the limit point", "no equilibrium, elsewhere"]
-array place[3] = [0.12, 0.46, 0.74]
+array place[3] = [0.12, 0.40, 0.74]
 array shape[3] = [7, 6, 2]
 array ink_of[3] = [colour(1), colour(2), soft_ink]
 do for [k = 1:3] {

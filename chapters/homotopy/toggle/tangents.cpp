@@ -121,9 +121,8 @@ void limit_point(scene::Show& show) {
     const double height = load(from) + curve->stiffness(from) * (to - from) - near_load;
     defect = std::max(defect, std::abs(height) / near_load);
   }
-  scene::Panel& panel =
-      show.plot("Newton's iteration under a load above the maximum: stays near the limit point",
-                "deflection of the apex {/:Italic δ} (in)", "load {/:Italic W} (lb)");
+  scene::Panel& panel = show.plot("Newton's iteration above the limit load: stays near the limit point",
+                                  "deflection of the apex {/:Italic δ} (in)", "load {/:Italic W} (lb)");
   panel.key("bottom right").x_range(0, 0.75).y_range(0, 60);
   panel.note("maximum, 42.77 lb", limits.maximum.deflection, 47.5, "center");
   panel.curve("load of 43.79 lb", {-0.05, 0.75}, {near_load, near_load}, scene::lines(3))
