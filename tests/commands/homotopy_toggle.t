@@ -152,7 +152,7 @@ All but fictitious time, whose steps of 0.1 are unstable where the stiffness at 
 load to |F| of 1e-10 of 13.6 lb over half the slope of 14.7 lb/in. A solver that lets |F| fall is stuck at its minimum beyond it:
 
 # oracle: homotopy_frames toggle 0.32 of 1 drop under 27.11
-  $ solvers=$(homotopy solve --height 0.44 --load 43 --solver magic 2>&1 | sed 's/.*there are //; s/, kinsol//; s/,//g')
+  $ solvers=$(homotopy solve --height 0.44 --load 43 --solver magic 2>&1 | sed 's/.*the solvers are //; s/, kinsol//; s/,//g')
   $ echo $solvers
   newton damped-newton continuous-newton broyden least-squares steepest-descent fictitious-time vector-homotopy chow-yorke scalar-homotopy fixed-point newton-homotopy optimal-iterative levenberg-marquardt dogleg energy-trust-region riks crisfield gdc
   $ for solver in $solvers; do
@@ -207,7 +207,7 @@ Mistakes
   $ wrong solve --height -1 --load 43 --model williams
   homotopy: --height -1 --load 43: Toggle: a height of -1 with members of length 12.94
   $ wrong solve --height 0.44 --load 43 --solver magic
-  homotopy: --solver magic: there are newton, damped-newton, *, energy-trust-region, riks, crisfield, gdc* (glob)
+  homotopy: --solver magic: no such solver; the solvers are newton, damped-newton, *, energy-trust-region, riks, crisfield, gdc* (glob)
   $ wrong solve --height 0.44 --load 43 --model wooden
   homotopy: --model wooden: there is element, williams
   $ wrong solve --height 0.44 --load 43 --elements 0
