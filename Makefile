@@ -20,23 +20,23 @@ AT_ONCE = $(MAKE) --no-print-directory -j
 
 .PHONY: help deps configure build programs figures tables test test-long randomised oracles check bench book book-test package gallery pages clean
 help:
-	@echo "make figures         every figure and table of every chapter"
+	@echo "make figures         all figures and tables of all chapters"
 	@echo "make test            all tests but the long ones"
 	@echo "make test-long       the long tests, except random cases (make randomised) and oracles (make oracles)"
 	@echo "make tables          numbers and tables without drawing"
 	@echo "make chapter-NAME    one chapter: figures, tables, verdicts"
-	@echo "make check           published beside reproduced, verdicts, figures, claims; tables/REPRODUCTION.md"
+	@echo "make check           compare published and computed values, figures, claims; tables/REPRODUCTION.md"
 	@echo "make book            all chapters as a book: $(BUILD)/book/html/index.html"
 	@echo "make book-test       every page of the book in a browser: links, pictures, formulas, width"
 	@echo "make package         a Debian package of programs, library, manual pages and book: $(BUILD)/nlmech_*.deb"
-	@echo "make gallery         the pictures of README and docs/chapters drawn anew"
-	@echo "make pages           docs/chapters: the chapters' pages as forges show them"
-	@echo "make randomised       random cases in search of silent failures, all of them; tables/RANDOMISED.md; SEEDS=\"1 2\" for more"
-	@echo "make oracles         the independent programs of tools/oracles, against the rows that are kept of them"
-	@echo "make bench           claims about speed, held or not, and printed ratios of run times; tables/BENCH.md, RATIOS.md"
+	@echo "make gallery         redraw the pictures of README and docs/chapters"
+	@echo "make pages           docs/chapters: the chapters' pages as Markdown for GitHub"
+	@echo "make randomised      all randomised tests, which search for silent failures; tables/RANDOMISED.md; SEEDS=\"1 2\" for more"
+	@echo "make oracles         rerun the independent programs of tools/oracles and compare with their stored results"
+	@echo "make bench           test the claims about speed and the printed ratios of run times; tables/BENCH.md, RATIOS.md"
 	@echo "make build           programs in $(BUILD)/bin"
 	@echo "make deps            install all missing Debian packages of packages.txt; each command above installs what it needs"
-	@echo "make clean           remove what was built and generated"
+	@echo "make clean           remove all built and generated files"
 	@echo "PRESET=release|dev|asan|repro   NLMECH_CHAPTERS=name,...   NLMECH_PEERS=name,...|none"
 
 deps:

@@ -60,7 +60,7 @@ void FlowChart::decision(Spot centre, Spot half, const std::vector<std::string>&
   write(centre, lines);
 }
 
-void FlowChart::way(const std::vector<Spot>& points) {
+void FlowChart::arrow(const std::vector<Spot>& points) {
   if (points.size() > 2) drawing_.path("outline", {points.begin(), points.end() - 1});
   drawing_.arrow(points[points.size() - 2], points.back(), "axis");
 }

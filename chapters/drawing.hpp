@@ -52,7 +52,7 @@ class FlowChart {
   /// Adds a diamond with lines of text. @param half half of its diagonals
   void decision(Spot centre, Spot half, const std::vector<std::string>& lines);
   /// Adds a connection through the points, with an arrow head at its end.
-  void way(const std::vector<Spot>& points);
+  void arrow(const std::vector<Spot>& points);
   /// Adds a label next to a connection.
   void note(const std::string& words, Spot at) { drawing_.text(words, at, "soft"); }
   /// Moves the chart into a figure.

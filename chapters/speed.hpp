@@ -131,13 +131,13 @@ class Speed {
            0;
   }
 
-  /// Claims that @p ours takes at most 1/least of the time of @p theirs. Skipped with a message if one of
+  /// Claims that @p method takes at most 1/least of the time of @p peer. Skipped with a message if one of
   /// them was not added.
-  /// @param text of the claim; empty: "ours against theirs"
-  void claim(const std::string& ours, const std::string& theirs, double least, std::string text = {}) {
-    if (text.empty()) text = fmt::format("{} against {}", ours, theirs);
-    if (has(ours) && has(theirs))
-      claims_.push_back({std::move(text), ours, theirs, least});
+  /// @param text of the claim; empty: "method against peer"
+  void claim(const std::string& method, const std::string& peer, double least, std::string text = {}) {
+    if (text.empty()) text = fmt::format("{} against {}", method, peer);
+    if (has(method) && has(peer))
+      claims_.push_back({std::move(text), method, peer, least});
     else
       fmt::print("not measured here: {}\n", text);
   }
@@ -187,16 +187,16 @@ class Speed {
 
 /// Prints the ratios and writes results/ratios/<name>.json.
 /// @return exit code 0: a ratio that does not hold is a finding, not a broken claim
-inline int tell_ratios(const std::string& name, const scene::TimeRatios& ratios) {
-  const auto tell = [](const std::string& what, const scene::RatioVerdict& v) {
+inline int print_ratios(const std::string& name, const scene::TimeRatios& ratios) {
+  const auto print = [](const std::string& what, const scene::RatioVerdict& v) {
     fmt::print("{:4} {}: {:.3g} printed, {:.3g} ({:.3g} to {:.3g})\n", v.holds ? "" : "NOT", what, v.printed,
                v.ours.middle, v.ours.low, v.ours.high);
   };
   for (const scene::TimeRatio& r : ratios.rows) {
-    if (!r.is_reference()) tell(fmt::format("{}, {} over {}", r.place, r.row, r.reference), r.verdict);
+    if (!r.is_reference()) print(fmt::format("{}, {} over {}", r.place, r.row, r.reference), r.verdict);
   }
   for (const scene::RatioClaim& c : ratios.claims)
-    tell(fmt::format("{}, {}, {}", c.place, c.row, c.quantity), c.verdict);
+    print(fmt::format("{}, {}, {}", c.place, c.row, c.quantity), c.verdict);
   scene::write_ratios(name, ratios, ".");
   return 0;
 }
@@ -235,7 +235,7 @@ inline int speed_main(const std::string& name, void (*rows)(Speed&), int argc, c
 /// The body of main() of the program `<name>_ratios_bench`. @param compare adds work, measures and compares
 inline int ratios_main(const std::string& name, scene::TimeRatios (*compare)(Speed&), int argc, char** argv) {
   return run_bench(name + "_ratios_bench", argc, argv, "0.02",
-                   [&](Speed& speed) { return tell_ratios(name, compare(speed)); });
+                   [&](Speed& speed) { return print_ratios(name, compare(speed)); });
 }
 
 }  // namespace nlmech::chapters

@@ -13,7 +13,7 @@
 if (!exists("width"))  width = 760
 if (!exists("height")) height = 520
 
-# The generic family: every browser has one. A list of families would lose its tail in sub- and superscripts.
+# The generic family, which every browser has. In sub- and superscripts gnuplot would drop the end of a list of families.
 font_family = "sans-serif"
 font_size = 14
 
@@ -25,7 +25,7 @@ if (exists("png")) {
   set terminal pngcairo size 2*width,2*height font sprintf("%s,%d", font_family, font_size) fontscale 1.5 \
       linewidth 2 pointscale 2 enhanced butt background "#ffffff" dashlength 1
 } else {
-  # The name stands where gnuplot would write its own into <title>, which browsers show as a tooltip.
+  # The name replaces gnuplot's own in <title>, which browsers show as a tooltip.
   set terminal svg size width,height fixed font sprintf("%s,%d", font_family, font_size) enhanced butt \
       background "#ffffff" dashlength 1 name "nlmech"
 }
@@ -40,7 +40,7 @@ set datafile separator ","
 set datafile columnheaders
 set datafile missing ""
 
-# Colours: Okabe & Ito's eight, without their yellow, which white paper swallows; a grey stands in for it.
+# Colours: Okabe & Ito's eight, with a grey in place of their yellow, which is too faint on white.
 # Their order puts colours of unlike lightness next to each other, and each has its own dashes and its own
 # point, so that a curve can be told from the others without colour.
 ink      = "#222222"                # text, axes, outlines of drawings

@@ -118,7 +118,7 @@ Solved by_radau(const TextProblem& problem, const std::vector<Real>& times) {
       "Radau collocation of orders 21 and 29, last coefficients of a step 1e-19 and 1e-23", {}, {}, {}};
   solved.first = lists(references::radau_states<Real>(
       problem, t0, x0, times, 11, 1e-19, first_step, [&](const references::RadauStep<Real>& step) {
-        solved.links.push_back({static_cast<double>(step.end), step.begin, step.derivative});
+        solved.links.push_back({static_cast<double>(step.end), step.start, step.derivative});
       }));
   solved.second = lists(
       references::radau_states<Real>(problem, t0, x0, times, 15, 1e-23, first_step, [](const auto&) {}));
@@ -144,10 +144,10 @@ std::vector<Link> friction_links(const std::vector<Real>& times) {
   for (const Real& t : times) stops.insert(static_cast<double>(t));
   for (int quarter = 1; quarter * pi / 4 < Friction::end; ++quarter) stops.insert(quarter * pi / 4);
   std::vector<Link> links;
-  double begin = 0;
+  double start = 0;
   for (const double end : stops) {
-    const std::vector<Real> x = friction_at(Real(begin));
-    const double angle = end - begin;
+    const std::vector<Real> x = friction_at(Real(start));
+    const double angle = end - start;
     Eigen::MatrixXd turned(2, 2);
     turned << std::cos(angle), std::sin(angle), -std::sin(angle), std::cos(angle);
     const double swings = end / pi;
@@ -156,7 +156,7 @@ std::vector<Link> friction_links(const std::vector<Real>& times) {
       turned.row(1) *= (far - Friction::force) / (far + Friction::force);
     }
     links.push_back({end, Eigen::Vector2d(static_cast<double>(x[0]), static_cast<double>(x[1])), turned});
-    begin = end;
+    start = end;
   }
   return links;
 }
@@ -226,7 +226,7 @@ void make(const std::string& folder, const std::string& only) {
   const auto solve = [&](std::string_view name, double t0, double end, double absolute,
                          const auto& solved_at) {
     if (!only.empty() && name != only) return;
-    const auto begin = std::chrono::steady_clock::now();
+    const auto start = std::chrono::steady_clock::now();
     std::vector<double> times;
     std::vector<Real> exact;
     for (int k = 0; k < judged_times; ++k) {
@@ -236,7 +236,7 @@ void make(const std::string& folder, const std::string& only) {
     write(tables, name, times, solved_at(exact), absolute);
     tables.states.flush();
     tables.conditions.flush();
-    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     (void)std::fprintf(stderr, "%s: %.1f s\n", std::string(name).c_str(), seconds.count());
   };
   for (const Case& c : all_cases()) {

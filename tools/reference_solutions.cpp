@@ -201,7 +201,8 @@ int main(int count, char** arguments) {
   const std::set<std::string> chosen(arguments + 1, arguments + count);
   for (const std::string& name : chosen) {
     if (std::none_of(std::begin(cases), std::end(cases), [&](const Case& c) { return name == c.name; })) {
-      (void)std::fprintf(stderr, "reference_solutions: there is no '%s'; there is", name.c_str());
+      (void)std::fprintf(stderr, "reference_solutions: there is no problem '%s'; the problems are",
+                         name.c_str());
       for (const Case& c : cases) (void)std::fprintf(stderr, " %s", c.name);
       (void)std::fprintf(stderr, "\n");
       return 2;

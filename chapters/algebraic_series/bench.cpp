@@ -73,16 +73,16 @@ void add_rivals(chapters::Speed& all, const std::string& name, const ivp::State&
   };
   const ivp::Direct direct(problem);
   const std::string inlined = name + ", series inlined", tape = name + ", series through the tape",
-                    walk = name + ", odeint-fehlberg78 in our loop",
+                    in_loop = name + ", odeint-fehlberg78 in our loop",
                     alone = name + ", odeint-fehlberg78 alone";
   add(inlined, by_integrate(direct, x0, series), {});
   add(tape, by_integrate(ivp::System(problem), x0, series), {});
   if (peers::odeint_available()) {
-    const Runner walked = by_integrate(direct, x0, [](double tolerance) {
+    const Runner stepped = by_integrate(direct, x0, [](double tolerance) {
       return peers::OdeintDirect{{fehlberg78, tolerance, tolerance}};
     });
     const auto native = chapters::odeint_alone<Problem::dimension>(problem, fehlberg78);
-    add(walk, walked, {});
+    add(in_loop, stepped, {});
     // The library's own loop may not terminate: skip tolerances that fail in the nlmech loop.
     add(
         alone,
@@ -91,11 +91,11 @@ void add_rivals(chapters::Speed& all, const std::string& name, const ivp::State&
           if (!native(tolerance, tolerance, 0, until, x.data())) return std::nullopt;
           return x;
         },
-        walked);
+        stepped);
   }
   all.claim(inlined, alone, least);
-  all.claim(walk, alone, 0.5);    // at most twice the time in the nlmech loop
-  all.claim(tape, inlined, 0.4);  // at most 2.5 times the time
+  all.claim(in_loop, alone, 0.5);  // at most twice the time in the nlmech loop
+  all.claim(tape, inlined, 0.4);   // at most 2.5 times the time
 }
 
 void rows(chapters::Speed& all) {

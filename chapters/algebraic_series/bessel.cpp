@@ -71,7 +71,7 @@ void draw(const Expansion& two, const Expansion& zero, scene::Show& show) {
   add("J2 T=5, 100 terms", two, 100);
   add("J0 T=10, 20 terms", zero, 20);
   add("J0 T=10, 100 terms", zero, 100);
-  show.plot("Bessel about tau = 1: terms decide, not the unit interval",
+  show.plot("Bessel series about {/:Italic τ} = 1: error on (0, 1) falls with the number of terms",
             "{/:Italic τ} = {/:Italic x}/{/:Italic T}", "error")
       .x_range(0, 1)
       .log_y(1e-70, 1e5)
@@ -87,7 +87,7 @@ void put(scene::Show& show) {
   const Expansion two = expand(2, 5, 100), zero = expand(0, 10, 100);
   draw(two, zero, show);
   // oracle: algebraic_series_sums J_*
-  const char* known = "tools/oracles/algebraic_series_sums.py, one digit; a factor of two either way";
+  const char* known = "tools/oracles/algebraic_series_sums.py, one digit; within a factor of two";
   const Real near_zero = Real(1) / 100, near_one = Real(9) / 10;
   show.between("error of 20 terms, J_2, T = 5, tau = 0.9", error(two, near_one, 20), 1e-26 / 2, 1e-26 * 2,
                known);

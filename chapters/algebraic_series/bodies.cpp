@@ -74,7 +74,7 @@ void draw(const Orbits& all, scene::Show& show) {
   scene::ColumnsOf<decltype(all.path)> columns = {{"t_s", &Sample::t}};
   for (int i = 0; i < 12; ++i)
     columns.push_back({fmt::format("{}{}", "xyz"[i % 3], i / 3 + 1), Component{i}});
-  scene::Plot& plot = show.plots("Four bodies to t = 3000: bodies 1 and 2 are about to meet");
+  scene::Plot& plot = show.plots("Paths of four bodies to t = 3000: bodies 1 and 2 approach each other");
   plot.size(900, 520).data(scene::table_of(all.path, columns));
   for (const char up : {'y', 'z'}) {
     scene::Panel& panel = plot.panel("{/:Italic x}", fmt::format("{{/:Italic {}}}", up));

@@ -19,11 +19,12 @@ struct PoincareOptions {
 };
 
 void declare(scene::Options& options, PoincareOptions& typed) {
-  options.add("--sections", typed.sections, "how many, the first of them the initial state")
+  options
+      .add("--sections", typed.sections, "number of sections, from 1 to 1e7; the first is the initial state")
       .range(1, 1e7)
       .required();
-  options.add("--initial", typed.initial, "initial state x,v; -0.5,0 without it");
-  options.add("--set", typed.set, "name=value of stiffness or epsilon; more of them with blanks between");
+  options.add("--initial", typed.initial, "initial state x,v (default -0.5,0)");
+  options.add("--set", typed.set, "name=value of stiffness or epsilon; separate several by blanks");
   options.limit(typed.limits.seconds);
 }
 
@@ -41,7 +42,7 @@ std::string section_rows(const PoincareOptions& typed) {
 }  // namespace
 
 void commands(scene::Commands& all) {
-  all.add("poincare", "States of the oscillator every pi, from t = pi on, as CSV: section,x,v", declare,
+  all.add("poincare", "Print the states of the oscillator at t = pi, 2 pi, ... as CSV: section,x,v", declare,
           section_rows);
 }
 

@@ -36,16 +36,16 @@ struct Departure {
 /// reference. After a failure only the errors up to it are returned.
 template <class Method>
 [[nodiscard]] Departure departure(const comparison::Example& example, const Method& method, double end) {
-  Departure seen;
+  Departure result;
   const auto observe = [&](const ivp::Step& step) {
     const ivp::State reference = example.reference(step.t1).template cast<double>();
-    seen.t.push_back(step.t1);
-    seen.error.push_back((step.x1 - reference).cwiseAbs().maxCoeff());
+    result.t.push_back(step.t1);
+    result.error.push_back((step.x1 - reference).cwiseAbs().maxCoeff());
     return true;
   };
   const auto solution = ivp::integrate(example.system, example.x0, example.t0, end, method, observe);
-  seen.status = to_string(solution.status.outcome());
-  return seen;
+  result.status = to_string(solution.status.outcome());
+  return result;
 }
 
 /// States of the solution and of the printed steps at one time.

@@ -26,7 +26,7 @@ void check(const comparison::Costs& costs, scene::Show& show) {
       20 * comparison::tightest_tolerance(show.quick()) * static_cast<double>(comparison::steps_of(last));
   show.at_most("error of series at its tightest tolerance",
                last.error.value_or(std::numeric_limits<double>::quiet_NaN()), bound * costs.condition,
-               "20 tolerances in each step, all of one sign, times the condition: 13 have been seen");
+               "20 tolerances in each step, all of one sign, times the condition number; measured: 13");
 }
 
 /// @param change of the initial state, for the condition number

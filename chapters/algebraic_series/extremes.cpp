@@ -74,7 +74,7 @@ std::vector<Attempt> attempts() {
   const ivp::State at_one = lorenz.reference(1).cast<double>();
   all.push_back(attempt("Lorenz to t = 1, T = 0.1, N = 20", lorenz.system, lorenz.x0, 0, 1,
                         published_series(0.1, 20), against(at_one),
-                        "T below the radius, N too small: wrong, and no notice"));
+                        "T below the radius, N too small: wrong without a failure status"));
   all.push_back(attempt("the same, T = 0.15", lorenz.system, lorenz.x0, 0, 1, published_series(0.15, 20),
                         against(at_one), "T above the radius"));
   all.push_back(
@@ -96,7 +96,7 @@ std::vector<Attempt> attempts() {
       {.relative_tolerance = 1e-12, .absolute_tolerance = 1e-12},
       [](const ivp::State& x) { return std::abs(x[0] - 1.706167732170465008); },
       "stiff: steps bounded by stability"));
-  all.push_back(attempt("y' = y^3 past its end", ivp::System(problems::TextProblem("blow-up")),
+  all.push_back(attempt("y' = y^3 beyond its blow-up time", ivp::System(problems::TextProblem("blow-up")),
                         ivp::State{1.0}, 0, 1, {.relative_tolerance = 1e-12, .absolute_tolerance = 1e-12},
                         {}));
   all.push_back(attempt("Bessel's equation into its singular point", ivp::System(SingularCentre{}),
@@ -104,7 +104,7 @@ std::vector<Attempt> attempts() {
   all.push_back(attempt("Bessel's equation from its singular point", ivp::System(SingularCentre{}),
                         {1.0, 0.0}, 0, 1, {.relative_tolerance = 1e-12, .absolute_tolerance = 1e-12}, {}));
   all.push_back(attempt("a branch on the state", ivp::System(UnannouncedBranch{}), {0.0, 1.0}, 0, 1,
-                        accurate_series(), {}, "no problem announces it"));
+                        accurate_series(), {}, "not announced by the problem"));
   const ivp::System free(problems::TextProblem("duffing"));
   const double period = problems::Duffing{}.period(1.0);
   for (const int order : {2, 10, 100}) {
@@ -130,7 +130,7 @@ void put(const std::vector<Attempt>& all, scene::Show& show) {
   show.at_most("error by the radius", error("the same by the radius"), 1e-11,
                "rounding, amplified 30 times to t = 1");
   show.at_most("error of van der Pol's oscillator, mu = 1000", error("van der Pol, mu = 1000, to t = 2000"),
-               1e-9, "tolerance 1e-12 in some hundred thousand steps that forget their errors");
+               1e-9, "tolerance 1e-12 in some hundred thousand steps; the attractor damps errors");
   show.at_most("drift of the energy through the encounter",
                error("four bodies to t = 5000, through an encounter at 0.039"), 1e-11,
                "rounding, where velocity and attraction are a hundred times larger");
@@ -144,9 +144,11 @@ std::vector<scene::Scene> scenes() {
   const scene::Result result(
       "extremes", "steps by the radius of convergence where none is given; at most 2 million steps",
       attempts);
-  return {{.name = "extremes",
-           .title = "Where a series ends: radius, encounters, stiffness, singular points, branches",
-           .content = scene::Content(put, result)}};
+  return {
+      {.name = "extremes",
+       .title =
+           "Limits of the series: radius of convergence, encounters, stiffness, singular points, branches",
+       .content = scene::Content(put, result)}};
 }
 
 }  // namespace nlmech::chapters::algebraic_series::extremes

@@ -75,8 +75,8 @@ scene::Table data_of(const Motion& m, double end) {
 }
 
 void put_time(const Motion& m, scene::Show& show) {
-  scene::Plot& plot =
-      show.plots("Forced Duffing: the error of the printed steps exceeds 0.1 before {/:Italic t} = 40");
+  scene::Plot& plot = show.plots(
+      "Forced Duffing: displacement; error of the printed steps above 0.1 before {/:Italic t} = 40");
   plot.stacked({4, 3}).data(data_of(m, 50));
   plot.panel("", "{/:Italic u}").x_range(0, 143).columns("", "tau:u", {"lines linewidth 1.6", 1});
   plot.panel("{/:Italic τ} = {/:Italic t}/{/:Italic T}, {/:Italic T} = 0.35", "error, printed steps")
@@ -107,7 +107,7 @@ void put_time(const Motion& m, scene::Show& show) {
 }
 
 void put_phase(const Motion& m, scene::Show& show) {
-  show.plot("Forced Duffing: the phase plane, bounded and aperiodic", "{/:Italic u}",
+  show.plot("Forced Duffing: phase plane, bounded and aperiodic", "{/:Italic u}",
             "d{/:Italic u}/d{/:Italic t}")
       .x_range(-4, 4)
       .y_range(-7, 7)
@@ -154,7 +154,7 @@ Starts start_nearby(const Motion& m) {
 
 void put_starts(const Starts& starts, scene::Show& show) {
   const auto to_50 = starts.pairs | std::views::take(1001);
-  scene::Plot& plot = show.plots("Forced Duffing: starts 0.14 apart part within one period");
+  scene::Plot& plot = show.plots("Forced Duffing: motions from starts 0.14 apart separate within one period");
   plot.stacked({5, 3}).data(scene::table_of(
       to_50, {{"t", &Pair::t}, {"u", &Pair::u}, {"u_near", &Pair::u_near}, {"distance", &Pair::apart}}));
   plot.panel("", "{/:Italic u}")

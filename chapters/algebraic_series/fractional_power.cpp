@@ -90,7 +90,7 @@ void draw(const std::vector<Sums>& all, scene::Show& show) {
     for (std::size_t k = 0; k < s.errors.size(); k = k < 100 ? k + 1 : k + 25)
       data.add({s.name, k + 1, std::max(s.errors[k], 1e-40)});
   }
-  show.plot("Fifth roots: the nearest zero of f sets the number of terms", "terms",
+  show.plot("Fifth roots by series: the nearer the zero of f, the more terms are needed", "terms",
             "error at {/:Italic t} = 1")
       .log_x(1, 3000)
       .log_y(1e-40, 1e2)
@@ -128,7 +128,7 @@ std::vector<scene::Scene> scenes() {
       "fifth-roots",
       "sums of the series of f^(1/5) at t = 1, the end of the paper's unit interval; 40 digits", compute);
   return {{.name = "fractional-power",
-           .title = "How many terms the fifth root of a function needs",
+           .title = "Terms that the fifth root of a function needs",
            .place = "our own, for the claim of section 2.5",
            .content = scene::Content(put, sums)}};
 }

@@ -24,7 +24,7 @@ scene::Table data_of(const Path& path) {
 }
 
 void put_time(const Motion& m, scene::Show& show) {
-  show.plot("Lorenz: as printed, T = 0.1 keeps the phase up to ten and misses the jumps", "{/:Italic t}",
+  show.plot("Lorenz: the printed steps (T = 0.1) miss the jumps of v after t = 16", "{/:Italic t}",
             "{/:Italic v}")
       .x_range(0, 20)
       .y_range(-30, 30)
@@ -56,7 +56,7 @@ void put_time(const Motion& m, scene::Show& show) {
 }
 
 void put_phase(const Motion& m, scene::Show& show) {
-  scene::Plot& plot = show.plots("Lorenz: with the printed steps the attractor lacks a wing");
+  scene::Plot& plot = show.plots("Lorenz to t = 20: the printed steps miss one wing of the attractor");
   plot.size(900, 520).data(data_of(m.path));
   const auto panel = [&](const char* caption, const char* columns, const scene::CurveStyle& look) {
     plot.panel("{/:Italic u}", "{/:Italic w}")

@@ -35,8 +35,8 @@ void put_time(const Motions& m, scene::Show& show) {
     data.add({t, x, m.euler[i].x[0]});
     if (i > 0 && t <= 28.14 && x * m.series[i - 1].x[0] < 0) ++crossings;
   }
-  show.plot("Forward Euler (h = 0.01 s) parts from the series before 30 s", "{/:Italic t} (s)",
-            "{/:Italic x}")
+  show.plot("Displacement: forward Euler (h = 0.01 s) departs from the series before 30 s",
+            "{/:Italic t} (s)", "{/:Italic x}")
       .x_range(3, 43.2)
       .y_range(-0.8, 0.8)
       .key("below")
@@ -54,7 +54,7 @@ void put_time(const Motions& m, scene::Show& show) {
 }
 
 void put_phase(const Motions& m, scene::Show& show) {
-  show.plot("375 s in the phase plane: no damping, no growth", "{/:Italic x}",
+  show.plot("Phase plane over 375 s: no decay and no growth", "{/:Italic x}",
             "d{/:Italic x}/d{/:Italic t} (1/s)")
       .x_range(-0.6, 0.6)
       .y_range(-0.4, 0.4)
@@ -71,17 +71,16 @@ void put_phase(const Motions& m, scene::Show& show) {
 }  // namespace
 
 std::vector<scene::Scene> scenes() {
-  const scene::Result result(
-      "oscillator",
-      "T = 0.125 s and N = 50 as printed; forward Euler with h = 0.01 s, the largest step whose departure "
-      "becomes visible where the paper sees it",
-      compute);
+  const scene::Result result("oscillator",
+                             "T = 0.125 s and N = 50 as printed; forward Euler with h = 0.01 s, the largest "
+                             "step that departs visibly as late as in the paper",
+                             compute);
   return {{.name = "fig-5",
-           .title = "Oscillator with nonlinear damping modulated in time: series beside forward Euler",
+           .title = "Oscillator with nonlinear damping modulated in time: series and forward Euler",
            .place = "Figure 5",
            .content = scene::Content(put_time, result)},
           {.name = "fig-6a",
-           .title = "The same in the phase plane, up to 375 s",
+           .title = "Oscillator with nonlinear damping modulated in time: phase plane up to 375 s",
            .place = "Figure 6a",
            .content = scene::Content(put_phase, result)}};
 }

@@ -26,7 +26,7 @@ void put_printed(const States& all, scene::Show& show) {
   const std::string time = "filipich-rosales/fig-6b/Poincare map/time of experiment";
   const auto count = static_cast<std::size_t>(show.printed(time) / std::numbers::pi) + 1;
   const auto printed = all | std::views::take(count);
-  show.plot("239 sections in 31 places: a period of 31, nearly", "{/:Italic x}",
+  show.plot("Poincare sections: 239 points in 31 clusters, nearly a period of 31", "{/:Italic x}",
             "d{/:Italic x}/d{/:Italic t} (1/s)")
       .x_range(-0.6, 0.6)
       .y_range(-0.4, 0.4)
@@ -37,7 +37,7 @@ void put_printed(const States& all, scene::Show& show) {
   for (std::size_t k = 0; k + 31 < count; k += 31)
     greatest = std::max(greatest, (all[k + 31] - all[k]).norm());
   show.equals("sections in 750 s", count, 239, "750/pi = 238.7");
-  show.at_most("way from a section near the start to that 31 later", greatest, 1.2e-4,
+  show.at_most("distance between a section near the start and that 31 later", greatest, 1.2e-4,
                "chord of 0.0778 turns on an island of half width 2.35e-4; regression value");
   ivp::State most = ivp::State::Zero(2);
   for (const ivp::State& s : printed) most = most.cwiseMax(s.cwiseAbs());
@@ -84,7 +84,7 @@ void put_islands(const States& all, scene::Show& show) {
   const States around =
       sections(ivp::System(problems::TextProblem("oscillator")), centre, std::numbers::pi, 32);
   show.between("rotation number", {rotation_number(all), "turns"}, 8.0 / 31 - 1e-9, 8.0 / 31 + 1e-9,
-               "8/31 exactly, on islands about an orbit of 31 periods; the issue's bound");
+               "8/31 exactly, on islands about an orbit of 31 periods; scatter of 20 000 sections");
   show.at_most("distance of the central orbit from itself after 31 periods", (around[31] - centre).norm(),
                1e-12,
                "its centre by tools/oracles/algebraic_series_motions.py, 15 digits, and rounding of 97 s");

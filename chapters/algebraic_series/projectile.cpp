@@ -11,46 +11,47 @@ namespace {
 
 using State = ivp::State;
 
-struct Flight {
+struct Trajectory {
   std::vector<Sample> path;  ///< states at the ends of steps up to landing
   Sample apex, landing;
   double x_without_wind = 0;  ///< x at landing without wind
 };
 
 /// Integrates until z = 0 with the printed T = 0.01 and N = 20.
-Flight fly(const problems::TextProblem& problem) {
+Trajectory trajectory_of(const problems::TextProblem& problem) {
   const ivp::System system(problem);
   const State& x0 = problem.initial_state();
   const std::vector<ivp::Event> events = {
       {[](double, const State& x) { return x[2]; }, ivp::Crossing::falling, true},
       {[](double, const State& x) { return x[5]; }, ivp::Crossing::falling}};
-  Flight flight;
-  flight.path.push_back({0, x0});
-  const auto observe = [&flight](const ivp::Step& step) {
-    flight.path.push_back({step.t1, step.x1});
+  Trajectory trajectory;
+  trajectory.path.push_back({0, x0});
+  const auto observe = [&trajectory](const ivp::Step& step) {
+    trajectory.path.push_back({step.t1, step.x1});
     return true;
   };
   const auto [end, hits, open] =
       ivp::integrate_with_events(system, x0, 0, 100, published_series(0.01, 20), events, observe);
   if (!end.status.ok() || hits.size() != 2) throw Failure(end.status);
-  flight.apex = {hits[0].t, hits[0].x};
-  flight.landing = {end.t, end.x};
-  flight.path.back() = flight.landing;
-  return flight;
+  trajectory.apex = {hits[0].t, hits[0].x};
+  trajectory.landing = {end.t, end.x};
+  trajectory.path.back() = trajectory.landing;
+  return trajectory;
 }
 
-Flight fly_with_and_without_wind() {
-  Flight flight = fly(problems::TextProblem("projectile"));
+Trajectory trajectory_with_and_without_wind() {
+  Trajectory trajectory = trajectory_of(problems::TextProblem("projectile"));
   const problems::TextProblem calm("projectile", {{"wind_x", 0}, {"wind_y", 0}});
-  flight.x_without_wind = fly(calm).landing.x[0];
-  return flight;
+  trajectory.x_without_wind = trajectory_of(calm).landing.x[0];
+  return trajectory;
 }
 
-void draw(const Flight& flight, scene::Show& show) {
+void draw(const Trajectory& trajectory, scene::Show& show) {
   std::vector<Sample> fifths;
-  for (std::size_t i = 0; i < flight.path.size(); i += 5) fifths.push_back(flight.path[i]);
-  fifths.push_back(flight.landing);
-  scene::Plot& plot = show.plots("The printed wind: sideways, and ten times too far").stacked({3, 4});
+  for (std::size_t i = 0; i < trajectory.path.size(); i += 5) fifths.push_back(trajectory.path[i]);
+  fifths.push_back(trajectory.landing);
+  scene::Plot& plot =
+      show.plots("Projectile path: the printed wind makes the range ten times longer").stacked({3, 4});
   plot.data(scene::table_of(
       fifths, {{"t_s", &Sample::t}, {"x_m", Component{0}}, {"y_m", Component{1}}, {"z_m", Component{2}}}));
   plot.panel("", "height {/:Italic z} (m)")
@@ -69,33 +70,33 @@ void draw(const Flight& flight, scene::Show& show) {
             ":(sprintf('%.0f s', column('t_s'))) every 40::80 with labels right offset -0.6,0.6 notitle");
 }
 
-void put(const Flight& flight, scene::Show& show) {
-  draw(flight, show);
+void put(const Trajectory& trajectory, scene::Show& show) {
+  draw(trajectory, show);
   // oracle: algebraic_series_motions projectile *
   const auto check = [&](const char* name, const scene::Amount& value, double known) {
     show.near(name, value, known, 1e-13,
               "tools/oracles/algebraic_series_motions.py; rounding in a thousand steps");
   };
-  check("time of landing", {flight.landing.t, "s"}, 9.84601516944855);
-  check("x at landing", {flight.landing.x[0], "m"}, 38476.6981780052);
-  check("y at landing", {flight.landing.x[1], "m"}, 17355.9754745922);
-  check("greatest height", {flight.apex.x[2], "m"}, 121.165897244319719);
-  check("time of the greatest height", {flight.apex.t, "s"}, 4.88588698119259833);
-  check("x at landing without wind", {flight.x_without_wind, "m"}, 3764.74722882073);
+  check("time of landing", {trajectory.landing.t, "s"}, 9.84601516944855);
+  check("x at landing", {trajectory.landing.x[0], "m"}, 38476.6981780052);
+  check("y at landing", {trajectory.landing.x[1], "m"}, 17355.9754745922);
+  check("greatest height", {trajectory.apex.x[2], "m"}, 121.165897244319719);
+  check("time of the greatest height", {trajectory.apex.t, "s"}, 4.88588698119259833);
+  check("x at landing without wind", {trajectory.x_without_wind, "m"}, 3764.74722882073);
 }
 
 }  // namespace
 
 std::vector<scene::Scene> scenes() {
-  const scene::Result flight(
+  const scene::Result trajectory(
       "projectile",
       "Eq. 58 corrected; initial velocity (4, 0, 0.5) read as one a step T = 0.01 s, 400 and 50 m/s; T and N "
       "as printed",
-      fly_with_and_without_wind);
+      trajectory_with_and_without_wind);
   return {{.name = "fig-1",
            .title = "Path of a projectile under drag and a wind that grows with height",
            .place = "Figure 1",
-           .content = scene::Content(put, flight)}};
+           .content = scene::Content(put, trajectory)}};
 }
 
 }  // namespace nlmech::chapters::algebraic_series::projectile

@@ -122,10 +122,11 @@ void draw(const std::vector<Problem>& all, scene::Show& show) {
     for (std::size_t i = 0; i < p.radii.t.size(); ++i)
       data.add({p.name, p.radii.t[i] / p.radii.t.back(), p.radii.radius[i], p.choices[0].step});
   }
-  scene::Plot& plot = show.plots("Printed steps (dashed) against the radius of convergence");
+  scene::Plot& plot =
+      show.plots("Radius of convergence along each solution, above the printed steps (dashed)");
   plot.stacked().size(760, 640).data(std::move(data));
   auto panel = [&, block = 0](const char* caption, double largest, double tics) mutable {
-    plot.panel("share of the way", "radius")
+    plot.panel("fraction of the time interval", "radius")
         .x_range(0, 1)
         .y_range(0, largest)
         .set(fmt::format("ytics {}", tics))
@@ -195,7 +196,7 @@ std::vector<scene::Scene> scenes() {
       "largest of the components, against solutions in 35 digits (the strong oscillator: 19)",
       compute);
   return {{.name = "radius",
-           .title = "Printed steps against the radius of convergence, and what it costs to ignore it",
+           .title = "Radius of convergence, printed steps and the errors of longer steps",
            .content = scene::Content(put, result)}};
 }
 

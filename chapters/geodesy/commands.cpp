@@ -63,7 +63,7 @@ void declare_common(scene::Options& options, Request& request, const char* colum
                   names_of_ellipsoids()));
   options.add("file", request.file,
               fmt::format("CSV file with the columns {}, in any order and case, or with these alone and no "
-                          "header; other columns are handed on; - is standard input",
+                          "header; other columns are passed through; - is standard input",
                           columns));
 }
 
@@ -72,18 +72,16 @@ void declare_forward(scene::Options& options, Request& request) {
                  "latitude_deg (or latitude, lat), longitude_deg (longitude, lon), height_m "
                  "(height, h)");
   options.footer(
-      "At a pole x = y = 0, so that the longitude is lost. A point so deep that another point of the "
-      "ellipsoid is nearer, in the Earth below -6335 km, comes back from reverse with the coordinates of "
-      "that one.");
+      "At a pole x = y = 0, so the longitude is lost. If a point is so deep that another point of the "
+      "ellipsoid is nearer (in the Earth below -6335 km), reverse returns the coordinates that belong to the "
+      "nearest point.");
 }
 
 void declare_reverse(scene::Options& options, Request& request) {
   options.add("--method", request.method, "full precision, or the series").one_of({"fast", "series"});
-  options.add("--order", request.order, "order of the series, 4 without it")
+  options.add("--order", request.order, "order of the series (default 4)")
       .range(1, nlmech::geodesy::highest_order);
-  options
-      .add("--height", request.height,
-           "height from the series, as without it, or by projection on the normal")
+  options.add("--height", request.height, "height from the series (default) or by projection on the normal")
       .one_of({"series", "projection"});
   declare_common(options, request, "x, y, z");
   options.footer(
@@ -109,8 +107,8 @@ std::string plain_name(const std::string& text) {
 /// @throws InputError
 Shape parse_ellipsoid(const std::string& text) {
   const auto refuse = [&](const std::string& why) {
-    return input_error("--ellipsoid {}: {}; say {}, or A,F as in 6378137,1/298.257223563", quoted_input(text),
-                       why, names_of_ellipsoids());
+    return input_error("--ellipsoid {}: {}; give {}, or A,F as in 6378137,1/298.257223563",
+                       quoted_input(text), why, names_of_ellipsoids());
   };
   const auto comma = text.find(',');
   if (comma == std::string::npos) {
@@ -218,11 +216,10 @@ std::string reverse_by_series(const Input& in, const Shape& shape, const Request
     const nlmech::geodesy::Reversed found = nlmech::geodesy::reverse(p, shape.ellipsoid, method);
     const SeriesError error = error_of(found.position, closest(p).position, shape.ellipsoid);
     if (found.outcome != Outcome::success || !(error.total <= nlmech::geodesy::largest_relative_miss)) {
-      throw Failure(
-          failed_with(found.outcome == Outcome::success ? Outcome::outside_validity : found.outcome,
-                      "{}, line {}: the series of order {} does not hold at ({:g}, {:g}, {:g}); use "
-                      "--method fast, which holds everywhere",
-                      in.name, in.points.line[i], order, p.x, p.y, p.z));
+      throw Failure(failed_with(found.outcome == Outcome::success ? Outcome::outside_validity : found.outcome,
+                                "{}, line {}: the series of order {} is not valid at ({:g}, {:g}, {:g}); use "
+                                "--method fast, which is valid everywhere",
+                                in.name, in.points.line[i], order, p.x, p.y, p.z));
     }
     if (error.total > largest.total) {
       largest = error;
@@ -283,7 +280,7 @@ std::string forward(const Request& request) {
   if (beyond > 0)
     scene::print_message(
         fmt::format("geodesy: note: the point of line {} is so deep that another point of the ellipsoid is "
-                    "nearer; reverse gives that one",
+                    "nearer; reverse returns the coordinates of the nearest point",
                     beyond));
   return out.text();
 }
@@ -291,9 +288,9 @@ std::string forward(const Request& request) {
 }  // namespace
 
 void commands(scene::Commands& all) {
-  all.add("reverse", "x,y,z to latitude_deg,longitude_deg,height_m (height with an ellipsoid A,F)",
+  all.add("reverse", "Convert x,y,z to latitude_deg,longitude_deg,height_m (height with an ellipsoid A,F)",
           declare_reverse, reverse);
-  all.add("forward", "latitude_deg,longitude_deg,height_m to x,y,z", declare_forward, forward);
+  all.add("forward", "Convert latitude_deg,longitude_deg,height_m to x,y,z", declare_forward, forward);
 }
 
 }  // namespace nlmech::chapters::geodesy

@@ -28,10 +28,10 @@ const char *const fast = "fast", *const geographiclib = "GeographicLib";
 
 /// Line of a method without times.
 scene::MethodLine line_of(const TimedMethod& c) {
-  const bool ours = c.method.starts_with(fast);
+  const bool computed = c.method.starts_with(fast);
   const Group group = c.method.starts_with("series") ? series
                       : c.method == geographiclib    ? library
-                      : ours                         ? (c.batch ? fast_batch : fast_point)
+                      : computed                     ? (c.batch ? fast_batch : fast_point)
                       : c.batch                      ? other_batch
                                                      : other_point;
   return {c.name(), group, {}, group <= fast_point ? scene::Side::subject : scene::Side::peer};
@@ -109,17 +109,18 @@ void put(const scene::ProblemLines& all, scene::Show& show) {
     height = std::max(height, std::get<double>(a.work.front()));
   }
   scene::show_work_precision(
-      {.heading = fmt::format("Full precision in {:.1f} times the time of two arctangents", batch / floor),
-       .digits = "digits: -log_{10} of the latitude's greatest error (rad)",
+      {.heading = fmt::format("Latitude to full precision in {:.1f} times the time of two arctangents",
+                              batch / floor),
+       .digits = "digits: −log_{10} of max |latitude error| (rad)",
        .least_digits = 7,
        .most_digits = 17,
        .error = "max latitude error (rad)",
-       .time = "time a point (s)",
+       .time = "time per point (s)",
        .unit = "ns",
        .work = {"max height error (m)"},
        .groups = {{"series of the dissertation", 2},
-                  {"ours, in batches", 0},
-                  {"ours, one point", 1},
+                  {"nlmech, in batches", 0},
+                  {"nlmech, one point", 1},
                   {"published, in batches", 3},
                   {"published, one point", 4},
                   {"library", 5}},
@@ -138,7 +139,7 @@ std::vector<scene::Scene> scenes() {
                             "errors over 40 000 points",
                             measure);
   return {{.name = "error-vs-time",
-           .title = "Latitude error against time a point: ours and the peers, one by one and in batches",
+           .title = "Latitude error against time per point: nlmech and peers, single points and batches",
            .content = scene::Content(put, costs)}};
 }
 

@@ -34,7 +34,7 @@ Errors errors_at(double latitude_deg) {
 
 /// Draws the errors; values below 1e-11 m are drawn at 1e-11 m.
 void draw(const std::vector<Errors>& all, scene::Show& show) {
-  scene::Panel& panel = show.plot("Height by projection forgives an error of latitude",
+  scene::Panel& panel = show.plot("Height error: the projection is insensitive to an error of latitude",
                                   "geodetic latitude (deg)", "|height error| (m)");
   panel.x_range(0, 90).log_y(5e-12, 10).set("xtics 15").set("ytics 100").set("title offset 0,3");
   panel.set("margins screen 0.12, screen 0.97, screen 0.13, screen 0.78");

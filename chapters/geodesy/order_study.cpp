@@ -59,7 +59,7 @@ const std::vector<Shown>& all_shown() {
 /// Draws both panels with a common key below the heading. Points of the printed series are larger, to stay
 /// visible where it agrees with the corrected one.
 void draw(const std::vector<Order>& orders, scene::Show& show) {
-  scene::Plot& plot = show.plots("Each order gains two digits; as printed, none after 3");
+  scene::Plot& plot = show.plots("Largest error: each order gains two digits; as printed none after 3");
   const auto panel = [&](const std::string& quantity, const std::string& unit) -> scene::Panel& {
     const std::string by_order = "order:" + quantity;
     return plot.panel("order of the expansion", "maximum |" + quantity + " error| (" + unit + ")")

@@ -120,8 +120,9 @@ void add_curves(scene::Panel& panel, int block, const Errors& errors) {
 
 void draw(const std::vector<Errors>& distance, const std::vector<Errors>& flattening, scene::Show& show) {
   const bool with_peer = distance.front().of.contains("GeographicLib");
-  scene::Plot& plot = show.plots(with_peer ? "Full accuracy from 1 m to a million km, flattenings to 0.9"
-                                           : "Full accuracy at every distance (without GeographicLib)");
+  scene::Plot& plot = show.plots(
+      with_peer ? "Latitude error of fast: only rounding, from 1 m to a million km and to f = 0.9"
+                : "Latitude error of fast: only rounding at every distance (without GeographicLib)");
   plot.data(table_of(distance, flattening));
   scene::Panel& left = plot.panel("distance from the centre (km)", "max |latitude error| (rad)");
   left.log_x(1e-3, 1e6).log_y(1e-17, 10).set("xtics 1000").set("ytics 100");

@@ -46,7 +46,7 @@ std::vector<scene::Scene> scenes() {
   const scene::Result derived("derived-series", "Eq. 2.46 solved in powers of p by exact rational arithmetic",
                               nlmech::geodesy::derive_series);
   return {{.name = "table-2.6",
-           .title = "Coefficients of the third and fourth order: printed beside derived",
+           .title = "Coefficients of the third and fourth order: printed and derived",
            .place = "Table 2.6",
            .content = scene::Content(put, derived)}};
 }

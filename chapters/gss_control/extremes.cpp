@@ -160,13 +160,13 @@ void put(scene::Show& show) {
   // At a pole the value is infinite or not reliable.
   const spacecraft::Plant plant(craft(true));
   const auto there = plant.response(Complex(0, spacecraft::poles(plant, 1).omega.front()), 2);
-  show.equals("a pole is said or its value is beyond 1e8",
+  show.equals("a pole is reported or its value is beyond 1e8",
               there.outcome == Outcome::at_pole || std::abs(there.theta) > 1e8, 1,
               "at s = j omega of the first pole, rounded to double");
-  show.equals(
-      "stable loops whose motion is found", worst.found,
-      static_cast<double>(crafts.size() + loops.size() - 1),
-      "all but one: beside an appendage of 1000 ft the hub is too light for 800 poles, which is said");
+  show.equals("stable loops whose motion is found", worst.found,
+              static_cast<double>(crafts.size() + loops.size() - 1),
+              "all but one: beside an appendage of 1000 ft the hub is too light for 800 poles, which the "
+              "status reports");
   show.at_most("largest miss of int theta'^2, relative", worst.rate, 1e-9,
                "k1/(2 k3) by Parseval's theorem; sums leave out 1e-9 of their largest terms");
   show.at_most("largest miss of int e^2, over 1e-9 and rounding", worst.angle, 1,

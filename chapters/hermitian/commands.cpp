@@ -15,13 +15,15 @@ struct PeakOptions {
 };
 
 void declare(scene::Options& options, PeakOptions& typed) {
-  options.add("--problem", typed.problem, "from rest, or from 0.01")
+  options
+      .add("--problem", typed.problem,
+           "oscillator of the paper: from rest (laier-duffing) or from 0.01 (laier-van-der-pol)")
       .one_of({"laier-duffing", "laier-van-der-pol"})
       .required();
-  options.add("--method", typed.method, "operators of")
+  options.add("--method", typed.method, "author of the operators")
       .one_of({"laier", "argyris", "newmark", "hoff", "bazzi"})
       .required();
-  options.add("--step", typed.step, "length of a step").positive().required();
+  options.add("--step", typed.step, "step size, s").positive().required();
 }
 
 std::string peak(const PeakOptions& typed) {
@@ -36,7 +38,7 @@ std::string peak(const PeakOptions& typed) {
 }  // namespace
 
 void commands(scene::Commands& all) {
-  all.add("peak", "The first peak of the paper's oscillators, as CSV: t,peak", declare, peak);
+  all.add("peak", "Print the first peak of an oscillator of the paper as CSV: t,peak", declare, peak);
 }
 
 }  // namespace nlmech::chapters::hermitian

@@ -62,7 +62,7 @@ void draw(const std::vector<Energy>& all, scene::Show& show) {
   for (std::size_t i = 0; i < windows; ++i)
     data.add(
         {(static_cast<double>(i) + 0.5) * end / windows, all[0].worst[i], all[1].worst[i], all[2].worst[i]});
-  show.plot("Symmetric operators keep the energy error bounded", "time (s)",
+  show.plot("Energy error of symmetric operators: bounded to t = 2000", "time (s)",
             "greatest |{/:Italic E}/{/:Italic E}_0 − 1| in 5 s")
       .log_y(1e-5, 1)
       .columns("Newmark, Hoff, Bazzi", "t:newmark", {"lines dashtype 1", 3})

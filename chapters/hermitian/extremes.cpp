@@ -138,13 +138,13 @@ void put(const std::vector<Attempt>& all, scene::Show& show) {
                                     [](const Attempt& a) {
                                       return a.what.starts_with("van der Pol") && a.error.value_or(0) > 0.1;
                                     }),
-              0, "the estimate is there to catch them");
+              0, "the error estimate must reject them");
   show.between("steps that are refused as wrong branches",
                std::ranges::count(all, "wrong_branch", &Attempt::status), 6, 12,
-               "all that are longer than the leap of the three oscillators");
+               "all that are longer than the fast transition of the three oscillators");
   show.at_most("error for mu = 1000, steps chosen, tolerance 1e-8",
                error("van der Pol, mu = 1000", "laier", "tolerance 1e-08"), 1e-6,
-               "tolerance 1e-8; the motion forgets its errors between leaps");
+               "tolerance 1e-8; the limit cycle damps errors between transitions");
   show.at_most("evaluations for mu = 1000, steps chosen, tolerance 1e-8",
                of(all, "van der Pol, mu = 1000", "laier", "tolerance 1e-08").evaluations, 60000,
                "fixed steps: 8.2 million for an error of 5e-4; regression value");
@@ -171,7 +171,7 @@ std::vector<scene::Scene> scenes() {
       "van der Pol from (2, 0) to t = 40, 200, 2000; Duffing with omega = 1000 to t = 1; linear to t = 100",
       attempts);
   return {{.name = "extremes",
-           .title = "Relaxation oscillations, fast oscillators, steps far too long",
+           .title = "Relaxation oscillations, fast oscillators and much too long steps",
            .content = scene::Content(put, result)}};
 }
 

@@ -78,7 +78,9 @@ void draw(const std::vector<Spectrum>& all, scene::Show& show) {
     data.add({s.z, s.radius[0], s.radius[4], s.radius[1], period(s.period[0]),
               turns ? period(s.period[4]) : std::nullopt, period(s.period[1])});
   }
-  scene::Plot& plot = show.plots("Argyris' operators are stable only in part").size(900, 520);
+  scene::Plot& plot =
+      show.plots("Spectral radius and period error: only Argyris' operators have unstable steps")
+          .size(900, 520);
   plot.data(std::move(data));
   scene::Panel& radius = plot.panel("{/:Italic h ω}", "spectral radius of a step");
   radius.set("logscale x").x_range(0.5, 100).set("xtics (0.5, 1, 2, 5, 10, 20, 50, 100)");

@@ -36,9 +36,9 @@ struct PeakTable {
 struct Row {
   std::string column;  ///< operators, such as "Laier"
   double step;
-  double printed, ours, on_grid;  ///< `ours`: dense output; `on_grid`: ends of steps
-  double printed_error, error;    ///< errors of `printed` and `ours` against the exact peak
-  std::string name;               ///< PublishedValue::name()
+  double printed, computed, on_grid;  ///< `computed`: dense output; `on_grid`: ends of steps
+  double printed_error, error;        ///< errors of `printed` and `computed` against the exact peak
+  std::string name;                   ///< PublishedValue::name()
 };
 
 // oracle: transversal_motions Laier's Duffing peak, Laier's van der Pol peak
@@ -64,7 +64,7 @@ void draw(const std::vector<Row>& rows, const std::string& heading, scene::Show&
   panel.log_x(0.045, 0.22).set("xtics (0.05, 0.1, 0.2)").set("format x '%g'").log_y(1e-10, 1);
   panel.set("bmargin 8.5").key("at screen 0.55, screen 0.02 center bottom horizontal maxrows 2 width 2");
   constexpr std::array styles = {1, 5, 3};
-  scene::Table data({{"column"}, {"step"}, {"printed"}, {"ours"}});
+  scene::Table data({{"column"}, {"step"}, {"printed"}, {"computed"}});
   for (std::size_t k = 0; k < 3; ++k) {
     for (const std::size_t i : {k, k + 3, k + 6})
       data.add({rows[i].column, rows[i].step, rows[i].printed_error, rows[i].error});
@@ -76,7 +76,7 @@ void draw(const std::vector<Row>& rows, const std::string& heading, scene::Show&
         {fmt::format("linespoints dashtype {}", dashes), styles.at(k)});
   };
   for (std::size_t k = 0; k < 3; ++k) curve(k, "printed", 3);
-  for (std::size_t k = 0; k < 3; ++k) curve(k, "ours", 1);
+  for (std::size_t k = 0; k < 3; ++k) curve(k, "computed", 1);
   show.figure().data(std::move(data));
 }
 
@@ -92,13 +92,13 @@ void put(const std::vector<Row>& rows, const std::string& heading, const Known& 
   show.table(rows, {{"step", &Row::step},
                     {"operators", &Row::column},
                     {"printed", &Row::printed, 4},
-                    {"ours", &Row::ours, 9},
+                    {"computed", &Row::computed, 9},
                     {"at ends of steps", &Row::on_grid, 6}});
   for (std::size_t i = 0; i < 9; ++i) {
     const Row& r = rows[i];
-    show.near(fmt::format("{}, step {}", r.column, r.step), r.ours, known.values.at(i),
+    show.near(fmt::format("{}, step {}", r.column, r.step), r.computed, known.values.at(i),
               r.column == "Newmark" ? known.second : known.fourth, known.reason);
-    show.measured(r.name, {}, r.ours);
+    show.measured(r.name, {}, r.computed);
   }
 }
 
@@ -106,7 +106,7 @@ void put_duffing(const std::vector<Row>& rows, scene::Show& show) {
   // oracle: hermitian_peaks Duffing * h = 0.?, Duffing * h = 0.05
   constexpr Nine known = {0.538264556, 0.538265355, 0.537396,    0.538265258, 0.538265308,
                           0.538046,    0.538265302, 0.538265305, 0.538211};
-  put(rows, "Table 4 converges at first order, the methods do not",
+  put(rows, "First peak: the printed errors are of first order, the computed ones of 2 and 4",
       {known, 2e-7, 2e-6, "tools/oracles/hermitian_peaks.py, nine digits"}, show);
   for (std::size_t k = 0; k < 3; ++k) {
     const double coarse = rows[k].printed, middle = rows[k + 3].printed, fine = rows[k + 6].printed;
@@ -120,7 +120,7 @@ void put_van_der_pol(const std::vector<Row>& rows, scene::Show& show) {
   // oracle: hermitian_peaks van der Pol *
   constexpr Nine known = {-0.31932979, -0.31933209,  -0.312725,    -0.31932968, -0.31932983,
                           -0.317667,   -0.319329676, -0.319329685, -0.318913};
-  put(rows, "From (0.01, 0) the methods give six numbers of Table 5",
+  put(rows, "First peak from (0.01, 0): six numbers of Table 5 are reproduced",
       {known, 4e-8, 3e-6, "tools/oracles/hermitian_peaks.py, eight digits"}, show);
 }
 
@@ -154,11 +154,11 @@ void put_operators(scene::Show& show) {
 std::vector<scene::Scene> scenes() {
   const scene::Result duffing(
       "duffing-peaks",
-      "start: at rest, which the paper does not say; peak: zero of the velocity in the dense output",
+      "start: at rest, which the paper does not state; peak: zero of the velocity in the dense output",
       [] { return peaks(table_4()); });
   const scene::Result van_der_pol("van-der-pol-peaks",
                                   "start: (0.01, 0), which tools/oracles/hermitian_search.py finds and the "
-                                  "paper does not say; peak as for Duffing",
+                                  "paper does not state; peak as for Duffing",
                                   [] { return peaks(table_5()); });
   return {{.name = "table-1",
            .title = "The operators, corrected, and their orders",

@@ -4,7 +4,7 @@
 #include "nlmech/bvp/optimal_control/direct_start.hpp"
 #include "nlmech/bvp/optimal_control/dual_control.hpp"
 
-// A cart is to be moved by 1 and to stand again after a second, with the least integral of f^2/2.
+// A cart moves by 1 from rest to rest in one second, with the least integral of f^2/2.
 struct Cart {
   static constexpr int states = 2, controls = 1;
   template <class T>

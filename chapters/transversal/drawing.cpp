@@ -81,7 +81,7 @@ int drawn_crossings(const std::vector<double>& s) {
 }
 
 void draw(const Block& b, const std::vector<double>& s, scene::Show& show) {
-  scene::Plot& plot = show.plots("The linearised path crosses the true one at the points");
+  scene::Plot& plot = show.plots("The linearised path crosses the true path at the grid points");
   plot.stacked({2, 1}).columns({"series", "t", "y"});
   scene::Panel& sketch = plot.panel("", "{/:Italic x}, sketched");
   sketch.x_range(-0.25, 4.25).y_range(0.2, 3.2).set("ytics format ''").set("xtics 1").key("top left");

@@ -144,22 +144,23 @@ void put(const std::vector<RunEnd>& all, scene::Show& show) {
   const auto silent = std::ranges::count_if(all, [](const RunEnd& f) {
     return f.how.find("estimate") != std::string::npos && f.status == "success" && *f.error > 0.1;
   });
-  show.equals("runs with an estimate that end far off and say success", silent, 0, "the estimate stops them");
+  show.equals("runs with an estimate that report success far from the solution", silent, 0,
+              "the estimate stops them");
   show.between("runs that end with wrong_branch", std::ranges::count(all, "wrong_branch", &RunEnd::status), 2,
-               10, "at least both of mu = 1000 with steps that cannot resolve the leap");
+               10, "at least both of mu = 1000 with steps that cannot resolve the fast transition");
   show.between("error of p = 8, h = 0.4, without an estimate",
                error("Duffing, x'' + x + x^3 = cos t, to t = 50", blind({.step = 0.4, .points = 8})), 10, 1e9,
                "the solution stays below 2: a root of the equations of a block that is none of the problem");
   show.at_most("error of van der Pol's oscillator, mu = 10, h = 0.01",
                error("van der Pol, mu = 10, to t = 40", blind({.step = 0.01})), 1e-5,
-               "order 4 with mu h = 0.1; 1e-7 was seen");
+               "order 4 with mu h = 0.1; measured 1e-7");
   show.at_most(
       "error of the creeping phase with the Jacobian, mu = 100, h = 0.05",
       error("van der Pol, mu = 100, to t = 20", blind({.step = 0.05, .linear = MtlLinear::jacobian})), 1e-6,
-      "4e-9 was seen with a stabilised linear part");
+      "measured 4e-9 with a stabilised linear part");
   show.at_most("relative error of the smooth start, h = 1/3",
                error("Duffing, w = 1000, m = 1, smooth start, to t = 1", blind({.step = 1. / 3})), 1e-12,
-               "linear to 18 digits: exact but for 333 roundings of the phase");
+               "linear to 18 digits: exact to 333 roundings of the phase");
   show.between("error of the oscillatory start, h = 0.01",
                error("Duffing, w = 1000, m = 1, oscillatory start, to t = 1", blind({.step = 0.01})), 1e-5,
                2e-3, "the frequency's shift 3 m/(8 w) = 3.75e-4 is what sampling at w h = 10 can miss");
@@ -179,7 +180,7 @@ std::vector<scene::Scene> scenes() {
   const scene::Result result("extremes", "van der Pol from (2, 0); Duffing x'' + 1e6 x + m x^3 = cos t",
                              run_ends);
   return {{.name = "extremes",
-           .title = "Stiff and fast: where MTL is exact, and where it is bounded and wrong",
+           .title = "MTL on stiff and fast problems: exact results, and bounded wrong ones",
            .content = scene::Content(put, result)}};
 }
 

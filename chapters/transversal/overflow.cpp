@@ -17,7 +17,7 @@ namespace {
 constexpr double end = 40;
 
 /// A run of one method with one step size.
-struct Fate {
+struct Run {
   std::string method;  ///< method name, such as "rk6" or "mtl 3"
   double step;         ///< step size h
   std::string status;  ///< outcome
@@ -30,21 +30,21 @@ struct Fate {
 };
 
 /// All runs on one oscillator.
-struct Fates {
-  std::vector<Fate> fates;  ///< ordered by method, then by step size
-  double amplitude = 0;     ///< largest |x| of the solution
+struct Outcomes {
+  std::vector<Run> runs;  ///< ordered by method, then by step size
+  double amplitude = 0;   ///< largest |x| of the solution
 
   /// The smallest step size with which a method overflows; NaN if there is none.
   [[nodiscard]] double overflow_from(const std::string& name) const {
     const auto found = std::ranges::find_if(
-        fates, [&](const Fate& f) { return f.method == name && f.status == "non_finite"; });
-    return found == fates.end() ? NAN : found->step;
+        runs, [&](const Run& f) { return f.method == name && f.status == "non_finite"; });
+    return found == runs.end() ? NAN : found->step;
   }
   /// @throws std::out_of_range if there is no such run
-  [[nodiscard]] const Fate& at(const std::string& name, double step) const {
+  [[nodiscard]] const Run& at(const std::string& name, double step) const {
     const auto found = std::ranges::find_if(
-        fates, [&](const Fate& f) { return f.method == name && std::abs(f.step - step) < 1e-9; });
-    if (found == fates.end())
+        runs, [&](const Run& f) { return f.method == name && std::abs(f.step - step) < 1e-9; });
+    if (found == runs.end())
       throw std::out_of_range(fmt::format("no run of {} with the step {}", name, step));
     return *found;
   }
@@ -63,33 +63,32 @@ ivp::NamedIntegrator method(const std::string& name, double step) {
   return name.starts_with("mtl") ? mtl(step, name.back() - '0') : classical(name, step);
 }
 
-Fates fates(double e2, bool quick) {
+Outcomes runs(double e2, bool quick) {
   const problems::TextProblem problem = stand_in(e2);
   const Reference reference(problem, {0, 0}, 0, end);
-  Fates all;
+  Outcomes all;
   for (int i = 0; i <= 4000; ++i)
     all.amplitude = std::max(all.amplitude, std::abs(static_cast<double>(reference(end * i / 4000.0L)[0])));
   for (const std::string name : {"rk4", "rk6", "mtl 3", "mtl 4", "mtl 5"}) {
     for (const double h : steps(quick)) {
       const Course c = course(problem, {0, 0}, end, method(name, h), &reference);
-      all.fates.push_back({name, h, std::string(to_string(c.status.outcome())), c.error});
+      all.runs.push_back({name, h, std::string(to_string(c.status.outcome())), c.error});
     }
   }
   return all;
 }
 
-void check(const std::string& label, const Fates& all, double rk6, double rk4, scene::Show& show) {
+void check(const std::string& label, const Outcomes& all, double rk6, double rk4, scene::Show& show) {
   const char* recorded = "regression value; steps in hundredths are the resolution";
   show.near("RK6 overflows from h, " + label, all.overflow_from("rk6"), rk6, 0.0101 / rk6, recorded);
   show.near("RK4 overflows from h, " + label, all.overflow_from("rk4"), rk4, 0.0101 / rk4, recorded);
-  show.between(
-      "error of p = 3 at h = 0.21 over the amplitude, " + label, all.at("mtl 3", 0.21).error / all.amplitude,
-      0.5, 3,
-      "no digit is right, and twice the amplitude and a little is all that bounded motions can be apart");
-  const auto wild = std::ranges::find_if(all.fates, [&](const Fate& f) {
+  show.between("error of p = 3 at h = 0.21 over the amplitude, " + label,
+               all.at("mtl 3", 0.21).error / all.amplitude, 0.5, 3,
+               "no digit is right, and two bounded motions differ by little more than twice the amplitude");
+  const auto wild = std::ranges::find_if(all.runs, [&](const Run& f) {
     return f.method == "mtl 3" && f.status == "success" && f.error > 10 * all.amplitude;
   });
-  show.between("p = 3 errs by ten amplitudes from h, " + label, wild == all.fates.end() ? NAN : wild->step,
+  show.between("p = 3 errs by ten amplitudes from h, " + label, wild == all.runs.end() ? NAN : wild->step,
                0.22, 0.5,
                "beyond the 0.21 of the paper; nothing bounds the roots that a block's equations may have");
   show.between("error of RK6 over that of p = 3 at h = 0.1, " + label,
@@ -103,8 +102,8 @@ std::string in_legend(const std::string& name) {
 }
 
 /// Draws one error curve per method. Crosses mark step sizes that fail, one row per method.
-void draw(const Fates& all, scene::Show& show) {
-  scene::Panel& panel = show.plot("Bounded is not accurate: at {/:Italic h} = 0.21 nothing is right",
+void draw(const Outcomes& all, scene::Show& show) {
+  scene::Panel& panel = show.plot("Error against step: at {/:Italic h} = 0.21 no method has a correct digit",
                                   "step {/:Italic h} (periods of the force)",
                                   "greatest error of {/:Italic x} to {/:Italic t} = 40");
   panel.log_x(8e-3, 0.6).log_y(1e-9, 300).key("outside right center");
@@ -113,7 +112,7 @@ void draw(const Fates& all, scene::Show& show) {
   scene::Table data({{"series", 3, true}, {"step"}, {"error"}, {"overflow"}});
   std::vector<std::string> methods;
   std::set<int> failing;
-  for (const Fate& f : all.fates) {
+  for (const Run& f : all.runs) {
     if (methods.empty() || methods.back() != f.method) methods.push_back(f.method);
     const int number = static_cast<int>(methods.size());
     std::optional<double> cross;
@@ -128,16 +127,16 @@ void draw(const Fates& all, scene::Show& show) {
   show.figure().data(std::move(data));
 }
 
-void put(const Fates& soft, const Fates& stiff, scene::Show& show) {
+void put(const Outcomes& soft, const Outcomes& stiff, scene::Show& show) {
   draw(soft, show);
   struct Row {
-    const Fate &soft, &stiff;
+    const Run &soft, &stiff;
   };
   std::vector<Row> rows;
-  for (std::size_t i = 0; i < soft.fates.size(); ++i) {
-    const auto hundredths = std::lround(soft.fates[i].step * 100);
+  for (std::size_t i = 0; i < soft.runs.size(); ++i) {
+    const auto hundredths = std::lround(soft.runs[i].step * 100);
     if (hundredths % 5 == 0 ? hundredths <= 20 || hundredths == 30 : hundredths == 21)
-      rows.push_back({soft.fates[i], stiff.fates[i]});
+      rows.push_back({soft.runs[i], stiff.runs[i]});
   }
   show.table(rows, {{"method", [](const Row& r) { return r.soft.method; }},
                     {"h", [](const Row& r) { return r.soft.step; }},
@@ -150,20 +149,20 @@ void put(const Fates& soft, const Fates& stiff, scene::Show& show) {
   show.measured("roy/fig-2/sixth-order Runge-Kutta/overflows at step", {}, soft.overflow_from("rk6"));
 }
 
-scene::Result<Fates> fates_of(double e2) {
-  return {fmt::format("fates-e2-{}", e2),
+scene::Result<Outcomes> fates_of(double e2) {
+  return {fmt::format("outcomes-e2-{}", e2),
           fmt::format(
               "stand-in parameters e1 = 0.25, e2 = {}, e3 = 0.5, from rest to t = 40; RK6 is Butcher's of 7 "
               "stages",
               e2),
-          [e2](bool quick) { return fates(e2, quick); }};
+          [e2](bool quick) { return runs(e2, quick); }};
 }
 
 }  // namespace
 
 std::vector<scene::Scene> scenes() {
   return {{.name = "overflow",
-           .title = "RK4, RK6 and MTL against the step: bounded is not accurate",
+           .title = "Error and overflow of RK4, RK6 and MTL against the step",
            .place = "our own, for Figure 2",
            .content = scene::Content(put, fates_of(0.5), fates_of(1))}};
 }

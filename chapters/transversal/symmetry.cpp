@@ -73,7 +73,8 @@ std::vector<Long> all_runs() {
 
 void put(const std::vector<Long>& all, scene::Show& show) {
   scene::Panel& panel =
-      show.plot("Symmetric in time: the energy does not drift", "time", "relative error of the energy");
+      show.plot("Energy error: no drift of MTL, which is symmetric in time; rk4 and rk6 drift", "time",
+                "relative error of the energy");
   panel.x_range(0, end).log_y(1e-8, 1e-1).key("outside right center");
   show.figure().columns({"series", "t", "error"});
   std::vector<double> middles;
@@ -108,7 +109,7 @@ std::vector<scene::Scene> scenes() {
       "long-runs", "x'' + x + x^3 = 0 from (1, 0), h = 0.1, to t = 600; K = 1; the determinant at (1, 0.3)",
       all_runs);
   return {{.name = "symmetry",
-           .title = "Energy over a long time; area; there and back",
+           .title = "Energy error over a long time, area in the phase plane, reversed runs",
            .content = scene::Content(put, runs)}};
 }
 

@@ -32,13 +32,14 @@ struct TypedState {
 };
 
 void declare_mu(scene::Options& options, std::optional<double>& mu) {
-  options.add("--mu", mu, fmt::format("gravitational parameter; the Earth's, {}, without it", earth_mu))
+  options.add("--mu", mu, fmt::format("gravitational parameter (default {}, the Earth's)", earth_mu))
       .positive();
 }
 
 void declare_state(scene::Options& options, TypedState& s) {
-  options.add("--position", s.at.position, "x,y,z from the centre, in any consistent units").required();
-  options.add("--velocity", s.at.velocity, "its rate, x,y,z").required();
+  options.add("--position", s.at.position, "position x,y,z from the centre, in any consistent units")
+      .required();
+  options.add("--velocity", s.at.velocity, "velocity x,y,z").required();
   declare_mu(options, s.mu);
 }
 
@@ -49,8 +50,8 @@ std::string text_of(const orbit::Vector3<double>& v) { return fmt::format("{},{}
 
 void refuse_centre(const orbit::State& s) {
   if (s.position.isZero(0))
-    throw InputError(
-        fmt::format("--position {}: is the centre, where the attraction has no bound", text_of(s.position)));
+    throw InputError(fmt::format("--position {}: is the centre of attraction; give another position",
+                                 text_of(s.position)));
 }
 
 /// Throws InputError if the state suggests wrong units. Called after all other checks.
@@ -74,34 +75,33 @@ struct Propagation {
 };
 
 void declare_propagation(scene::Options& options, Propagation& p) {
-  options.add("--position", p.position, "x,y,z from the centre, in any consistent units");
-  options.add("--velocity", p.velocity, "its rate, x,y,z");
-  options.add(
-      "--states", p.states,
-      "CSV file in their place: columns x,y,z,vx,vy,vz, and mu and until if they differ, in any order and "
-      "case; others are handed on; - is standard input");
+  options.add("--position", p.position, "position x,y,z from the centre, in any consistent units");
+  options.add("--velocity", p.velocity, "velocity x,y,z");
+  options.add("--states", p.states,
+              "CSV file of initial states (columns x,y,z,vx,vy,vz, optional mu and until, in any order and "
+              "case); other columns are passed through; - is standard input");
   declare_mu(options, p.mu);
-  options.add("--until", p.until, "time at which it ends, from 0; negative runs backwards");
+  options.add("--until", p.until, "final time, from 0; negative: backwards");
   options
       .add("--every", p.every,
-           "rows at this distance in time; without it the first and the last, of --states the last")
+           "time between rows (default: the first and the last row; with --states the last)")
       .positive();
-  options.add("--zonal", p.zonal, "J2[,J3,...,J6] of the centre, the axis along z");
-  options.add("--radius", p.radius, "that the zonal terms refer to").positive();
+  options.add("--zonal", p.zonal, "zonal coefficients J2[,J3,...,J6] of the centre, with its axis along z");
+  options.add("--radius", p.radius, "reference radius of the zonal terms").positive();
   options.add("--method", p.method, "kepler is the closed form").one_of({"series", "rkn1210", "kepler"});
   options
       .add("--tolerance", p.tolerance,
-           "of a step, relative to |r| and |v|; 1e-15 without it. About a point mass rows are compared with "
-           "Kepler's solution: less than six digits are said, none are refused")
+           "error per step, relative to |r| and |v| (default 1e-15). About a point mass rows are compared "
+           "with Kepler's solution: fewer than six correct digits give a warning, none a failure")
       .range(1e-18, 0.1);
-  options.add("--threads", p.threads, "of --states, how many; without it one a processor").range(1, 1024);
+  options.add("--threads", p.threads, "number of threads for --states (default: one for each processor)")
+      .range(1, 1024);
   options.limit(p.limit, "--states");
 }
 
 orbit::Gravity gravity_of(const Propagation& p) {
   orbit::Gravity gravity{.mu = p.mu.value_or(earth_mu)};
-  if (p.radius && p.zonal.empty())
-    throw input_error("--radius {}: means nothing without --zonal J2[,J3,...]", *p.radius);
+  if (p.radius && p.zonal.empty()) throw input_error("--radius {}: needs --zonal J2[,J3,...]", *p.radius);
   if (p.zonal.empty()) return gravity;
   const std::string zonal = fmt::format("--zonal {}", fmt::join(p.zonal, ","));
   if (!p.radius) throw InputError(zonal + ": needs --radius R");
@@ -110,21 +110,21 @@ orbit::Gravity gravity_of(const Propagation& p) {
   std::ranges::copy(p.zonal, gravity.zonal.begin());
   gravity.radius = *p.radius;
   if (p.method == "kepler")
-    throw input_error("{}: --method kepler is about a point mass; use series or rkn1210", zonal);
+    throw input_error("{}: --method kepler is for a point mass; use series or rkn1210", zonal);
   return gravity;
 }
 
 void check_method(const Propagation& p) {
   if (p.method == "kepler" && p.tolerance)
-    throw input_error("--tolerance {}: --method kepler has none, it is exact to rounding", *p.tolerance);
+    throw input_error("--tolerance {}: --method kepler is exact to rounding; leave it out", *p.tolerance);
 }
 
 /// Runs `propagate --states`.
 int propagate_all(const Propagation& p) {
   for (const auto& [option, typed] : {std::pair("--position", &p.position), {"--velocity", &p.velocity}}) {
     if (!typed->empty())
-      throw input_error("{} {}: --states {} has the states; give one of both", option, fmt::join(*typed, ","),
-                        p.states);
+      throw input_error("{} {}: --states {} contains the states; give only one of the two", option,
+                        fmt::join(*typed, ","), p.states);
   }
   if (p.method == "rkn1210")
     throw input_error("--method rkn1210: --states takes series or kepler; rkn1210 takes one --position");
@@ -153,7 +153,7 @@ orbit::Vector3<double> vector_of(const char* option, const std::vector<double>& 
 
 scene::Answer propagate(const Propagation& p) {
   if (!p.states.empty()) return propagate_all(p);
-  if (p.threads) throw input_error("--threads {}: is about --states", *p.threads);
+  if (p.threads) throw input_error("--threads {}: needs --states", *p.threads);
   const orbit::State start{vector_of("--position", p.position), vector_of("--velocity", p.velocity)};
   refuse_centre(start);
   if (!p.until) throw InputError("--until T is needed");
@@ -215,19 +215,22 @@ struct TypedElements {
 
 void declare_elements(scene::Options& options, TypedElements& t) {
   options.add("--a", t.a, "semi-major axis, negative for hyperbolas");
-  options.add("--p", t.p, "semi-latus rectum in its place, for any conic").positive();
+  options.add("--p", t.p, "semi-latus rectum, in place of --a, for any conic").positive();
   options
-      .add("--q", t.q, "periapsis distance: in place of --a, or of --e, which near a parabola has no digits")
+      .add("--q", t.q, "periapsis distance, in place of --a, or of --e, which is inaccurate near a parabola")
       .positive();
   options.add("--e", t.e, "eccentricity, 0 or more; needed unless --a and --q are given");
   options.add("--i", t.i, "inclination in degrees").range(0, 180);
   options.add("--raan", t.raan, "longitude of the ascending node in degrees").range(-360, 360);
   options.add("--argp", t.argp, "argument of the periapsis in degrees").range(-360, 360);
-  options.add("--nu", t.nu, "true anomaly in degrees; 0 if no other place is given").range(-360, 360);
-  options.add("--eccentric-anomaly", t.eccentric_anomaly,
-              "in its place, in degrees; for hyperbolas the hyperbolic anomaly times 180/pi");
-  options.add("--mean-anomaly", t.mean_anomaly, "in its place, in degrees, not for parabolas");
-  options.add("--time-since-periapsis", t.time_since_periapsis, "in its place, for any conic");
+  options.add("--nu", t.nu, "true anomaly in degrees (default 0)").range(-360, 360);
+  options.add(
+      "--eccentric-anomaly", t.eccentric_anomaly,
+      "eccentric anomaly in degrees, in place of --nu; for hyperbolas the hyperbolic anomaly times 180/pi");
+  options.add("--mean-anomaly", t.mean_anomaly,
+              "mean anomaly in degrees, in place of --nu, not for parabolas");
+  options.add("--time-since-periapsis", t.time_since_periapsis,
+              "time since the periapsis, in place of --nu, for any conic");
   declare_mu(options, t.mu);
 }
 
@@ -258,7 +261,7 @@ orbit::Conic conic_of(const TypedElements& t) {
   if (t.a && t.q && !t.p && !t.e) {
     const orbit::Conic conic{*t.q, *t.q / *t.a};
     if (!(conic.one_minus_e <= 1) || conic.one_minus_e == 0)
-      throw InputError(shape + ": make no conic; a is q or more, or negative for hyperbolas");
+      throw InputError(shape + ": no conic has these; a must be at least q, or negative for hyperbolas");
     return conic;
   }
   if (static_cast<int>(t.a.has_value()) + static_cast<int>(t.p.has_value()) +
@@ -314,14 +317,14 @@ std::string state(const TypedElements& t) {
           static_cast<int>(t.mean_anomaly.has_value()) +
           static_cast<int>(t.time_since_periapsis.has_value()) >
       1)
-    throw InputError(place + ": give one of them");
+    throw InputError(place + ": give only one of these");
   const orbit::State s =
       about(place.empty() ? shape : shape + " " + place, [&] { return state_on(conic, t); });
   refuse_other_units(shape, s, t.mu);
   if (const double lost = lost_by_rounding(t, s); lost > 1e-6)
     scene::print_message(fmt::format(
-        "two_body_series: {} {}: rounding of e or nu moves the body by {:.1g} of its distance; --a and --q "
-        "with --time-since-periapsis, as elements prints them, determine it to rounding",
+        "two_body_series: {} {}: rounding of e or nu changes the position by {:.1g} of its distance; --a and "
+        "--q with --time-since-periapsis, as printed by elements, determine it to rounding",
         shape, place, lost));
   return fmt::format("x,y,z,vx,vy,vz\n{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g}\n", s.position[0],
                      s.position[1], s.position[2], s.velocity[0], s.velocity[1], s.velocity[2]);
@@ -332,15 +335,16 @@ std::string state(const TypedElements& t) {
 void commands(scene::Commands& all) {
   all.add(
       "propagate",
-      "Where an orbit leads to, as CSV: t,x,y,z,vx,vy,vz; many of a file: row,t,x,y,z,vx,vy,vz,...,status",
+      "Propagate an orbit; prints t,x,y,z,vx,vy,vz as CSV (with --states: row,t,x,y,z,vx,vy,vz,...,status)",
       declare_propagation, propagate);
-  all.add(
-      "elements",
-      fmt::format("The classical elements of a state, angles in degrees, as CSV: {}. Its a, q (with e = 1 "
-                  "for parabolas, where a is infinite), angles and time_since_periapsis lead back by state",
-                  element_columns),
-      declare_state, elements);
-  all.add("state", "The state of classical elements: x,y,z,vx,vy,vz as CSV", declare_elements, state);
+  all.add("elements",
+          fmt::format(
+              "Print the classical elements of a state, angles in degrees, as CSV: {}. The command state "
+              "recovers the state from a, q (for parabolas q and e = 1), the angles and time_since_periapsis",
+              element_columns),
+          declare_state, elements);
+  all.add("state", "Print the state of given classical elements as CSV: x,y,z,vx,vy,vz", declare_elements,
+          state);
 }
 
 }  // namespace nlmech::chapters::two_body_series

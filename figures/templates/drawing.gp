@@ -4,7 +4,7 @@
 #       labels='W@0.5@3.5@ink'" figures/style.gp figures/templates/drawing.gp > out.svg
 #
 # Variables: data, heading, xrange, yrange (required; ranges as "[0:1]"); labels ("text@x@y@ink|...", `soft` in place of
-# `ink` for what stands back), letters (their size in points), head (length of an arrow's head in units of x, 0.25
+# `ink` for secondary labels), letters (their size in points), head (length of an arrow's head in units of x, 0.25
 # without), free (if it exists, x and y have scales of their own) (optional).
 #
 # Data: CSV with the header `kind,path,x,y,dx,dy`, a blank line after each path. Kinds: paths `member`, `outline`,

@@ -98,4 +98,4 @@ plot data using (first_quadrant(r_on("ellipse"))):(column("z")) with filledcurve
      keyentry with lines linestyle 1 title "normal of the ellipse: geodetic φ_g", \
      keyentry with lines linestyle 3 title "via the circle: parametric φ_c", \
      keyentry with lines linestyle 2 title "to the satellite: geocentric φ_0", \
-     keyentry with lines linestyle 11 title "auxiliary circle, its radius is a"
+     keyentry with lines linestyle 11 title "auxiliary circle of radius a"

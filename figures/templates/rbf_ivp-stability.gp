@@ -1,4 +1,4 @@
-# Every method on stiff problems: the largest step of use, or the digits at a tolerance, or how it fails.
+# Every method on stiff problems: the largest usable step, or the digits at a tolerance, or the failure.
 #
 #   gnuplot -e "data='results/rbf_ivp/stability.csv'; rows_fixed='13'; rows_adaptive='14'; height='620'" \
 #       figures/style.gp figures/templates/rbf_ivp-stability.gp > out.svg
@@ -33,7 +33,7 @@ do for [panel in "fixed adaptive"] {
   left = panel eq "fixed" ? 0.165 : 0.675
   set margins screen left, screen left + 0.32, screen 0.27, screen 0.87
   set yrange [rows + 0.5 : 0.5]
-  set title (panel eq "fixed" ? "fixed step: largest of use × rate" : "tolerance 10^{−6}: digits") \
+  set title (panel eq "fixed" ? "fixed step: largest usable step × rate" : "tolerance 10^{−6}: digits") \
       font sprintf("%s,%d", font_family, font_size) offset 0,0
   low = panel eq "fixed" ? -2 : 0
   high = panel eq "fixed" ? 4 : 8

@@ -2,7 +2,7 @@
 
 SOURCE is the source tree, OUT the folder with the generated figures/, tables/, results/; the chapters are in reading order.
 Steps: look for the tools; turn the pages into what Doxygen reads; run Doxygen, where any warning is a failure; copy what the
-pages need from MathJax; write the index of the search. All complaints are shown, each with its file and line, before it stops with exit code 1."""
+pages need from MathJax; write the index of the search. All errors are shown, each with its file and line, before it stops with exit code 1."""
 import pathlib
 import re
 import shutil
@@ -20,7 +20,7 @@ SCRIPT_OF_MATHJAX = re.compile(rb'<script[^>]*src="mathjax/MathJax.js"></script>
 
 
 def find_tools():
-    """Doxygen's program and the folders of its style sheet and of MathJax. All that is missing is named at once."""
+    """Doxygen's program and the folders of its style sheet and of MathJax. An error message names all missing packages."""
     def folder(name, file):
         return next((share / name for share in SHARE if (share / name / file).exists()), None)
 
@@ -101,7 +101,7 @@ def main(source, build, out, version, *chapters):
     source, build, out = (pathlib.Path(folder).absolute() for folder in (source, build, out))
     book = Book(source, build, out, build / "book", chapters)
     doxygen, awesome, mathjax = find_tools()
-    (book.folder / "book.stamp").unlink(missing_ok=True)  # a failure must not pass for a finished book
+    (book.folder / "book.stamp").unlink(missing_ok=True)  # after a failure there is no finished book
     for name in ("html", "pages"):
         shutil.rmtree(book.folder / name, ignore_errors=True)
         (book.folder / name).mkdir(parents=True)

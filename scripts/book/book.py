@@ -1,4 +1,4 @@
-"""What all parts of the page maker share: where things lie, what was read, what is wrong."""
+"""State shared by all parts of the page maker: paths, files read, errors."""
 import dataclasses
 import pathlib
 import re
@@ -7,7 +7,7 @@ import sys
 
 
 class Complaint(Exception):
-    """What is wrong, in words. Whoever knows the page and its line adds them."""
+    """An error message. The caller that knows the page and its line adds them."""
 
 
 @dataclasses.dataclass
@@ -23,10 +23,10 @@ class Book:
     scenes: dict = dataclasses.field(default_factory=dict)  # quantities that were read, by scene
     labels: dict = dataclasses.field(default_factory=dict)  # of the pages, by source
     summaries: dict = dataclasses.field(default_factory=dict)  # first paragraphs of finished pages, by source
-    shown: set = dataclasses.field(default_factory=set)  # figures and tables that stand on a page
+    shown: set = dataclasses.field(default_factory=set)  # figures and tables that a page contains
 
     def choosing(self):
-        """The page on choosing a method, if this build has all chapters that it speaks of; else nothing."""
+        """The page on choosing a method, if this build has all chapters that it refers to; else nothing."""
         page = self.source / "docs/choosing.md"
         if not page.exists() or not set(re.findall(r"/figures/(\w+)/", page.read_text(encoding="utf-8"))) <= set(self.chapters):
             return []
@@ -37,7 +37,7 @@ class Book:
         print(self.complaints[-1], file=sys.stderr)
 
     def reads(self, file):
-        """The file, which from now on is one that the book depends on."""
+        """The file; it becomes a dependency of the book."""
         self.files_read[file] = None
         return file
 
@@ -54,7 +54,7 @@ class Book:
         file.write_text(text, encoding="utf-8")
 
     def copy(self, file, name):
-        """A file of the project that travels with the book, under this name."""
+        """A file of the project that is copied into the book, under this name."""
         copied = self.folder / "html" / name
         copied.parent.mkdir(parents=True, exist_ok=True)
         shutil.copyfile(self.reads(file), copied)

@@ -1,4 +1,4 @@
-"""The library's components, in the API reference and on the map of the house.
+"""The library's components, in the API reference and on the component map.
 
 A component has a sentence in docs/components.txt, lines "name: sentence", and a worked example in docs/examples.txt, lines
 "name: source marker". Who stands on whom was written by the configuration:
@@ -31,8 +31,8 @@ def example_text(book, example):
 
 
 def api_comments(book):
-    """The comments by which Doxygen knows the components. Only those with headers in this tree, for it rejects words about what
-    it does not find."""
+    """The comments by which Doxygen knows the components. Only those with headers in this tree, because Doxygen rejects comments
+    about namespaces that it does not find."""
     sentences = dict(book.entries(book.source / "docs/components.txt"))
     examples = dict(book.entries(book.source / "docs/examples.txt"))
     folders = sorted(path.name for path in (book.source / "common/nlmech").iterdir() if path.is_dir())
@@ -70,7 +70,7 @@ def read_uses(book, file):
 
 def floors_of(uses):
     """Components by floor, the ground first: each is one above the highest that it uses. Those that use each other in a circle,
-    or one that is not listed, would have no floor: none is lost in silence."""
+    or one that is not listed, would have no floor: this is an error."""
     floors, built = [], set()
     while left := [name for name in uses if name not in built]:
         floor = [name for name in left if built.issuperset(uses[name])]
@@ -82,17 +82,17 @@ def floors_of(uses):
 
 
 def box(link, uses):
-    """A link that fills it, and what the box stands on."""
+    """A link that fills the box, and the components that it uses."""
     words = f'<span class="uses">{", ".join(uses)}</span>' if uses else ""
     return f"<li>{link} {words}</li>"
 
 
 def map_of_the_house(book):
-    """Chapters on top, the components below, each on the lowest floor that stands above all it uses: one line of HTML."""
+    """Chapters on top, the components below, each on the lowest floor above all that it uses: one line of HTML."""
     uses = read_uses(book, book.build / "components.txt")
     all_of_chapters = read_uses(book, book.build / "chapter_uses.txt")
     of_chapters = {chapter: all_of_chapters.get(chapter, []) for chapter in book.chapters}
-    # What every chapter uses is said once, instead of in each box.
+    # Components that every chapter uses are listed once instead of in each box.
     first = next(iter(of_chapters.values()), [])
     common = [name for name in first if all(name in used for used in of_chapters.values())]
     boxes = [box(f'\\ref chapter_{chapter} "{short_name(book, chapter)}"', [name for name in used if name not in common])

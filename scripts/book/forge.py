@@ -1,13 +1,13 @@
-"""The chapters' pages as forges show them, tracked as docs/chapters/<chapter>.md: the page maker of the book, writing Markdown.
+"""The chapters' pages for GitHub and other forges, tracked as docs/chapters/<chapter>.md: the page maker of the book, writing Markdown.
 
   python3 scripts/book/forge.py write SOURCE OUT CHAPTER...   writes them, with the numbers and tables of OUT
   python3 scripts/book/forge.py check SOURCE OUT CHAPTER...   exit code 1 if one is not what it would write, line by line
 
-A page shows the few of its figures that are kept in docs/gallery (`make gallery` draws them, a test holds them to their scenes) and
-names the command for the others; likewise for long tables and tables of run times. Tables of the sources stand without their run times. A table
+A page shows the few of its figures that are kept in docs/gallery (`make gallery` draws them, a test compares them with their scenes) and
+names the command for the others; likewise for long tables and tables of run times. Tables of the sources are shown without their run times. A table
 whose numbers depend on rounding is marked by the chapter's page and left out, [caption](path "depends on rounding"), or loses the rows and columns that are named there,
-[caption](path "depends on rounding: row; column"). Run times differ at each run, and rounding from machine to machine. So a check takes any number where one is of a scene with run times; other results may differ by a factor of two, or
-as they like where both are below 1e-10 and are noise. All else is compared by the letter.
+[caption](path "depends on rounding: row; column"). Run times differ at each run, and rounding from machine to machine. So a check accepts any number for a result of a scene with run times; other results may differ by a factor of two, or
+by any factor if both are below 1e-10, which is rounding. All other text is compared exactly.
 """
 import pathlib
 import re
@@ -25,8 +25,8 @@ IN_TABLE = re.compile(r"(?<![\w.#-])-?[0-9]+(?:\.[0-9]+)?(?:e-?[0-9]+)?(?![\w.])
 IDENTIFIER = re.compile(r"(`[^`]*`|\[[^]]*\]\([^)]*\))|\bnlmech::\w+(?:::\w+)*")
 LIST_MARK = re.compile(f"^([{TIMED}{COMPUTED}][0-9]+{END})([.)])(?=\\s|$)")
 MOST_ROWS = 24
-ADVICE = ("Where you changed a result or a page: `make pages`, and look at the difference. Where you did not, the number depends on rounding: its "
-          'scene shows the median of perturbed runs, or the chapter\'s page marks its table, [caption](path "depends on rounding"), and names no such number.')
+ADVICE = ("If you changed a result or a page: `make pages`, and review the difference. If not, the number depends on rounding: let its "
+          'scene show the median of perturbed runs, or mark its table on the chapter\'s page, [caption](path "depends on rounding"), and print no such number.')
 NOISE = 1e-10
 
 
@@ -150,7 +150,7 @@ class ForgePage(Page):
 
 
 def with_forge_formulas(page):
-    r"""\f$ \f$ and \f[ \f] as GitHub's kin show them. A formula is closed on the line on which it begins."""
+    r"""\f$ \f$ and \f[ \f] in the form of GitHub and similar forges. A formula ends on the line on which it starts."""
     page = re.sub(r"\\f\$(.*?)\\f\$", lambda formula: f"$`{' '.join(formula[1].split())}`$", page, flags=re.DOTALL)
     return re.sub(r"^([ \t]*)\\f\[(.*?)\\f\]",
                   lambda formula: f"{formula[1]}```math\n{formula[1]}{formula[2].strip()}\n{formula[1]}```",
@@ -158,7 +158,7 @@ def with_forge_formulas(page):
 
 
 def plain_number(text):
-    """The number at the start of a result as a page shows it, and what stands behind it; None for words."""
+    """The number at the start of a result as a page shows it, and the text after it; None if it starts with text."""
     for shown, meant in (("&nbsp;", ""), ("&minus;", "-"), ("\u202f", ""), ("\\,", ""), (" ", "")):
         text = text.replace(shown, meant)
     match = NUMBER.fullmatch(text)
@@ -179,19 +179,19 @@ def without_marks(made):
 
 
 def disagreement(made, kept):
-    """In what does the kept line differ from what was made, results as far as they must agree? Empty if in nothing."""
+    """How the tracked line differs from the generated one; results are compared with their tolerance. Empty if they agree."""
     parts = SPAN.split(made)  # text, kind, result, text, ...
     pattern = "(.*?)".join(re.escape(text) for text in parts[::3])
     match = re.fullmatch(pattern, kept)
     if not match:
-        return f"the page says\n  {kept}\nand would say\n  {without_marks(made)}"
+        return f"the page has\n  {kept}\nand should have\n  {without_marks(made)}"
     pairs = [f"{found} on the page, {result} now" for kind, result, found in zip(parts[1::3], parts[2::3], match.groups())
              if kind == COMPUTED and not agree(result, found)]
     return "; ".join(pairs)
 
 
 def differences(made, kept):
-    """(line, in what it differs) for all that do, lines from 1; of texts that differ in length the first alone."""
+    """(line from 1, difference) for all lines that differ; only the first if the numbers of lines differ."""
     made, kept = made.split("\n"), kept.split("\n")
     found = [(number, words) for number, lines in enumerate(zip(made, kept), 1) if (words := disagreement(*lines))]
     if len(made) == len(kept):

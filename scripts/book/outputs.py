@@ -1,8 +1,8 @@
 """python3 scripts/book/outputs.py BUILD PAGE...: puts below each command of a page's ```sh blocks, and below the code of each example,
-what the program of BUILD prints, as a ```text block. tests/pages holds them to what the programs print.
+what the program of BUILD prints, as a ```text block. tests/pages compares them with the programs' output.
 
 A block has one command. Long outputs are shown by their start and their last line, long lines by their start; of a run that is not
-verified the end is left out, for another machine has another one."""
+verified the end is left out, because it differs between machines."""
 import pathlib
 import re
 import subprocess

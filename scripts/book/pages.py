@@ -3,8 +3,8 @@
   {{geodesy/fig-2.27: max latitude error | 3}}    a number of results/geodesy/fig-2.27.json
   {{ratios: table-4.2, RK4-1 (P/10), ours | 2}}   a number of tables/ratios.json
   [@elgohary2015, Eq. 2.45]                       a citation
-  ![caption](../../figures/geodesy/fig-2.27.svg)  on lines of its own: the figure; behind the path may stand "what is seen",
-                                                  for who does not see it, where the picture's own words do not tell
+  ![caption](../../figures/geodesy/fig-2.27.svg)  on lines of its own: the figure; after the path, optionally: "alternative text",
+                                                  if the texts in the picture do not describe it
   [caption](../../tables/geodesy/table-2.6.md)    on lines of its own: the table; a long one is folded away in chapters
   [Fig. 2.27](../../figures/geodesy/fig-2.27.svg) within a sentence: a link to the figure in the book; so for
                                                   tables, pages, headers; any other file is copied
@@ -27,7 +27,7 @@ from book import Complaint
 from quantities import quantity_text
 
 FENCE = re.compile(r"[ \t]*(```|~~~)")
-OPEN = re.compile(r"\{\{[^{}]*$|\[@[^]]*$|^!\[.*[^)]$|^!?\[[^]]*$")  # a mark, citation or caption that goes on in the next line
+OPEN = re.compile(r"\{\{[^{}]*$|\[@[^]]*$|^!\[.*[^)]$|^!?\[[^]]*$")  # a mark, citation or caption that continues in the next line
 FIGURE = re.compile(r'!\[(.*)\]\(([^() ]+)(?: +"([^"]*)")?\)[ \t]*')
 FIGURE_PARAGRAPH = re.compile(r'!\[[^\0]*\]\([^() ]+(?:\s+"[^"]*")?\)\s*')
 ROUNDING = "depends on rounding"  # behind the path of a table: forge.py
@@ -40,14 +40,14 @@ QUANTITY = re.compile(r"\{\{([\w.-]+(?:/[\w.-]+)?): *([^|]*[^| ]) *(?:\| *(.*))?
 CITATION = re.compile(r"\[@([A-Za-z0-9_-]+)(?:, *(.*))?\]")
 LIST_MARK = re.compile(r"^([0-9]+)([.)])(?=\s|$)")
 MOST_ROWS = 16  # of a published table or of errata that a chapter shows unfolded
-MOST_RUNS = 6  # of any other, for the conclusion shall stand below the picture
+MOST_RUNS = 6  # of any other, so that the conclusion stays close to the picture
 LEAST_FIGURES = 3  # one after another that stand side by side
 WIDE = ("reproduction", "completeness", "claims", "errata")  # pages whose tables need the list of sections' width
-WORKS_CITED = "@BOOK_WORKS_CITED@"  # stands for them until the whole page is read
+WORKS_CITED = "@BOOK_WORKS_CITED@"  # placeholder until the whole page is read
 
 
 def advice(path):
-    """Who writes a file that is missing."""
+    """The command that writes a missing file."""
     if re.fullmatch(r"tables/([^/]+/errata|REPRODUCTION|COMPLETENESS|CLAIMS|ERRATA)\.md", path):
         return "; `make check` writes it"
     scene = re.fullmatch(r"(?:figures|tables)/([^/]+)/([^/]+)\.[a-z]+", path)
@@ -66,7 +66,7 @@ def anchor(path):
 
 
 def plain_text(caption):
-    """A caption as the text that stands for the picture where it cannot be seen: no links, formulas or emphasis."""
+    """A caption as the alternative text of the picture: without links, formulas and emphasis."""
     text = re.sub(r'[@\\]ref [^ ]+ "([^"]*)"', r"\1", caption)
     text = re.sub(r"\[([^]]*)\]\([^)]*\)", r"\1", text)
     text = re.sub(r"\\f[][$]|[*`]|<[^<>]*>", "", text.replace("<sup>", "^"))
@@ -159,7 +159,7 @@ class Page:
         return self.number < len(self.lines) and is_blank(self.lines[self.number]) == blank
 
     def title(self, line):
-        """With the page's label. The blank line under it gives way to the list of sections."""
+        """With the page's label. The list of sections replaces the blank line under it."""
         line = re.sub(r"[ \t]*\{#[^}]*\}[ \t]*$", "", line) + f" {{#{self.label}}}"
         if self.label == "mainpage" or not self.next_is(blank=True):
             return line
@@ -169,7 +169,7 @@ class Page:
         return line + "\n\\tableofcontents"
 
     def paragraph_line(self, line):
-        """What stands for a line of text, joined with the next ones as long as a mark is open."""
+        """The replacement of a line of text, joined with the next ones as long as a mark is open."""
         first = self.number
         while OPEN.search(line) and self.next_is(blank=False):
             line += " " + self.next_line().strip(" \t")
@@ -181,7 +181,7 @@ class Page:
             return line
 
     def list_or_picture(self, line, number):
-        """What stands for a line that is a list, a figure or a table by itself; else None."""
+        """The replacement of a line that consists of a list, a figure or a table; else None."""
         mark = line.rstrip(" \t")
         if mark == "{{chapters}}":
             return self.list_of_chapters()
@@ -216,7 +216,7 @@ class Page:
         return f'<ul class="chapters">{items}</ul>'
 
     def resolved(self, path):
-        """A path written on the page: from the top of the project, and the file it stands for."""
+        """A path written on the page: relative to the top of the project, and the file that it names."""
         path = os.path.normpath(os.path.join(os.path.dirname(self.source), path))
         generated = re.match("(figures|tables)/[^/]+/", path)
         return path, (self.book.out if generated else self.book.source) / path
@@ -248,14 +248,14 @@ class Page:
             size = f' width="{size[0]}" height="{size[1]}"' if size else ""
             image = f'<a href="{path}"><img src="{path}" alt="{self.alternative(svg, given, caption, path)}"{size}/></a>'
             before, after = f'<figure class="plate">{image}<figcaption>', "</figcaption></figure>"
-            if "<script" in svg:  # its curves say their names where it stands alone
+            if "<script" in svg:  # its curves show their names if it is opened by itself
                 after = f'<a class="curves" href="{path}">All curves by name</a>{after}'
         text = (f"\\anchor {anchor(path)} \\htmlonly[block]{before}\\endhtmlonly {caption} "
                 f"\\htmlonly[block]{after}\\endhtmlonly")
         return text + self.included(path, file) if is_table else text
 
     def alternative(self, svg, given, caption, path):
-        """The text that stands for a picture where it cannot be seen."""
+        """The alternative text of a picture."""
         text = pictures.alternative(svg, given, html.unescape(plain_text(caption)))
         if not text:
             raise Complaint(f"neither {path} nor the page says in {pictures.LEAST_WORDS} words what is seen: ![caption](path \"what is seen\")")
@@ -274,7 +274,7 @@ class Page:
         return f" \n\n{table}" if "\\f$" in table else f" \\include{{doc}} {path}"
 
     def inline(self, line, number):
-        """A line with its numbers, citations and links replaced. Of each that cannot be, it is said why."""
+        """A line with its numbers, citations and links replaced. An error message for each that cannot be replaced."""
         def replaced(mark):
             try:
                 return self.replacement(mark[0], "".join(self.made) + line[:mark.start()])

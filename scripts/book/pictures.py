@@ -1,5 +1,5 @@
-"""What a picture shows, in words, for who does not see it: read off the SVG that gnuplot wrote. Its heading says what there is to see; the
-axes, their ranges and the names in it follow."""
+"""A description of a picture in words, for readers who do not see it, from the SVG that gnuplot wrote: its title, then the
+axes, their ranges and the names of the curves."""
 import html
 import re
 
@@ -13,7 +13,7 @@ MOST_NAMES = 12
 
 
 class Label:
-    """A text of the picture and where it stands."""
+    """A text of the picture and its position."""
 
     def __init__(self, x, y, turned, size, anchor, markup):
         self.x, self.y, self.turned, self.anchor = float(x), float(y), bool(turned), anchor
@@ -44,7 +44,7 @@ def unique(texts):
 
 
 def listed(names):
-    """Names behind each other, the many cut short with their count."""
+    """Names separated by commas; a long list is cut and ends with their number."""
     more = len(names) - MOST_NAMES
     return "; ".join(names[:MOST_NAMES]) + (f"; and {more} more" if more > 0 else "")
 
@@ -75,7 +75,7 @@ def described(svg):
 
 
 def alternative(svg, given, caption):
-    """The text that stands for the picture: the given one, else what its own words say. Empty if that says too little, or nothing but
+    """The alternative text of the picture: the given one, else its description. Empty if that is too short or equals
     the caption."""
     text = given or described(svg)
     return text if len(text.split()) >= LEAST_WORDS and text.strip(". ") != caption.strip(". ") else ""

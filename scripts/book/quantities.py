@@ -48,7 +48,7 @@ def unit_text(unit, tex):
 def load(book, scene):
     """The file of a scene's quantities, as a page would name it, and what it lists."""
     name, file, command = f"results/{scene}.json", book.out / f"results/{scene}.json", scene.replace("/", " run ", 1)
-    if scene == "ratios":  # measured on an idle machine alone, and therefore kept with the sources
+    if scene == "ratios":  # measured only on an idle machine, therefore tracked with the sources
         name, file, command = "tables/ratios.json", book.source / "tables/ratios.json", "make bench"
     if scene not in book.scenes:
         if not file.exists():
@@ -61,7 +61,7 @@ def load(book, scene):
 
 
 def read_options(options):
-    """What stands behind bars in a mark, "5 | no unit": number of digits, and if the unit is shown."""
+    """Options of a mark, "5 | no unit": number of digits, and whether the unit is shown."""
     digits, with_unit = None, True
     for option in options.split("|") if options else []:
         option = option.strip()
@@ -88,6 +88,6 @@ def quantity_text(book, scene, name, options, tex):
     if isinstance(value, bool) or not isinstance(value, (int, float, str)):
         raise Complaint(f"'{name}' of {file} has no value ({json.dumps(value)})")
     if value == "" or isinstance(value, float) and not math.isfinite(value):
-        raise Complaint(f"'{name}' of {file} is {value!r}, which says nothing")
+        raise Complaint(f"'{name}' of {file} is {value!r}, which is no number and no text")
     text = value if isinstance(value, str) else formatted(decimal.Decimal(value), digits, tex)  # a text: "not stated"
     return text + (unit_text(found[0].get("unit") or "", tex) if with_unit else "")

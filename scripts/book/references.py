@@ -57,7 +57,7 @@ def read_work(entry):
     if not all(field.get(name) for name in ("author", "title", "year")):
         raise Complaint(f"'{key}' lacks author, title or year, each on one line")
     if "doi" in field and not re.fullmatch(r"10\.[0-9]+/[^ ]+", field["doi"]):
-        raise Complaint(f"'{key}' has a DOI that is none: {field['doi']}")
+        raise Complaint(f"'{key}' has an invalid DOI: {field['doi']}")
     author, year = field["author"], field["year"]
     if letter := re.search("[0-9]([a-z])$", key):  # elgohary2014b
         year += letter[1]
@@ -70,7 +70,7 @@ def read_work(entry):
 
 
 def load(book, file):
-    """Reads all works; of each entry that cannot be used it says why."""
+    """Reads all works; reports an error for each entry that cannot be used."""
     line = 1
     for entry in re.split("^(?=@)", book.text(file), flags=re.MULTILINE):
         try:

@@ -1,5 +1,5 @@
-"""The index of the book's search, html/search_index.js: the text of its pages by sections, and the names that Doxygen knows. A script and
-no data, because a page that is opened from the file system may read nothing else. docs/search.js searches it."""
+"""The index of the book's search, html/search_index.js: the text of its pages by sections, and the names that Doxygen knows. A script
+instead of data, because a page opened from the file system may read nothing else. docs/search.js searches it."""
 import ast
 import html
 import html.parser
@@ -9,14 +9,14 @@ import re
 CONTENTS = re.compile(r'<div class="contents">(.*)</div><!-- contents -->', re.DOTALL)
 LIST_OF_SECTIONS = re.compile(r'<div class="toc">.*?</div>', re.DOTALL)
 TITLE = re.compile(r'<div class="title">(.*?)</div>', re.DOTALL)
-HEADING = re.compile(r"<h([23])>(?!<a )")  # without a place of its own
+HEADING = re.compile(r"<h([23])>(?!<a )")  # without an anchor
 FORMULA = re.compile(r"\\\(.*?\\\)|\\\[.*?\\\]", re.DOTALL)
 SILENT = ("script", "style")
 APART = ("p", "li", "td", "th", "tr", "div", "br", "h1", "h2", "h3", "figcaption")  # words before and after are two
 
 
 class Sections(html.parser.HTMLParser):
-    """The text of a page's contents, in pieces that begin at headings: [place, heading, text, text of tables]."""
+    """The text of a page's contents, in sections that start at headings: [place, heading, text, text of tables]."""
 
     def __init__(self):
         super().__init__()

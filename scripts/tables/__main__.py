@@ -1,11 +1,11 @@
-"""The pages of tables/ and the tests of the printed numbers, made of what the chapters' checks and `make bench` left on disk.
+"""The pages of tables/ and the tests of the printed numbers, from the files that the chapters' checks and `make bench` wrote.
 
   python3 scripts/tables check SOURCE OUT CHAPTER...     tables/REPRODUCTION.md, COMPLETENESS.md, CLAIMS.md and ERRATA.md of SOURCE, and
                                                          OUT/tables/<chapter>/errata.md; exit code 1 if a verdict is another than expected
                                                          or a figure or table incomplete
   python3 scripts/tables bench SOURCE                    tables/BENCH.md, RATIOS.md and ratios.json, of results/bench and results/ratios
   python3 scripts/tables tests SOURCE CHECK CHAPTER...   prints a test for each printed number, as ctest includes them; CHECK is the
-                                                         folder in which the chapters' checks leave what they say
+                                                         folder to which the chapters' checks write their output
 
 CHAPTER: those of this build. Exit code 2 if a list is wrong, with its file and line."""
 import pathlib
@@ -33,7 +33,7 @@ def write_errata(source, out, guide):
 
 
 def check(source, out, *chapters):
-    """All pages are written before it says whether something fails."""
+    """Writes all pages, then reports failures."""
     places = lists.read_places(source)
     guide = Guide(source, places)
     printed = lists.read_values(source, places)

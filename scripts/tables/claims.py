@@ -1,5 +1,5 @@
-"""tables/CLAIMS.md: what the sources claim in prose, and the evidence for or against it. A claim is the one thing that is judged here and
-nowhere else: it holds if a number lies in a range."""
+"""tables/CLAIMS.md: what the sources claim in prose, and the evidence for or against it. Only claims are judged here: a claim
+holds if a number lies in a range."""
 import dataclasses
 import math
 import re
@@ -14,23 +14,23 @@ RANGE = re.compile(rf"at least (?P<least>{NUMBER})|at most (?P<most>{NUMBER})|(?
 PRINTED, RATIOS = "REPRODUCTION", "RATIOS"  # evidence that is no scene: pages beside this one
 INTRODUCTION = """# Claims in prose
 
-What the sources say in words and a computation can decide, a row each, in our words. The claim *holds* if the quantity of the scene \
-beside it lies where the claim puts it; a text that leaves out what would decide is *not stated*. Numbers in tables are judged one by \
-one in [Published beside reproduced](REPRODUCTION.md). Written by `make check` from `tables/claims.csv`.
+Claims in the text of the sources that a computation can decide, one per row, reworded. The claim *holds* if the quantity of the \
+named scene lies in the claimed range; it is *not stated* if the text omits what is needed to decide. Numbers in tables are judged one \
+by one in [Published beside reproduced](REPRODUCTION.md). Written by `make check` from `tables/claims.csv`.
 
 """
 
 
 @dataclasses.dataclass
 class Claim:
-    """A row of tables/claims.csv, which tables/published/README.md explains, and what the evidence says of it."""
+    """A row of tables/claims.csv, which tables/published/README.md explains, and its evidence."""
     source: str
     place: str
     chapter: str  # that has the evidence
     text: str
     scene: str  # of that chapter, PRINTED or RATIOS
     quantity: str  # of that scene, or "table-4.4/HHT-1/RMS error"
-    means: str  # what the claim says of it: "at least 2", "at most 1e-7", "0.9 to 1.1"
+    means: str  # claimed range: "at least 2", "at most 1e-7", "0.9 to 1.1"
     expected: str
     reading: str
     value: float = math.nan

@@ -1,5 +1,5 @@
-"""tables/COMPLETENESS.md: what stands behind each figure and table of the sources: its scene, what was drawn, what was checked; and what
-became of the work that the sources leave to the future."""
+"""tables/COMPLETENESS.md: the scene of each figure and table of the sources, with its curves and checks, and the state of the
+future work that the sources name."""
 import re
 
 from guide import chapter_page
@@ -10,7 +10,7 @@ from markdown import table
 CURVE = re.compile(r'id="nlmech_plot_1.*?<(?:path|use|polygon|image)', re.DOTALL)
 INTRODUCTION = """# What is shown
 
-Every figure and table of the sources is a scene: drawn anew, with quantities that are checked against independent values each time. \
+Every figure and table of the sources is a scene: redrawn, with quantities that are checked against independent values each time. \
 *Complete* means that there are curves or rows, at least one such quantity, and that all pass. The CMES paper prints the numbers of \
 Tables 4.2, 4.4 and 4.6 without the rows of MCPI: they are counted for both sources and judged in [Published beside \
 reproduced](REPRODUCTION.md) once. Written by `make check`.

@@ -15,9 +15,9 @@ INTRODUCTION = """# Errata of the sources
 {} misprints, and {} claims that are refuted. A test evaluates each printed form and its correction beside an oracle that uses neither: a closed form, another program \
 in more digits, another set of equations, or, where the question is which setting a table belongs to, the other numbers that it \
 prints. It fails if the printed form comes closer than ten times the tolerance, or the correction does not come within it. Both \
-distances stand here, relative to the oracle or to the scale that the test names; `nan` marks a printed form that cannot be evaluated. \
-The {} entries without numbers are slips of wording with nothing to compute. A refuted claim is no misprint: [Claims in \
-prose](CLAIMS.md) judges it, and here stands what is found in its place. The sources at hand are scanned text: where scanning may have made the \
+distances are listed, relative to the oracle or to the scale that the test names; `nan` marks a printed form that cannot be evaluated. \
+The {} entries without numbers are errors of wording without a computation. A refuted claim is not a misprint: it is judged in [Claims in \
+prose](CLAIMS.md), and the result found instead is listed here. The sources at hand are scanned text: where scanning may have made the \
 misprint, the entry says so. Written by `make check` from `tables/errata`.
 
 """
@@ -25,7 +25,7 @@ misprint, the entry says so. Written by `make check` from `tables/errata`.
 
 @dataclasses.dataclass
 class Erratum:
-    """A misprint or a refuted claim. The columns of tables/errata/<chapter>.csv, which its README explains."""
+    """A misprint or a refuted claim: the columns of tables/errata/<chapter>.csv, which its README explains."""
     chapter: str  # name of the file
     id: str  # "geodesy-2.45"
     source: str
@@ -36,7 +36,7 @@ class Erratum:
     effect: str
     scan: str
     tests: list  # "unit_frames:Errata.BeamColumn"; none for wording
-    misses: str  # how far the printed form is from the oracle, as the test says
+    misses: str  # how far the printed form is from the oracle, as the test reports
     within: str  # how close to it the test holds the corrected form
 
 

@@ -54,7 +54,7 @@ class Guide:
         return self.titles.get(chapter, chapter)
 
     def by_chapter(self, entries):
-        """The entries of each chapter, in the order in which the sources come to them."""
+        """The entries of each chapter, in the order of the sources."""
         chapters = {chapter: [] for chapter in [*self.order, *sorted({entry.chapter for entry in entries})]}
         for entry in entries:
             chapters[entry.chapter].append(entry)

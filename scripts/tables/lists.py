@@ -1,5 +1,5 @@
-"""What the pages of evidence are made of: the lists of tables/, and what the chapters' checks left under OUT. A list that is wrong
-is refused with file, line and value. Whether a number agrees with a printed one is decided by `CHAPTER check` alone: its
+"""Input of the pages of evidence: the lists of tables/, and the files that the chapters' checks wrote under OUT. An error in a list
+is reported with file, line and value. Whether a number agrees with a printed one is decided by `CHAPTER check` alone: its
 results/<chapter>/check.csv has the verdict."""
 import csv
 import dataclasses
@@ -31,9 +31,9 @@ def read_rows(file, columns=None, header=None):
     except csv.Error as error:
         raise Refused(f"{file}: line {line}: {'a quote is never closed' if 'end of data' in str(error) else error}") from error
     except UnicodeDecodeError as error:
-        raise Refused(f"{file}: no text in UTF-8") from error
+        raise Refused(f"{file}: is not UTF-8 text") from error
     if header and (not rows or rows[0][1] != header):
-        raise Refused(f"{file}: the header is another one")
+        raise Refused(f"{file}: has another header than expected")
     for where, cells in rows[1:]:
         if columns and len(cells) != columns:
             raise Refused(f"{where}: {len(cells)} of {columns} cells")
@@ -44,7 +44,7 @@ def read_json(file):
     try:
         return json.loads(file.read_text(encoding="utf-8"))
     except ValueError as error:
-        raise Refused(f"{file}: no JSON") from error
+        raise Refused(f"{file}: is not JSON") from error
 
 
 def read_quantities(file):

@@ -1,5 +1,5 @@
-"""tables/BENCH.md, tables/RATIOS.md and tables/ratios.json, of what the programs of `make bench` left in results/bench and
-results/ratios: they judge, and these pages list."""
+"""tables/BENCH.md, tables/RATIOS.md and tables/ratios.json, from the results and verdicts that the programs of `make bench` wrote to
+results/bench and results/ratios."""
 import json
 
 from lists import read_json
@@ -7,44 +7,44 @@ from markdown import table
 
 SPEED = """# Speed
 
-Ratios of medians to a peer in the same process: how many times less time ours takes. *From* and *to* are the smallest and the largest \
-ratio of single repetitions. Integrators of other libraries run as their manuals write it: in their own loop over steps, on their own \
-state, with nothing of ours around them. Behind our interface, which adds a status, observers and checks, they take longer: lines *in \
-our walk* say by how much. Lines *multiply-adds alone* are the floor under lanes: as many multiply-adds as the series need, with all \
-numbers in registers. Written by `make bench`.
+Ratios of medians to a peer in the same process: time of the peer over time of the nlmech method. *From* and *to* are the smallest and the largest \
+ratio of single repetitions. Integrators of other libraries run as in their manuals: in their own loop over steps, on their own \
+state, without nlmech code. Behind the nlmech interface, which adds a status, observers and checks, they take longer: lines *in \
+our loop* show by how much. Lines *multiply-adds alone* are the lower bound for SIMD lanes: as many multiply-adds as the series need, \
+with all numbers in registers. Written by `make bench`.
 """
 RATIOS = """# Ratios of run times
 
-The dissertation prints seconds of MATLAB on an unknown machine. Seconds cannot be compared; that one method took so many times longer \
-than another can. A ratio is the time of a row's method over that of the *reference* of its table: the series (Analytic-Cont) over as \
+The dissertation prints seconds of MATLAB on an unknown machine. Absolute times cannot be compared, but \
+ratios can. A ratio is the time of a row's method over that of the *reference* of its table: the series (Analytic-Cont) over as \
 many orbits in Tables 3.2 and 3.3, collocation with 35 nodes (RBF-Coll-2) in Tables 4.2, 4.4 and 4.6. Above 1 the reference, the \
-source's own method, is the faster one. Each run has the setting of its row and is the one whose error stands in our table of that \
-name; all run in one process and one thread, repeated in random order after a run that warms up. *Ours* is the ratio of medians; *from* \
+source's own method, is the faster one. Each run has the setting of its row and is the one whose error is in the table of that \
+name here; all run in one process and one thread, repeated in random order after a run that warms up. *Ours* is the ratio of medians; *from* \
 and *to* are the ratios of opposite quartiles.
 
 A printed ratio *holds* if the same of the two methods is the faster one here, and the two ratios are at most a factor of {:g} apart: \
 ratios of compiled programs moved by up to a half between the machines that we tried, and printed digits leave a tenth or two more. \
-What is further off says more of two programs, and of MATLAB's interpreter, where a step costs the same whatever it computes, than of \
-two methods. Of {} ratios {} hold; with factors of 2, 5 and 10 it would be {}, {} and {}. No test asserts a time. Written by \
+Larger differences are due to the programs, and to MATLAB's interpreter, where a step costs the same whatever it computes, rather \
+than to the methods. Of {} ratios {} hold; with factors of 2, 5 and 10 it would be {}, {} and {}. No test asserts a time. Written by \
 `make bench`.
 """
 PROSE = """
 ## Claims in prose
 
-The text says "on average", and the mean of the printed rows over 5, 10 and 20 orbits gives its numbers; ours is the same mean.
+The text says "on average", and the mean of the printed rows over 5, 10 and 20 orbits gives its numbers; *ours* is the same mean.
 
 """
-LOST = "The reference wins in print, and loses here to the method of the row; furthest apart first.\n\n"
+LOST = "The reference is faster in print and slower here than the method of the row; largest difference first.\n\n"
 RATIO = ["printed", "ours", "from", "to", "apart"]
 
 
 def read_all(folder):
-    """What each program measured, by its name."""
+    """Measurements of each program, by its name."""
     return {file.stem: read_json(file) for file in sorted(folder.glob("*.json"))}
 
 
 def machine(run):
-    """On what, with which build."""
+    """Machine and build."""
     return f"{run['processor']}, {run['compiler']}, commit {run['commit']}{' with changes' if run['dirty'] else ''}.\n"
 
 
@@ -59,7 +59,7 @@ def speed_page(runs):
 
 
 class Ratios:
-    """Printed ratios beside ours: rows by their places, and claims."""
+    """Printed and measured ratios: rows by their places, and claims."""
 
     def __init__(self, runs):
         self.runs = runs

@@ -1,4 +1,4 @@
-"""tables/REPRODUCTION.md: all printed numbers beside ours."""
+"""tables/REPRODUCTION.md: all printed numbers with the computed ones."""
 from guide import chapter_page, section_link, section_mark, source_title
 from markdown import nominal, number, table
 
@@ -7,16 +7,16 @@ VERDICTS = ["reproduced", "reproduced, inferred reading", "same rounding level",
             "does not hold", "context", "input", "not built"]
 INTRODUCTION = """# What was reproduced
 
-One row for every number that a source prints. *Nominal* is what we get from the text as it stands, *inferred* what we get under a \
-reading that evidence points to, *within* the tolerance that decides: `digits` is one unit of the last printed digit. A range *by \
-rounding* stands in place of a number that differs from machine to machine within it. The words of the verdicts are explained in the \
+One row for every number that a source prints. *Nominal* is the result of the text taken literally, *inferred* that of a \
+reading for which there is evidence, *within* the tolerance of the comparison: `digits` is one unit of the last printed digit. A range *by \
+rounding* replaces a number that differs from machine to machine within this range. The verdicts are explained in the \
 [glossary](../docs/glossary.md). Written by `make check`.
 
 """
 
 
 def reading(value):
-    """The setting that ran, and how the text was understood, with the evidence for it."""
+    """The setting of the run and the reading of the text, with its evidence."""
     text = "; ".join(part for part in (value.setting, value.reading) if part)
     return f"{text} ({value.tried} tried; explains {value.explains} rows)" if value.tried else text
 
@@ -42,7 +42,7 @@ def judged_table(values, guide):
 
 
 def folded_table(values, guide):
-    """What is quoted and never judged, behind a line that opens it."""
+    """Quoted values without verdict, in a folded section."""
     rows = table(["place", "row", "quantity", "published", "reading"], [[*first_cells(v, guide), reading(v)] for v in values])
     return (f"<details>\n<summary>For context, not judged: {len(values)} run times on machines that are not known</summary>\n\n"
             f"{rows}\n</details>\n")
@@ -60,7 +60,7 @@ def section(chapter, values, guide):
 
 
 def page(values, guide):
-    """Counts by chapter and verdict, which are its contents, then a section a chapter with one row a number. Holds no time of ours."""
+    """Counts by chapter and verdict, which are its contents, then a section per chapter with one row per number. Contains no measured times."""
     chapters = guide.by_chapter(values)
     counts = [[section_link(PAGE, chapter, guide.title(chapter)), *(sum(v.verdict == verdict for v in group) for verdict in VERDICTS)]
               for chapter, group in chapters.items()]

@@ -13,7 +13,7 @@ NO_CHROMIUM = "no Chromium is installed (Debian package chromium)"
 
 
 class BrowserLost(Exception):
-    """The browser did not answer in time, or has ended: it is of no more use."""
+    """The browser did not answer in time, or has ended; it cannot be used any more."""
 
 
 def find_chromium():
@@ -31,11 +31,11 @@ class Browser:
     def __init__(self, program):
         self.received, self.events, self.calls = b"", [], 0
         self.folder = tempfile.mkdtemp(prefix="nlmech-browser-")
-        # A socket and no pipes: it does for both directions, and has a time-out.
+        # A socket instead of pipes: it serves both directions and has a time-out.
         self.channel, theirs = socket.socketpair()
         files = [(os.POSIX_SPAWN_OPEN, n, os.devnull, os.O_RDWR, 0) for n in (0, 1, 2)]
         files += [(os.POSIX_SPAWN_DUP2, theirs.fileno(), 3), (os.POSIX_SPAWN_DUP2, 3, 4)]
-        # Without a sandbox, so that it runs as root too, as it does in containers: it shows our own pages only.
+        # Without a sandbox, so that it runs as root too, as it does in containers: it shows only pages of this project.
         words = [program, *OPTIONS, f"--user-data-dir={self.folder}", "--host-resolver-rules=MAP * ~NOTFOUND", "about:blank"]
         # A process group of its own, to be ended as one.
         self.process = os.posix_spawnp(program, words, os.environ | {"TMPDIR": self.folder}, file_actions=files, setpgroup=0)

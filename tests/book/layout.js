@@ -1,5 +1,5 @@
-// What a reader would stumble over on a page with figures and tables, at the width of the window that it is run in: how long a chapter
-// is, what of a table is out of sight, and what stands for a picture that cannot be seen.
+// Errors of a page with figures and tables, at the width of the window: length of a chapter, hidden parts of tables,
+// alternative texts of pictures.
 (() => {
   const all = (selector) => [...document.querySelectorAll(selector)];
   const findings = [];

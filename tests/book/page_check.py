@@ -1,4 +1,4 @@
-"""Loads all pages of a book in headless browsers and says what a reader would stumble over.
+"""Loads all pages of a book in headless browsers and reports their errors.
 
 A finding is a tuple of page (relative to the book's folder), kind and text. Kinds: a link to a file that does not exist, that lies outside
 the folder, or to a place that its page does not have ("link"); an image that cannot be shown ("image"); a formula left as TeX or refused by
@@ -20,7 +20,7 @@ from browser import Browser, BrowserLost, Tab, in_seconds
 
 HERE = pathlib.Path(__file__).parent
 PROBE, LAYOUT, PICTURE = ((HERE / f"{name}.js").read_text(encoding="utf-8") for name in ("probe", "layout", "picture"))
-PHONE, DESK = (390, 844), (1400, 900)  # of the window, px: a phone held upright, and a desk for figures and tables
+PHONE, DESK = (390, 844), (1400, 900)  # size of the window, px: a phone in portrait format, and a desktop for figures and tables
 PREPARED = ("mathjax/MathJax.js", "<figure", 'class="markdownTable"')
 
 

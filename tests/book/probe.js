@@ -1,4 +1,4 @@
-// What a reader would stumble over on a page, at the width of a phone. Run in every page of the book once it is loaded; what it returns
+// Errors of a page at the width of a phone. Run in every page of the book once it is loaded; what it returns
 // is judged by tests/book/page_check.py. With a page's text and address it shows that page first, in the frame of the page that is
 // loaded: its contents in place of the others, and links as from its own address.
 (async (page, address) => {
@@ -31,7 +31,7 @@
   const refused = all(".MathJax_Error, .MathJax_SVG_Error, merror, [data-mathml*='<merror']");
   for (const formula of refused) findings.push(["formula", formula.textContent.trim().slice(0, 80) || "a formula that MathJax refuses"]);
 
-  // A list that does not begin with 1 is a number with a full stop at the begin of a line; a blank before a full stop has lost one.
+  // A list that does not begin with 1 is a number with a full stop at the start of a line; a blank before a full stop has lost one.
   for (const list of all(".contents ol[start]:not([start='1'])")) findings.push(["number", `a list begins with ${list.start}`]);
   for (const words of all(".contents p, .contents li, .contents figcaption")) {
     const lost = words.textContent.match(/\{\{.*|.{0,40}[a-z]\s+[.,;](?=\s|$)/);

@@ -1,4 +1,4 @@
-/// Worked example of the API reference: a problem of one's own, and what follows from it.
+/// Worked example of the API reference: a user-defined problem and its derivatives.
 #include <gtest/gtest.h>
 
 // [example]

@@ -1,4 +1,4 @@
-/// Worked example of the API reference: what a computation of this library hands back.
+/// Worked example of the API reference: what a computation of this library returns.
 #include <gtest/gtest.h>
 
 // [example]
@@ -9,7 +9,7 @@
 #include "nlmech/support/statistics.hpp"
 #include "nlmech/support/status.hpp"
 
-// A result, how it ended, and what it cost: so do all computations answer.
+// A result with its status and cost, as all computations return it.
 struct Root {
   double value = 1;
   nlmech::Status status;

@@ -1,4 +1,4 @@
-"""The check of the book's pages finds what it is there for: each page of the folder fixture/ is broken in one way."""
+"""The check of the book's pages finds every kind of error: each page of the folder fixture/ has one."""
 import pathlib
 import shutil
 import tempfile
@@ -110,7 +110,7 @@ def test_no_browser_is_left_behind(pages, folder, monkeypatch):
         assert list(pathlib.Path(own).iterdir()) == []
         check_pages(CHROMIUM, folder, 30)
         assert list(pathlib.Path(own).iterdir()) == []
-        # Nobody waits for the processes of the killed group: they need a moment to end.
+        # The processes of the killed group have no parent that waits for them; they need a moment to end.
         deadline = in_seconds(20)
         while commands_with(own) and time.monotonic() < deadline:
             time.sleep(0.02)

@@ -283,7 +283,7 @@ def test_differences_are_named(forged):
     assert forge.differences(made, page.replace("9.81", "99")) == [
         (1, "99&nbsp;m/s<sup>2</sup> on the page, 9.81&nbsp;m/s<sup>2</sup> now")]
     other = page.replace("times", "time")
-    assert forge.differences(made, other) == [(1, f"the page says\n  {other}\nand would say\n  {forge.without_marks(made)}")]
+    assert forge.differences(made, other) == [(1, f"the page has\n  {other}\nand should have\n  {forge.without_marks(made)}")]
     assert forge.differences(made, page + "\nmore") == [(2, "2 lines on the page, 1 now")]
 
 
@@ -336,7 +336,7 @@ def test_entries_of_the_bibliography(small):
 @pytest.mark.parametrize("entry, wanted", [
     ("@misc{a b,\n}", "cannot read the entry that begins with: @misc{a b,\n}"),
     ("@misc{a,\n  year = {1},\n}", "'a' lacks author, title or year, each on one line"),
-    (WORKS[WORKS.index("@misc"):].replace("10.1/x", "x"), "'old1900' has a DOI that is none: x")])
+    (WORKS[WORKS.index("@misc"):].replace("10.1/x", "x"), "'old1900' has an invalid DOI: x")])
 def test_an_entry_that_is_refused_is_named_with_its_line(small, entry, wanted):
     file = small.source / "docs/references.bib"
     write(file, "% Words\n" + entry)

@@ -102,20 +102,20 @@ In degrees, whatever the unit. On the ellipsoid 1,0.5 bisection in 50 digits giv
 With no digit left it ends with 1 and prints nothing (39.26971 degrees against 40.067 of the series; a point in the core):
 
   $ echo 1,0,0.25 | geodesy reverse --method series --order 6 --ellipsoid 1,0.5 -
-  geodesy: outside_validity: standard input, line 1: the series of order 6 does not hold at (1, 0, 0.25); use --method fast, which holds everywhere
+  geodesy: outside_validity: standard input, line 1: the series of order 6 is not valid at (1, 0, 0.25); use --method fast, which is valid everywhere
   [1]
   $ echo 0.5,0,0 | geodesy reverse --method series --order 6 --ellipsoid 1,0.5 -
-  geodesy: outside_validity: standard input, line 1: the series of order 6 does not hold at (0.5, 0, 0); use --method fast, which holds everywhere
+  geodesy: outside_validity: standard input, line 1: the series of order 6 is not valid at (0.5, 0, 0); use --method fast, which is valid everywhere
   [1]
   $ printf '7000000,0,0\n1000,0,1000\n' | geodesy reverse --method series -
-  geodesy: outside_validity: standard input, line 2: the series of order 4 does not hold at (1000, 0, 1000); use --method fast, which holds everywhere
+  geodesy: outside_validity: standard input, line 2: the series of order 4 is not valid at (1000, 0, 1000); use --method fast, which is valid everywhere
   [1]
 
 Below the evolute another point of the surface is nearer; on the equator that is at a depth of a (1 - e^2) = 6335439.327 m:
 
   $ printf '45,10,-6.3e6\n0,0,-6335439\n' | geodesy forward - > out.csv
   $ printf '45,10,-6.3e6\n0,0,-6335440\n' | geodesy forward - > out.csv
-  geodesy: note: the point of line 2 is so deep that another point of the ellipsoid is nearer; reverse gives that one
+  geodesy: note: the point of line 2 is so deep that another point of the ellipsoid is nearer; reverse returns the coordinates of the nearest point
 
 Mistakes
 --------
@@ -151,15 +151,15 @@ Each ends with 2 and names file, line, column and text:
   geodesy: points.csv: line 1: latitude_deg = 90.0000001 is not between -90 and 90
   $ point() { echo 1,2,3 | bad reverse "$@"; }
   $ point --ellipsoid 6378137
-  geodesy: --ellipsoid 6378137: no such name, and no comma; say wgs84, wgs72, grs80, international1924, krassowsky1940, bessel1841, airy1830, clarke1866, sphere, or A,F as in 6378137,1/298.257223563
+  geodesy: --ellipsoid 6378137: no such name, and no comma; give wgs84, wgs72, grs80, international1924, krassowsky1940, bessel1841, airy1830, clarke1866, sphere, or A,F as in 6378137,1/298.257223563
   $ point --ellipsoid 6378137,298.257
-  geodesy: --ellipsoid 6378137,298.257: F = 298.257 must be below 1 (the inverse of a flattening is written 1/298.257); say wgs84, wgs72, grs80, international1924, krassowsky1940, bessel1841, airy1830, clarke1866, sphere, or A,F as in 6378137,1/298.257223563
+  geodesy: --ellipsoid 6378137,298.257: F = 298.257 must be below 1 (the inverse of a flattening is written 1/298.257); give wgs84, wgs72, grs80, international1924, krassowsky1940, bessel1841, airy1830, clarke1866, sphere, or A,F as in 6378137,1/298.257223563
   $ point --ellipsoid=-1,0
-  geodesy: --ellipsoid -1,0: Ellipsoid: equatorial radius must be finite and positive, is -1.000000; say wgs84, wgs72, grs80, international1924, krassowsky1940, bessel1841, airy1830, clarke1866, sphere, or A,F as in 6378137,1/298.257223563
+  geodesy: --ellipsoid -1,0: Ellipsoid: equatorial radius must be finite and positive, is -1.000000; give wgs84, wgs72, grs80, international1924, krassowsky1940, bessel1841, airy1830, clarke1866, sphere, or A,F as in 6378137,1/298.257223563
   $ point --ellipsoid 1,1
-  geodesy: --ellipsoid 1,1: F = 1 must be below 1 (the inverse of a flattening is written 1/1); say wgs84, wgs72, grs80, international1924, krassowsky1940, bessel1841, airy1830, clarke1866, sphere, or A,F as in 6378137,1/298.257223563
+  geodesy: --ellipsoid 1,1: F = 1 must be below 1 (the inverse of a flattening is written 1/1); give wgs84, wgs72, grs80, international1924, krassowsky1940, bessel1841, airy1830, clarke1866, sphere, or A,F as in 6378137,1/298.257223563
   $ point --ellipsoid 1,1/0
-  geodesy: --ellipsoid 1,1/0: F is not a number; say wgs84, wgs72, grs80, international1924, krassowsky1940, bessel1841, airy1830, clarke1866, sphere, or A,F as in 6378137,1/298.257223563
+  geodesy: --ellipsoid 1,1/0: F is not a number; give wgs84, wgs72, grs80, international1924, krassowsky1940, bessel1841, airy1830, clarke1866, sphere, or A,F as in 6378137,1/298.257223563
   $ point --ellipsoid 1,-1e150
   geodesy: --ellipsoid 1,-1e150: ClosestPoint: semi-axes must be representable and of a ratio below 1e100, are 1.000000 and 99999*.000000 (glob)
   $ point --order 7

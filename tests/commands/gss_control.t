@@ -215,9 +215,9 @@ Mistakes
   $ wrong poles --count 2.5
   gss_control: --count 2.5: must be a whole number from 1 to 1000
   $ wrong poles --gains 1,1
-  gss_control: --gains 1,1: 2 numbers where k1,k2,k3 are needed
+  gss_control: --gains 1,1: 2 numbers; needs three, k1,k2,k3
   $ wrong poles --gains 12,0,16,1
-  gss_control: --gains 12,0,16,1: 4 numbers where k1,k2,k3 are needed
+  gss_control: --gains 12,0,16,1: 4 numbers; needs three, k1,k2,k3
   $ wrong poles --gains 1,-2,1
   gss_control: --gains 1,-2,1: k2 = -2: it must be above -2, at which the appendages exert no torque on the hub
   $ wrong poles --gains -1,0,16
@@ -227,29 +227,29 @@ Mistakes
   $ wrong poles --spacecraft /no/such/file.toml
   gss_control: /no/such/file.toml: No such file or directory
   $ wrong zeros --at 5
-  gss_control: --at 5: 5 lies off the appendage, which reaches from 0 to 4
+  gss_control: --at 5: 5 is not on the appendage; give a distance from 0 to 4
   $ wrong zeros --at 0
-  gss_control: --at 0: y is 0 at the root, at any s
+  gss_control: --at 0: the deflection at the root is 0 for every s; give a distance above 0
   $ wrong zeros --at 1,2
-  gss_control: --at 1,2: zeros are those of one place
+  gss_control: --at 1,2: several places; give one, whose zeros are found
   $ wrong response
   --omega is required
   Run with --help for more information.
   $ wrong response --omega 1 --at 4.5
-  gss_control: --at 4.5: 4.5 lies off the appendage, which reaches from 0 to 4
+  gss_control: --at 4.5: 4.5 is not on the appendage; give a distance from 0 to 4
   $ wrong response --omega 1 --at -1
-  gss_control: --at -1: -1 lies off the appendage, which reaches from 0 to 4
+  gss_control: --at -1: -1 is not on the appendage; give a distance from 0 to 4
   $ for omega in x 0 inf 1:2 1, 1,nan 1:2:3:4 0:1:5 2:1:5 1:2:1 1:2:1.5; do wrong response --omega $omega; done
   gss_control: --omega x: 'x' is not a finite number
   gss_control: --omega 0: 0 is the double pole of a free body
   gss_control: --omega inf: 'inf' is not a finite number
-  gss_control: --omega 1:2: LO:HI:N has three parts, not 2
+  gss_control: --omega 1:2: LO:HI:N needs three parts, not 2
   gss_control: --omega 1,: '' is not a finite number
   gss_control: --omega 1,nan: 'nan' is not a finite number
-  gss_control: --omega 1:2:3:4: LO:HI:N has three parts, not 4
+  gss_control: --omega 1:2:3:4: LO:HI:N needs three parts, not 4
   gss_control: --omega 0: must be positive
-  gss_control: --omega 2:1:5: LO:HI:N needs LO below HI, and N of 2 at least
-  gss_control: --omega 1:2:1: LO:HI:N needs LO below HI, and N of 2 at least
+  gss_control: --omega 2:1:5: in LO:HI:N LO must be below HI, and N at least 2
+  gss_control: --omega 1:2:1: in LO:HI:N LO must be below HI, and N at least 2
   gss_control: --omega 1.5: must be a whole number from 1 to 10000000
   $ wrong step
   --until is required
@@ -261,7 +261,7 @@ Mistakes
   $ wrong step --until 1 --every 1e-9
   gss_control: --every 1e-09: more than 10 million rows
   $ wrong step --until 1 --final-angle 1
-  gss_control: --final-angle 1: means nothing without --gains k1,k2,k3
+  gss_control: --final-angle 1: needs --gains k1,k2,k3
   $ wrong step --until 1 --gains 1,1,1 --final-angle nan
   gss_control: --final-angle nan: not a finite number
   $ wrong optimal-gains
@@ -278,14 +278,14 @@ A file with line, key and value, by each command:
   $ for command in poles zeros "response --omega 1" "step --until 1" "optimal-gains --deflection-weight 1 --torque-weight 1"; do
   >   wrong $command --spacecraft bad.toml
   > done
-  gss_control: bad.toml, line 1: mass = 3: no such key; there are hub_inertia, mass_per_length, youngs_modulus, length, hub_radius, second_moment, tip_mass, tip_inertia
-  gss_control: bad.toml, line 1: mass = 3: no such key; there are hub_inertia, mass_per_length, youngs_modulus, length, hub_radius, second_moment, tip_mass, tip_inertia
-  gss_control: bad.toml, line 1: mass = 3: no such key; there are hub_inertia, mass_per_length, youngs_modulus, length, hub_radius, second_moment, tip_mass, tip_inertia
-  gss_control: bad.toml, line 1: mass = 3: no such key; there are hub_inertia, mass_per_length, youngs_modulus, length, hub_radius, second_moment, tip_mass, tip_inertia
-  gss_control: bad.toml, line 1: mass = 3: no such key; there are hub_inertia, mass_per_length, youngs_modulus, length, hub_radius, second_moment, tip_mass, tip_inertia
+  gss_control: bad.toml, line 1: mass = 3: no such key; the keys are hub_inertia, mass_per_length, youngs_modulus, length, hub_radius, second_moment, tip_mass, tip_inertia
+  gss_control: bad.toml, line 1: mass = 3: no such key; the keys are hub_inertia, mass_per_length, youngs_modulus, length, hub_radius, second_moment, tip_mass, tip_inertia
+  gss_control: bad.toml, line 1: mass = 3: no such key; the keys are hub_inertia, mass_per_length, youngs_modulus, length, hub_radius, second_moment, tip_mass, tip_inertia
+  gss_control: bad.toml, line 1: mass = 3: no such key; the keys are hub_inertia, mass_per_length, youngs_modulus, length, hub_radius, second_moment, tip_mass, tip_inertia
+  gss_control: bad.toml, line 1: mass = 3: no such key; the keys are hub_inertia, mass_per_length, youngs_modulus, length, hub_radius, second_moment, tip_mass, tip_inertia
   $ bad() { printf "$1" > bad.toml; refused gss_control poles --spacecraft bad.toml; }
   $ bad '\n\nlenght = 5\n'
-  gss_control: bad.toml, line 3: lenght = 5: no such key; there are hub_inertia, mass_per_length, youngs_modulus, length, hub_radius, second_moment, tip_mass, tip_inertia
+  gss_control: bad.toml, line 3: lenght = 5: no such key; the keys are hub_inertia, mass_per_length, youngs_modulus, length, hub_radius, second_moment, tip_mass, tip_inertia
   $ bad 'length = "long"\n'
   gss_control: bad.toml, line 1: length = 'long': not a number
   $ bad 'length = true\n'
@@ -311,4 +311,4 @@ A file with line, key and value, by each command:
   $ bad 'length 4\n'
   gss_control: bad.toml, line 1, column 8: Error while parsing key-value pair: expected '=', saw '4'
   $ bad '[craft]\nlength = 4\n'
-  gss_control: bad.toml, line 1: craft = length = 4: no such key; there are hub_inertia, mass_per_length, youngs_modulus, length, hub_radius, second_moment, tip_mass, tip_inertia
+  gss_control: bad.toml, line 1: craft = length = 4: no such key; the keys are hub_inertia, mass_per_length, youngs_modulus, length, hub_radius, second_moment, tip_mass, tip_inertia

@@ -28,7 +28,7 @@ Loads at limit points. The truss has them at plus and minus 2 (1 - 1.25^(-1/3))^
   $ limits 34.0902630603 14.2531501017 1e-9
   $ holds --where kind=bifurcation 'load_factor = [27.0, load_factor] +- 0.15' < path.csv
   $ tail -1 said.txt
-  frame: 4 halves of branches leave the paths and are not followed; --branches 4 follows more
+  frame: 4 branches leave the paths and are not followed; --branches 4 follows more
   $ frame frames/truss.toml > path.csv
   $ limit='2*(1 - mpf(1.25)^(-mpf(1)/3))^1.5'
   $ limits "$limit" "-$limit" 1e-12
@@ -100,24 +100,24 @@ Ends that are not reached
 Every path that does not come to its end says so, and all points found are printed: without a limit or branch point, and behind one:
 
   $ frame beam.toml --until 50 --steps 2 > path.csv
-  homotopy: step_limit: frame: all points found are printed, and a path did not get to its end: frame: 2 steps end at a load factor of *, before 50; allow more steps, or longer ones (turn) (glob)
+  homotopy: step_limit: frame: all points found are printed, but a path did not reach its end: frame: 2 steps end at a load factor of *, before 50; allow more steps, or longer ones (turn) (glob)
   [1]
   $ wc -l < path.csv
   4
   $ frame beam.toml > path.csv
-  homotopy: step_limit: frame: all points found are printed, and a path did not get to its end: frame: 200 steps end at a load factor of *, before the requested limit or branch point; allow more steps, or longer ones (turn), or give the load factor at which it ends (until) (glob)
+  homotopy: step_limit: frame: all points found are printed, but a path did not reach its end: frame: 200 steps end at a load factor of *, before the requested limit or branch point; allow more steps, or longer ones (turn), or give the load factor at which it ends (until) (glob)
   [1]
   $ grep -c -e maximum -e minimum path.csv
   0
   [1]
   $ sed 's/^EA = .*/EA = 4.32e7/' frames/lee.toml > slender.toml
   $ frame slender.toml > path.csv
-  homotopy: step_limit: frame: all points found are printed, and a path did not get to its end: frame: 200 steps end at a load factor of *, before 3.71*; allow more steps, or longer ones (turn), or give the load factor at which it ends (until) (glob)
+  homotopy: step_limit: frame: all points found are printed, but a path did not reach its end: frame: 200 steps end at a load factor of *, before 3.71*; allow more steps, or longer ones (turn), or give the load factor at which it ends (until) (glob)
   [1]
   $ grep -c -e maximum -e minimum path.csv
   1
   $ frame frames/toggle.toml --turn 0.002 > path.csv
-  homotopy: step_limit: frame: all points found are printed, and a path did not get to its end: frame: 200 steps end at a load factor of *, before the requested limit or branch point; allow more steps, or longer ones (turn), or give the load factor at which it ends (until) (glob)
+  homotopy: step_limit: frame: all points found are printed, but a path did not reach its end: frame: 200 steps end at a load factor of *, before the requested limit or branch point; allow more steps, or longer ones (turn), or give the load factor at which it ends (until) (glob)
   [1]
   $ grep -c -e maximum -e minimum path.csv
   0
@@ -138,12 +138,12 @@ A bar that is 1 long and 1 stiff has no length left under a load of 1; steps who
 
   $ sed 's/EA = 1000/EA = 1/; s/y = -1/x = -1/; s/\[supports\]/&\nB = ["y", "rotation"]/' beam.toml > bar.toml
   $ frame bar.toml --elements 1 --until 2 > path.csv
-  homotopy: step_underflow: frame: all points found are printed, and a path did not get to its end: frame: at a load factor of 1 a beam-column at (0, 0) has * of its length left, and the path ends: members shorten in proportion to their force, down to zero length (glob)
+  homotopy: step_underflow: frame: all points found are printed, but a path did not reach its end: frame: at a load factor of 1 a beam-column at (0, 0) has * of its length left, and the path ends: members shorten in proportion to their force, down to zero length (glob)
   [1]
   $ frame beam.toml --until 1e-300
   load_factor,B.x,B.y,B.rotation,mesh_error,negative_eigenvalues,kind
   0,0,0,0,0,0,step
-  homotopy: step_underflow: frame: all points found are printed, and a path did not get to its end: frame: the load factors of steps, *e-302, are too small to be squared; take smaller loads and greater factors (glob)
+  homotopy: step_underflow: frame: all points found are printed, but a path did not reach its end: frame: the load factors of steps, *e-302, are too small to be squared; take smaller loads and greater factors (glob)
   [1]
 
 Pictures of paths, also of those that do not come to their end:
@@ -170,9 +170,9 @@ Each with its line:
   $ bad d
   homotopy: bad.toml, [nodes]: there are no nodes
   $ bad '1s/.*/nodes = 1/; 2,$d'
-  homotopy: bad.toml, line 1: nodes = 1: a table is needed, with a line for each node
+  homotopy: bad.toml, line 1: nodes = 1: must be a table with a line for each node
   $ bad 's/B = \[1, 0\]/B = [1]/'
-  homotopy: bad.toml, line 3: nodes.B = [ 1 ]: a place is two numbers, [x, y]
+  homotopy: bad.toml, line 3: nodes.B = [ 1 ]: must be a position of two numbers, [x, y]
   $ bad 's/B = \[1, 0\]/B = [inf, 0]/'
   homotopy: bad.toml, line 3: nodes.B = inf: not a finite number
   $ bad 's/B = \[1, 0\]/&\nB = [2, 0]/'
@@ -192,13 +192,13 @@ Each with its line:
   $ bad 's/EI = 1/&\nhinges = ["C"]/'
   homotopy: bad.toml, line 8: hinges = [ 'C' ]: the member joins A and B
   $ bad 's/EI = 1/&\nelements = 0/'
-  homotopy: bad.toml, line 8: elements = 0: a whole number from 1 to 100000 is needed
+  homotopy: bad.toml, line 8: elements = 0: must be a whole number from 1 to 100000
   $ bad 's/EI = 1/&\nradius = 0.4/'
   homotopy: bad.toml, line 4: member A-B: radius = 0.4: such a circle does not span its length of 1
   $ bad 's/EI = 1/EJ = 1/'
-  homotopy: bad.toml, line 7: EJ = 1: no such key; a member has nodes, EA, EI, hinges, elements, radius, mass
+  homotopy: bad.toml, line 7: EJ = 1: no such key; the keys of a member are nodes, EA, EI, hinges, elements, radius, mass
   $ bad 's/"rotation"/"turn"/'
-  homotopy: bad.toml, line 9: supports.A = [ 'x', 'y', 'turn' ]: turn is no motion; there are x, y, rotation
+  homotopy: bad.toml, line 9: supports.A = [ 'x', 'y', 'turn' ]: turn is no motion; the motions are x, y, rotation
   $ bad 's/A = \["x"/Z = ["x"/'
   homotopy: bad.toml, line 9: there is no node Z
   $ bad 's/"rotation"/"y"/'
@@ -212,7 +212,7 @@ Each with its line:
   $ bad 's/B = { y/A = { y/'
   homotopy: bad.toml, line 11: load on A.y, which is fixed
   $ bad 's/\[loads\]/[load]/'
-  homotopy: bad.toml, line 10: load = B = { y = -1 }: no such key; there are nodes, members, supports, loads, displacements, masses, damping, imperfection
+  homotopy: bad.toml, line 10: load = B = { y = -1 }: no such key; the keys are nodes, members, supports, loads, displacements, masses, damping, imperfection
   $ bad '1s/.*/[nodes/; 2,$d'
   homotopy: bad.toml, line 1, column 7: Error while parsing table header: expected ']', saw '\n'
   $ bad "1s/.*/a.$(head -c 5000 /dev/zero | tr '\0' .)/; 2,\$d"
@@ -221,11 +221,11 @@ Each with its line:
 Of load cases, displacements, imperfections and damping:
 
   $ refused homotopy frame frames/cases.toml
-  homotopy: frames/cases.toml, [loads]: there are several cases; say --case and one of lift, twist, weight
+  homotopy: frames/cases.toml, [loads]: there are several cases; give --case with one of lift, twist, weight
   $ refused homotopy frame frames/cases.toml --case nothing
   homotopy: frames/cases.toml, [loads]: there is no case nothing; there is lift, twist, weight
   $ refused homotopy frame frames/toggle.toml --case weight
-  homotopy: frames/toggle.toml, [loads]: there is no case weight; loads stand there without one
+  homotopy: frames/toggle.toml, [loads]: there is no case weight; the file has no cases
   $ other() { { sed 's/\[loads\]/[loads.down]/' beam.toml; printf "$1"; } > two.toml; refused homotopy frame two.toml --case down; }
   $ other '[loads.other]\nZ = { y = 1 }\n'
   homotopy: two.toml, line 13: there is no node Z
@@ -241,7 +241,7 @@ Of load cases, displacements, imperfections and damping:
   $ more '[displacements]\nA = { y = 1 }\n'
   homotopy: more.toml, line 13: displacement of A.y, which is fixed
   $ more '[imperfection]\nmode = 0\namplitude = 1\n'
-  homotopy: more.toml, line 13: imperfection.mode = 0: a whole number from 1 to 100000 is needed
+  homotopy: more.toml, line 13: imperfection.mode = 0: must be a whole number from 1 to 100000
   $ more '[damping]\nmass = -1\n' --dynamic --time 1
   homotopy: more.toml, line 12: damping = -1; it must not be negative
 
@@ -250,20 +250,20 @@ Mistakes in options
 
   $ wrong() { refused homotopy frame "$@"; }
   $ wrong beam.toml --until 0
-  homotopy: --until 0: the frame is at rest there
+  homotopy: --until 0: the frame is at rest there; give another load factor
   $ dynamic() { refused homotopy frame frames/toggle.toml --dynamic "$@"; }
   $ dynamic
-  homotopy: --dynamic needs a --time at which it ends
+  homotopy: --dynamic: needs --time T, the end of the motion
   $ wrong frames/lee.toml --dynamic --time 1
   homotopy: frames/lee.toml, line 11: a motion in time needs a mass per length of this member: one of its displacements moves no mass
   $ dynamic --time 1 --history ramp
   homotopy: --history ramp needs a --duration
   $ dynamic --time 1 --duration 1
-  homotopy: --duration: a step has none; say --history ramp or pulse
+  homotopy: --duration: is for --history ramp or pulse; leave it out or give one of them
   $ dynamic --time 1 --step 1e-3 --tolerance 1e-6
-  homotopy: --step and --tolerance: one of both
+  homotopy: --step and --tolerance: give only one of them
   $ dynamic --time 1 --step 1e-7
-  homotopy: without --every each of 1e+07 steps has a row, more than 1000000; say --every
+  homotopy: without --every each of 1e+07 steps has a row, more than 1000000; give --every
   $ dynamic --time 1 --every 1e-7
   homotopy: --every 1e-07: more than 1000000 rows
 
@@ -272,19 +272,19 @@ An option that the mode does not heed changes nothing, which its user cannot see
   $ for option in '--history step' '--factor 1' '--duration 1' '--time 1' '--method newmark' '--step 0.1' '--tolerance 0.1' '--every 1'; do
   >   wrong frames/toggle.toml $option
   > done
-  homotopy: --history: of a motion in time alone; say --dynamic, or leave it out
-  homotopy: --factor: of a motion in time alone; say --dynamic, or leave it out
-  homotopy: --duration: of a motion in time alone; say --dynamic, or leave it out
-  homotopy: --time: of a motion in time alone; say --dynamic, or leave it out
-  homotopy: --method: of a motion in time alone; say --dynamic, or leave it out
-  homotopy: --step: of a motion in time alone; say --dynamic, or leave it out
-  homotopy: --tolerance: of a motion in time alone; say --dynamic, or leave it out
-  homotopy: --every: of a motion in time alone; say --dynamic, or leave it out
+  homotopy: --history: is for a motion in time; add --dynamic or leave it out
+  homotopy: --factor: is for a motion in time; add --dynamic or leave it out
+  homotopy: --duration: is for a motion in time; add --dynamic or leave it out
+  homotopy: --time: is for a motion in time; add --dynamic or leave it out
+  homotopy: --method: is for a motion in time; add --dynamic or leave it out
+  homotopy: --step: is for a motion in time; add --dynamic or leave it out
+  homotopy: --tolerance: is for a motion in time; add --dynamic or leave it out
+  homotopy: --every: is for a motion in time; add --dynamic or leave it out
   $ for option in --until --branches --steps --turn; do dynamic --time 0.01 $option 1; done
-  homotopy: --until: of a path alone; leave it or --dynamic out
-  homotopy: --branches: of a path alone; leave it or --dynamic out
-  homotopy: --steps: of a path alone; leave it or --dynamic out
-  homotopy: --turn: of a path alone; leave it or --dynamic out
+  homotopy: --until: is for equilibrium paths; leave out this option or --dynamic
+  homotopy: --branches: is for equilibrium paths; leave out this option or --dynamic
+  homotopy: --steps: is for equilibrium paths; leave out this option or --dynamic
+  homotopy: --turn: is for equilibrium paths; leave out this option or --dynamic
   $ wrong frames/level-brace.toml --dynamic --time 1 --steps 100
-  frame: imperfect by 0.01 along the shape of the bifurcation at load factor 0.99999* (glob)
+  frame: imperfection of 0.01 in the shape of the bifurcation at load factor 0.99999* (glob)
   homotopy: frames/level-brace.toml, line 8: a motion in time needs a mass per length of this member: one of its displacements moves no mass

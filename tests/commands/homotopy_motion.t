@@ -7,11 +7,11 @@ Frames from files: motions in time
 Energies balance: the command itself calls more than a hundredth of the greatest energy a failure, as of steps that are far too long:
 
   $ motion frames/toggle.toml --factor 30 --time 0.2 > motion.csv
-  frame: energies balance within * of the greatest (glob)
+  frame: the energies balance within * of the largest (glob)
   $ greatest=$(cut -d, -f "$(head -1 motion.csv | tr , '\n' | grep -n -x work | cut -d: -f 1)" motion.csv | sed 1d | tr -d - | sort -g | tail -1)
   $ holds --each "$greatest > 1" "kinetic_energy + strain_energy = work +- 1e-2*$greatest" < motion.csv
   $ motion frames/toggle.toml --time 0.2 --method explicit --step 0.1 > rows.csv
-  homotopy: not_converged: explicit: * of the greatest energy is too much or missing, more than 0.01; take a shorter step, a smaller tolerance, or newmark, which does not dissipate (glob)
+  homotopy: not_converged: explicit: the energies do not balance: the error is * of the largest energy, more than 0.01; take a shorter step, a smaller tolerance, or newmark, which does not dissipate (glob)
   [1]
 
 Rows stand at the times asked for, with steps that are given or chosen. Of the largest displacement, 0.215, a hundredth is what a given step may be
@@ -21,11 +21,11 @@ off by:
   >   motion frames/toggle.toml --factor 30 --time 0.18 --every 0.05 --method $method > ${method%% *}.csv
   >   cut -d, -f 1 ${method%% *}.csv | paste -s -d ' '
   > done
-  frame: energies balance within * of the greatest (glob)
+  frame: the energies balance within * of the largest (glob)
   time 0 0.05 0.1 0.15 0.18
-  frame: energies balance within * of the greatest (glob)
+  frame: the energies balance within * of the largest (glob)
   time 0 0.05 0.1 0.15 0.18
-  frame: energies balance within * of the greatest (glob)
+  frame: the energies balance within * of the largest (glob)
   time 0 0.05 0.1 0.15 0.18
   $ column=$(head -1 newmark.csv | tr , '\n' | grep -n -x B.y | cut -d: -f 1)
   $ for method in newmark explicit dop853; do cut -d, -f $column $method.csv | sed -n '1p;5p' > $method.txt; done
@@ -52,7 +52,7 @@ Taylor series of mpmath. Under growing loads it is refused:
   > B = { y = -9.81 }
   > END
   $ motion pendulum.toml --elements 1 --time 1 --every 1 --method dop853 --tolerance 1e-10 | sed '1s/B[.]//g' > fall.csv
-  frame: energies balance within * of the greatest (glob)
+  frame: the energies balance within * of the largest (glob)
   $ head -1 fall.csv
   time,load_factor,x,y,rotation,kinetic_energy,strain_energy,work,dissipated
   $ holds < fall.csv 's := lambda z: 1000*(1 - 1/hypot(z[0], z[1]))' \
@@ -83,7 +83,7 @@ A rod of stiffness k = EA/l with a mass m at its end under a sudden load P moves
   > B = { y = -1 }
   > END
   $ motion rod.toml --time 100 --elements 1 --every 1 | holds 'B.y = -1e-6*(1 - cos(100)) +- 2e-8'
-  frame: energies balance within * of the greatest (glob)
+  frame: the energies balance within * of the largest (glob)
   $ motion rod.toml --time 100 --elements 1 --every 1 --step 0.5 > rows.csv
   homotopy: not_converged: newmark: with half the step of 0.5 displacements differ by * of the largest, more than 0.01; take a shorter --step, or --method dop853 with a --tolerance (glob)
   [1]

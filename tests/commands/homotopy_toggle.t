@@ -72,7 +72,7 @@ do not show them. Loads by `tests/randomised/commands/half_toggle.py`, to their 
   bifurcation,antisymmetric
   $ (echo kind,load,deflection,motion; sed -n 2,3p points.csv) | holds --each 'load = [-6450.87, -6379.09] +- 0.005' 'deflection = [12.934, 12.946] +- 5e-4'
   $ homotopy limit-points --height 1 --elements 1
-  homotopy: wrong_branch: limit-points: the path is followed to a drop of * in and 1 critical points, no farther; take another number of elements a member, 4 or more: *: this is the straight branch, which is unstable; take two elements a member, or start from a symmetric imperfection of the end rotations (glob)
+  homotopy: wrong_branch: limit-points: the path was followed only to a drop of * in and 1 critical points; take another number of elements a member, 4 or more: *: this is the straight branch, which is unstable; take two elements a member, or start from a symmetric imperfection of the end rotations (glob)
   [1]
 
 High toggles, by a path of short steps; and Williams' equation to its end:
@@ -84,7 +84,7 @@ High toggles, by a path of short steps; and Williams' equation to its end:
   >   first maximum | holds 'load = 3112 +- 8'
   > done
   $ homotopy limit-points --height 1 --model williams | cut -d, -f 1
-  limit-points: Williams' equation ends at a drop of 0.65* in, at the pole of d_5, where its load falls without bound; --model element goes on (glob)
+  limit-points: Williams' equation ends at a drop of 0.65* in, at the pole of d_5, where its load falls without bound; --model element follows the path further (glob)
   kind
   bifurcation
   bifurcation
@@ -96,7 +96,7 @@ Deflections
 |F| of the default tolerance over a stiffness of 15 lb/in and more:
 
   $ homotopy solve --height 0.44 --load 43.79 | sed -n 1p
-  solve: before this load the path from rest meets a maximum at 42.43871 lb and a drop of 0.22712* in, where it loses its stability; the shape found lies beyond and is stable (glob)
+  solve: before this load the path from rest reaches a maximum at 42.43871 lb and a drop of 0.22712* in, where it loses its stability; the equilibrium found lies beyond it and is stable (glob)
   status,deflection,residual,iterations,bound,stability,critical_load
   $ solve() { homotopy solve --height "$@" 2> said.txt; }
 # oracle: homotopy_williams Williams 0.?? drop under *
@@ -132,7 +132,7 @@ Stability is that of the whole toggle, and a shape beyond a bifurcation is not s
   $ solve 2 --elements 8 --load 500 | holds 'stability = "unstable"' 'critical_load = 340.22 +- 0.01'
   $ solve 2 --elements 8 --load 660 > snapped.csv
   $ cat said.txt
-  solve: before this load the path from rest meets an antisymmetric bifurcation at 340.2203 lb and a drop of 0.05047* in, where it loses its stability; the shape found lies beyond and is stable (glob)
+  solve: before this load the path from rest reaches an antisymmetric bifurcation at 340.2203 lb and a drop of 0.05047* in, where it loses its stability; the equilibrium found lies beyond it and is stable (glob)
   $ holds 'stability = "stable"' 'deflection > 3' < snapped.csv
   $ solve 2 --elements 8 --load 660 --solver riks | cut -d, -f 6
   stability
@@ -152,7 +152,7 @@ All but fictitious time, whose steps of 0.1 are unstable where the stiffness at 
 load to |F| of 1e-10 of 13.6 lb over half the slope of 14.7 lb/in. A solver that lets |F| fall is stuck at its minimum beyond it:
 
 # oracle: homotopy_frames toggle 0.32 of 1 drop under 27.11
-  $ solvers=$(homotopy solve --height 0.44 --load 43 --solver magic 2>&1 | sed 's/.*there are //; s/, kinsol//; s/,//g')
+  $ solvers=$(homotopy solve --height 0.44 --load 43 --solver magic 2>&1 | sed 's/.*the solvers are //; s/, kinsol//; s/,//g')
   $ echo $solvers
   newton damped-newton continuous-newton broyden least-squares steepest-descent fictitious-time vector-homotopy chow-yorke scalar-homotopy fixed-point newton-homotopy optimal-iterative levenberg-marquardt dogleg energy-trust-region riks crisfield gdc
   $ for solver in $solvers; do
@@ -207,7 +207,7 @@ Mistakes
   $ wrong solve --height -1 --load 43 --model williams
   homotopy: --height -1 --load 43: Toggle: a height of -1 with members of length 12.94
   $ wrong solve --height 0.44 --load 43 --solver magic
-  homotopy: --solver magic: there are newton, damped-newton, *, energy-trust-region, riks, crisfield, gdc* (glob)
+  homotopy: --solver magic: no such solver; the solvers are newton, damped-newton, *, energy-trust-region, riks, crisfield, gdc* (glob)
   $ wrong solve --height 0.44 --load 43 --model wooden
   homotopy: --model wooden: must be one of element, williams
   $ wrong solve --height 0.44 --load 43 --elements 0
@@ -217,7 +217,7 @@ Mistakes
   $ wrong solve --height 0.44 --load 43 --elements 1e9
   homotopy: --elements 1e9: must be a whole number from 1 to 10000
   $ wrong solve --height 0.44 --load 43 --model williams --elements 2
-  homotopy: --elements 2: Williams' equation has none; use --model element
+  homotopy: --elements 2: Williams' equation has no elements; use --model element
   $ wrong solve --height 0.44 --load 43 --tolerance 0
   homotopy: --tolerance 0: must be positive
 

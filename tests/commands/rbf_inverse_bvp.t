@@ -25,7 +25,7 @@ Boundary layers of exp(-t/sqrt(e)) at both ends, through which nothing can be in
 the tolerance is:
 
   $ bvp "e x'' = x; e = 1e-4" --begin x=1 --end x=2 --until 1 > layers.csv
-  rbf_inverse: verified by integration of each of * intervals; integrated from its start alone it is lost (* off), since rounding grows on the way: both ends hold this solution (glob)
+  rbf_inverse: verified by integration over each of * intervals; an integration from the start alone leaves it (* off), because rounding errors grow: the solution is determined by both ends (glob)
   $ holds --each 'n > 20' 'x = exp(-100*t) + 2*exp(100*(t - 1)) +- 1e-8' < layers.csv
 
 Neighbours part by exp(1000 t), so that intervals on which the residual is small are still too long to be verified. The solution is k/(k + 1) sin(t)
@@ -56,10 +56,10 @@ the greatest slope, 1/w, over some 4 w, so that x' is off by 4e-9, and x by 4e-7
 Where there is no solution it says so: half a period from 0 to another value, and a load that is too large:
 
   $ bvp "x'' + pi^2 x = 0" --begin x=0 --end x=0.5 --until 1
-  rbf_inverse: singular_matrix: bvp: Newton's matrix is singular (pivots 1 to *, iteration *): with these equations the conditions do not determine the solution or admit none; change the conditions, or start elsewhere; 20 cubics at random lead to none either; try a --guess (glob)
+  rbf_inverse: singular_matrix: bvp: Newton's matrix is singular (pivots 1 to *, iteration *): with these equations the conditions do not determine the solution or admit none; change the conditions, or start elsewhere; no solution from 20 random cubics either; give a --guess (glob)
   [1]
   $ bvp "x'' + 4 exp(x) = 0" --begin x=0 --end x=0.5 --until 1
-  rbf_inverse: newton_diverged: bvp: * 20 cubics at random lead to none either; try a --guess (glob)
+  rbf_inverse: newton_diverged: bvp: * no solution from 20 random cubics either; give a --guess (glob)
   [1]
 
 Mistakes
@@ -67,22 +67,22 @@ Mistakes
 
   $ wrong() { refused rbf_inverse bvp --equation "x'' = a x; a = 1" --until 1 "$@"; }
   $ wrong --begin x=1
-  rbf_inverse: --begin, --end: 1 conditions; as many are needed as the state has components, 2: x, x'
+  rbf_inverse: --begin, --end: 1 conditions, but the state has 2 components, x, x'; give one condition for each
   $ wrong --begin 'x=1, q=2'
   rbf_inverse: --begin:1:1: q is not defined: it has neither a derivative (q') nor a definition (q = ...)
     q=2
     ^
   $ wrong --begin "x=1,,x'=2"
-  rbf_inverse: --begin x=1,,x'=2: nothing stands between two commas
+  rbf_inverse: --begin x=1,,x'=2: an empty condition between two commas
   $ wrong --begin x=1 --end x
-  rbf_inverse: --end x: is no condition; an equation is needed, as x = 0
+  rbf_inverse: --end x: is no condition; give an equation, such as x = 0
   $ ends() { refused rbf_inverse bvp --equation "x'' = a x; a = 1" --until 1 --begin x=1 --end x=0 "$@"; }
   $ ends --guess y=1
-  rbf_inverse: --guess y=1: begins with no component and =; there are x, x'
+  rbf_inverse: --guess y=1: must begin with a component and =; the components are x, x'
   $ ends --guess x=x+1
-  rbf_inverse: --guess x=x+1: is to be a function of the time t alone
+  rbf_inverse: --guess x=x+1: must be a function of the time t only
   $ ends --guess x=t,x=2
-  rbf_inverse: --guess x=2: x is given a second time
+  rbf_inverse: --guess x=2: x is given twice
   $ ends --from 1
   rbf_inverse: --until 1: must be later than --from 1
   $ ends --every 1e-9
@@ -93,12 +93,12 @@ Mistakes
   rbf_inverse: --set b: the equation has no such definition; choose one of a
   $ text() { refused rbf_inverse bvp --equation "$1" --until 1 --begin x=1 --end x=0; }
   $ text "x'' = x; x(0) = 1"
-  rbf_inverse: --equation: values at a time, as x(0) = 1, are given by --begin and --end here
+  rbf_inverse: --equation: give values at a time, such as x(0) = 1, by --begin and --end
   $ text "x'' = x; t <= 2"
-  rbf_inverse: --equation: an end, bounds of the state and what is conserved are for initial value problems; here --until gives the end
+  rbf_inverse: --equation: end, bounds and conserved quantities are for initial value problems; give the end by --until
   $ text "x'' = x; x >= 0"
-  rbf_inverse: --equation: an end, bounds of the state and what is conserved are for initial value problems; here --until gives the end
+  rbf_inverse: --equation: end, bounds and conserved quantities are for initial value problems; give the end by --until
   $ text "x'' = x; conserved x"
-  rbf_inverse: --equation: an end, bounds of the state and what is conserved are for initial value problems; here --until gives the end
+  rbf_inverse: --equation: end, bounds and conserved quantities are for initial value problems; give the end by --until
   $ refused rbf_inverse bvp --until 1
   rbf_inverse: give one of --equation TEXT and --file NAME.ode

@@ -60,11 +60,11 @@ Mistakes
   $ free --beta -1
   rbf_inverse: --beta -1: must be from 0 to 1e+06
   $ free --target 5
-  rbf_inverse: --target 5: two finite numbers with a comma between are needed
+  rbf_inverse: --target 5: needs two finite numbers, separated by a comma
   $ free --target 5,inf
   rbf_inverse: --target 5,inf: 'inf' is not a finite number
   $ wrong --case harmonic --final-time 2 --target 5,2
-  rbf_inverse: --target 5,2: --case harmonic has its own, by Eq. 5.34; leave it out
+  rbf_inverse: --target 5,2: --case harmonic takes its target from Eq. 5.34; leave it out
   $ free --weights 1,-1
   rbf_inverse: --weights 1,-1: must not be negative
   $ free --weights '1;1'

@@ -71,9 +71,9 @@ Mistakes
   $ wrong --from 1,2,nan --to 1,2,3 --time 1
   rbf_inverse: --from 1,2,nan: 'nan' is not a finite number
   $ wrong --from 0,0,0 --to 1,2,3 --time 1
-  rbf_inverse: --from 0,0,0: is the centre, from where no orbit leads on
+  rbf_inverse: --from 0,0,0: is the centre of attraction; give another position
   $ wrong --from 1,2,3 --to 0,0,0 --time 1
-  rbf_inverse: --to 0,0,0: is the centre, from where no orbit leads on
+  rbf_inverse: --to 0,0,0: is the centre of attraction; give another position
   $ for time in -1 0 nan; do wrong --from 1,0,0 --to 0,1,0 --time $time; done
   rbf_inverse: --time -1: must be positive
   rbf_inverse: --time 0: must be positive
@@ -92,7 +92,7 @@ Mistakes
   $ options --revolutions 1.5 --branch low
   rbf_inverse: --revolutions 1.5: must be a whole number from 0 to 1000000
   $ options --branch low
-  rbf_inverse: --branch low: means nothing without revolutions
+  rbf_inverse: --branch low: needs --revolutions 1 or more
   $ options --revolutions 1 --branch middle
   rbf_inverse: --branch middle: must be one of low, high
   $ options --plane 0,0,0
@@ -100,15 +100,15 @@ Mistakes
   $ options --zonal 1e-3
   rbf_inverse: --zonal 0.001: needs --radius R
   $ options --radius 6e6
-  rbf_inverse: --radius 6000000: means nothing without --zonal J2[,J3,...]
+  rbf_inverse: --radius 6000000: needs --zonal J2[,J3,...]
   $ options --zonal 1e-3 --radius -1
   rbf_inverse: --radius -1: must be positive
   $ options --method shooting
   rbf_inverse: --method shooting: must be one of izzo, collocation
   $ options --method collocation --long-way
-  rbf_inverse: --method collocation --long-way: from simple guesses Newton's iteration ends on the short way; use --method izzo
+  rbf_inverse: --method collocation --long-way: collocation finds only the short way; use --method izzo
   $ options --method collocation --revolutions 1 --branch low
-  rbf_inverse: --method collocation --revolutions 1: no guess is known from which collocation finds an arc of whole revolutions; use --method izzo
+  rbf_inverse: --method collocation --revolutions 1: collocation has no initial guess for complete revolutions; use --method izzo
 
 The positions determine the plane:
 

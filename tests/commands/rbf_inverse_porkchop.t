@@ -80,14 +80,14 @@ Mistakes
 
   $ wrong() { refused rbf_inverse porkchop "$@"; }
   $ for grid in 5 x 0x5 5x-1 5x2.5 5x 1e9x2 nanx3; do wrong $orbits --grid $grid; done
-  rbf_inverse: --grid 5: needs two whole numbers from 1 to 1000000 with 'x' between
-  rbf_inverse: --grid x: needs two whole numbers from 1 to 1000000 with 'x' between
-  rbf_inverse: --grid 0x5: needs two whole numbers from 1 to 1000000 with 'x' between
-  rbf_inverse: --grid 5x-1: needs two whole numbers from 1 to 1000000 with 'x' between
-  rbf_inverse: --grid 5x2.5: needs two whole numbers from 1 to 1000000 with 'x' between
-  rbf_inverse: --grid 5x: needs two whole numbers from 1 to 1000000 with 'x' between
-  rbf_inverse: --grid 1e9x2: needs two whole numbers from 1 to 1000000 with 'x' between
-  rbf_inverse: --grid nanx3: needs two whole numbers from 1 to 1000000 with 'x' between
+  rbf_inverse: --grid 5: needs two whole numbers from 1 to 1000000, separated by x
+  rbf_inverse: --grid x: needs two whole numbers from 1 to 1000000, separated by x
+  rbf_inverse: --grid 0x5: needs two whole numbers from 1 to 1000000, separated by x
+  rbf_inverse: --grid 5x-1: needs two whole numbers from 1 to 1000000, separated by x
+  rbf_inverse: --grid 5x2.5: needs two whole numbers from 1 to 1000000, separated by x
+  rbf_inverse: --grid 5x: needs two whole numbers from 1 to 1000000, separated by x
+  rbf_inverse: --grid 1e9x2: needs two whole numbers from 1 to 1000000, separated by x
+  rbf_inverse: --grid nanx3: needs two whole numbers from 1 to 1000000, separated by x
   $ wrong $orbits --grid 4x4 --threads -2
   rbf_inverse: --threads -2: must be a whole number from 0 to 1024
   $ wrong $orbits --grid 50000x50000
@@ -152,7 +152,7 @@ In a file, with line and value:
   $ bad '6s/.*/a = 1e200/'
   rbf_inverse: bad.toml, line 6: to.a makes a size of 1e+200; it must be from 1e-100 to 1e+100, so choose other units
   $ bad '7s/.*/&\nincl = 3/'
-  rbf_inverse: bad.toml, line 8: to.incl means nothing here; there are a, p, e, i, raan, argp, nu, epoch
+  rbf_inverse: bad.toml, line 8: to.incl: no such key; the keys are a, p, e, i, raan, argp, nu, epoch
   $ bad '7s/.*/&\ni = 400/'
   rbf_inverse: bad.toml, line 8: to.i = 400 must be from 0 to 180 degrees
   $ bad '7s/.*/&\ni = -1/'
@@ -166,7 +166,7 @@ In a file, with line and value:
   $ bad 10d
   rbf_inverse: bad.toml, line 8: departures.last is missing
   $ bad '$s/.*/&\n[other]/'
-  rbf_inverse: bad.toml, line 14: other means nothing here; there are mu, from, to, departures, arrivals, revolutions
+  rbf_inverse: bad.toml, line 14: other: no such key; the keys are mu, from, to, departures, arrivals, revolutions
   $ bad '1s/.*/revolutions = 1.5\n&/'
   rbf_inverse: bad.toml, line 1: revolutions = 1.5 must be a whole number from 0 to 1000
   $ bad '1s/.*/revolutions = -1\n&/'

@@ -37,7 +37,7 @@ A radial fall from rest at distance 2 with mu = 1 reaches the centre after pi. K
   two_body_series: collision: analytic-continuation: the body falls into the centre of attraction at t = 3.14159265*; Kepler's solution (method kepler) goes through, a series cannot (glob)
   [1]
   $ propagate $fall --until 4 --every 0.5 --method rkn1210
-  two_body_series: step_underflow: rkn1210: it ends at t = 3.14159265*, a distance of * from the centre; loosen the tolerance 1e-15, or use the method series; about a point mass --method kepler needs no steps and is exact to rounding (glob)
+  two_body_series: step_underflow: rkn1210: stopped at t = 3.14159265*, at a distance of * from the centre; loosen the tolerance 1e-15, or use the method series; about a point mass --method kepler needs no steps and is exact to rounding (glob)
   [1]
   $ propagate $fall --until 4
   two_body_series: collision: analytic-continuation: the body falls into the centre of attraction at t = 3.14159265*; Kepler's solution (method kepler) goes through, a series cannot (glob)
@@ -134,7 +134,7 @@ Mistakes
 
   $ wrong() { refused two_body_series "$@"; }
   $ wrong propagate --position 0,0,0 --velocity 0,1,0 --until 1
-  two_body_series: --position 0,0,0: is the centre, where the attraction has no bound
+  two_body_series: --position 0,0,0: is the centre of attraction; give another position
   $ wrong propagate --position 1,0 --velocity 0,1,0 --until 1
   two_body_series: --position 1,0: 2 numbers; 3 are needed
   $ wrong propagate --position 1,0,0 --velocity 0,one,0 --until 1
@@ -161,13 +161,13 @@ Mistakes
   $ run --until 1 --tolerance 1
   two_body_series: --tolerance 1: must be from 1e-18 to 0.1
   $ run --until 1 --tolerance 1e-9 --method kepler
-  two_body_series: --tolerance 1e-09: --method kepler has none, it is exact to rounding
+  two_body_series: --tolerance 1e-09: --method kepler is exact to rounding; leave it out
   $ run --until 1 --zonal 1e-3 --radius 1 --method kepler
-  two_body_series: --zonal 0.001: --method kepler is about a point mass; use series or rkn1210
+  two_body_series: --zonal 0.001: --method kepler is for a point mass; use series or rkn1210
   $ run --until 1 --zonal 1e-3
   two_body_series: --zonal 0.001: needs --radius R
   $ run --until 1 --radius 1
-  two_body_series: --radius 1: means nothing without --zonal J2[,J3,...]
+  two_body_series: --radius 1: needs --zonal J2[,J3,...]
   $ run --until 1 --zonal 1,2,3,4,5,6 --radius 1
   two_body_series: --zonal 1,2,3,4,5,6: 6 numbers; J2 to J6 at most
   $ run --until 1 --zonal 1,,2 --radius 1
@@ -179,7 +179,7 @@ Mistakes
   $ wrong elements --position 1,0,0 --velocity 1,0,0
   two_body_series: --position 1,0,0 --velocity 1,0,0 --mu 398600441800000: elements_of: the body moves on a straight line through the centre, which has no classical elements
   $ wrong elements --position 0,0,0 --velocity 1,0,0
-  two_body_series: --position 0,0,0: is the centre, where the attraction has no bound
+  two_body_series: --position 0,0,0: is the centre of attraction; give another position
   $ wrong elements --position 1,0,0 --velocity 0,1,0 --mu 0
   two_body_series: --mu 0: must be positive
   $ state() { refused two_body_series state "$@"; }
@@ -202,7 +202,7 @@ Mistakes
   $ state --p 1 --e 1 --nu 180
   two_body_series: --p 1 --e 1 --nu 180: the true anomaly lies on the asymptote of a conic with e = 1, which is at 180 degrees
   $ state --a 1 --q 2
-  two_body_series: --a 1 --q 2: make no conic; a is q or more, or negative for hyperbolas
+  two_body_series: --a 1 --q 2: no conic has these; a must be at least q, or negative for hyperbolas
   $ state --a 1 --q 0.5 --e 0.5
   two_body_series: --a 1 --q 0.5 --e 0.5: give one of --a, --p and --q with --e, or --a and --q alone
   $ state --q 1 --e 1 --mean-anomaly 3
@@ -210,7 +210,7 @@ Mistakes
   $ state --q 1 --e 1 --eccentric-anomaly 3
   two_body_series: --q 1 --e 1 --eccentric-anomaly 3: an eccentric anomaly is one of ellipses, and e = 1 is none
   $ state --q 1 --e 0 --nu 3 --mean-anomaly 4
-  two_body_series: --nu 3 --mean-anomaly 4: give one of them
+  two_body_series: --nu 3 --mean-anomaly 4: give only one of these
   $ state --a 1 --e 0.1 --i 190
   two_body_series: --i 190: must be from 0 to 180
   $ state --a 1 --e 0.1 --raan x

@@ -148,7 +148,7 @@ Nothing is printed of a file with a mistake, wherever it stands:
   $ { echo $head; yes $row | head -20000; echo 1,0,0,0,one,0,5; } | bad
   two_body_series: bad.csv: line 20002, column 5 (vy): 'one' is not a finite number
   $ printf "$head\n$row\n0,0,0,0,1,0,5\n" | bad
-  two_body_series: bad.csv: line 3: x,y,z = 0,0,0 is the centre, where the attraction has no bound
+  two_body_series: bad.csv: line 3: x,y,z = 0,0,0 is the centre of attraction
   $ printf "$head\n1,0,0,0,inf,0,5\n" | bad
   two_body_series: bad.csv: line 2, column 5 (vy): 'inf' is not a finite number
   $ printf "$head\n1,0,0,0,1,0\n" | bad
@@ -168,9 +168,9 @@ Nothing is printed of a file with a mistake, wherever it stands:
   $ printf "name,$head\na,$row\n# a comment, late\n" | bad
   two_body_series: bad.csv: line 3, column 2 (x): 'late' is not a finite number; put comments before the header
   $ printf 'x,y,z,vx,vy,vz\n1,0,0,0,1,0\n' | bad
-  two_body_series: bad.csv: has no column until; give it, or --until T for all rows
+  two_body_series: bad.csv: has no column until; add the column, or give --until T for all rows
   $ printf "$head\n$row\n" | bad --until 3
-  two_body_series: --until 3: bad.csv has a column until
+  two_body_series: --until 3: bad.csv has a column until; leave out one of the two
   $ printf "$head\n$row\n" | bad --every 1e-9
   two_body_series: bad.csv: line 2: until = 5: more than 10 million rows at --every 1e-09
   $ printf "$head\n\"1,0,0\n" | bad
@@ -186,14 +186,14 @@ Nothing is printed of a file with a mistake, wherever it stands:
   $ refused two_body_series propagate --states none.csv
   two_body_series: none.csv: No such file or directory
   $ refused two_body_series propagate --position 1,0,0 --velocity 0,1,0 --until 1 --threads 2
-  two_body_series: --threads 2: is about --states
+  two_body_series: --threads 2: needs --states
   $ printf "$head\n$row\n" > good.csv
   $ good() { refused two_body_series propagate --states good.csv --mu 1 "$@"; }
   $ good --position 1,0,0
-  two_body_series: --position 1,0,0: --states good.csv has the states; give one of both
+  two_body_series: --position 1,0,0: --states good.csv contains the states; give only one of the two
   $ good --method rkn1210
   two_body_series: --method rkn1210: --states takes series or kepler; rkn1210 takes one --position
   $ good --method kepler --zonal 1e-3 --radius 1
-  two_body_series: --zonal 0.001: --method kepler is about a point mass; use series or rkn1210
+  two_body_series: --zonal 0.001: --method kepler is for a point mass; use series or rkn1210
   $ good --threads 0
   two_body_series: --threads 0: must be a whole number from 1 to 1024

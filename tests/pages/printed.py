@@ -37,7 +37,7 @@ def without_numbers(text):
 
 
 def same_number(written, printed):
-    """Are two numbers of outputs the same but for the machine? Noise is what rounding leaves of zero. Numbers that are printed with ten
+    """Are two numbers of outputs equal up to differences between machines? Noise: zero up to rounding. Numbers that are printed with ten
     digits and more are results and agree to 1e-5, because the problems of the pages multiply rounding by 1e9 at most. Others are errors,
     counts and digits, which agree within a factor of two."""
     a, b = float(written), float(printed)
@@ -49,7 +49,7 @@ def same_number(written, printed):
 
 
 def same_line(written, printed):
-    """Are two lines the same but for the machine? A line that ends with " ..." on the page goes on in the output."""
+    """Are two lines equal up to differences between machines? A line that ends with " ..." on the page is continued in the output."""
     goes_on = printed.endswith(" ...")
     words, numbers = without_numbers(printed.removesuffix(" ..."))
     words_now, numbers_now = without_numbers(written)
@@ -82,4 +82,4 @@ def differs_from(output, printed):
         if next_line == len(written) or not same_line(written[next_line], line):
             return line
         next_line, left_out = next_line + 1, False
-    return "" if left_out or next_line == len(written) else f"the output goes on: {written[next_line]}"
+    return "" if left_out or next_line == len(written) else f"the output has further lines: {written[next_line]}"

@@ -1,4 +1,4 @@
-"""The programs of examples/ against what is known without the library."""
+"""The programs of examples/ compared with results that do not use the library."""
 import math
 import re
 

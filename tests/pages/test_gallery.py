@@ -46,7 +46,7 @@ def test_scene_draws_the_picture(name):
     chapter, _, scene = name.partition("-")
     if not program(chapter).exists():
         pytest.skip(f"{chapter} is not built")
-    folder = pathlib.Path(tempfile.mkdtemp(prefix=f"nlmech-{name}-"))  # kept after a failure: a picture that differs is to be looked at
+    folder = pathlib.Path(tempfile.mkdtemp(prefix=f"nlmech-{name}-"))  # not deleted after a failure, so that a differing picture can be viewed
     kept, drawn = SOURCE / f"docs/gallery/{name}.svg", folder / f"figures/{chapter}/{scene}.svg"
     advice = (f"{kept} differs from {drawn}.\nWhere you changed the scene: make gallery, and look at the picture. Where you did not, it "
               "depends on rounding: draw the median of perturbed runs, or remove it from docs/gallery.")

@@ -49,7 +49,7 @@ def test_commands_end_with_zero_and_stand_with_their_output(page, folder):
     assert calls or page == "CONTRIBUTING.md"
     for block, line, command in calls:
         if page == "README.md" and not program(program_of(command)).exists():
-            continue  # it speaks of all chapters, and a build may have fewer
+            continue  # it refers to all chapters; a build may have fewer
         done = run("sh", "-c", command, cwd=folder, code=None)
         assert done.returncode == 0, f"{page}:{line}: {command}\n{done.stderr}"
         if page.startswith("chapters/") and done.stdout:

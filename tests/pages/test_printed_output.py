@@ -1,4 +1,4 @@
-"""How printed outputs are compared, and who runs the commands of README and CONTRIBUTING that call no program of the build."""
+"""Comparison of printed outputs, and the tests that run those commands of README and CONTRIBUTING that call no program of the build."""
 import re
 
 import pytest

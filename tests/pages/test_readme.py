@@ -1,4 +1,4 @@
-"""What README shows and counts is what the programs show and count today; pages show the pictures of docs/gallery."""
+"""Outputs and counts in README are those of the current programs; pages show the pictures of docs/gallery."""
 import re
 
 import pytest

@@ -59,7 +59,7 @@ def test_sees_what_is_missing(folder, shown, file, text, lacks):
 
 def test_refuses_a_broken_record(folder, shown):
     file = folder.put("results/moon/fig-1.json", "{")
-    with pytest.raises(Refused, match=f"{file}: no JSON"):
+    with pytest.raises(Refused, match=f"{file}: is not JSON"):
         shown()
 
 

@@ -58,7 +58,7 @@ def test_what_no_test_proves_is_refused(folder, read, rows, wanted):
 
 def test_another_header_is_refused(folder, read):
     folder.put("tables/errata/moon.csv", "id,source\n")
-    with pytest.raises(Refused, match="the header is another one"):
+    with pytest.raises(Refused, match="has another header than expected"):
         read()
 
 

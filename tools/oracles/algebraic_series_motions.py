@@ -71,7 +71,7 @@ FIELD |= {"Lorenz as doubles": lorenz(D(8 / 3)), "Duffing as doubles": duffing(D
           "oscillator as doubles": oscillator(D(0.306))}
 
 
-def walk(name, times, tolerance="1e-28"):
+def states_at(name, times, tolerance="1e-28"):
     """States at times after the start (of the oscillator: pi)."""
     method, t, y = Extrapolation(FIELD[name], tolerance), D(0), [D(v) for v in START[name]]
     for next_time in times:
@@ -83,14 +83,14 @@ def walk(name, times, tolerance="1e-28"):
 def ends():
     for which in ("", " as doubles"):
         times = [20, 40] if which else [20]
-        for t, state in zip(times, walk(f"Lorenz{which}", times, "1e-36")):
+        for t, state in zip(times, states_at(f"Lorenz{which}", times, "1e-36")):
             for name, value in zip("uvw", state):
                 row(f"Lorenz{which} {name}({t})", value, 16)
-        for t, state in zip((50, 100), walk(f"Duffing{which}", [50, 100], "1e-30")):
+        for t, state in zip((50, 100), states_at(f"Duffing{which}", [50, 100], "1e-30")):
             row(f"Duffing{which} u({t})", state[0], 16)
             row(f"Duffing{which} v({t})", state[1], 16)
         duration = D(375 + math.pi) - D(math.pi) if which else D(375)
-        (end,) = walk(f"oscillator{which}", [duration])
+        (end,) = states_at(f"oscillator{which}", [duration])
         row(f"oscillator{which} x", end[0], 15)
         row(f"oscillator{which} v", end[1], 15)
     y = [0, 0, 0, 3, 0, 0, 3, 4, 0, D("1.5"), D("1.5"), 0] + [0] * 9 + [D("-0.00125"), D("0.0005"), D("0.0005")]
@@ -127,7 +127,7 @@ def extremes():
     """Least and greatest first component, by parabolas through samples 0.005 apart."""
     for name, end in (("Lorenz", 20), ("Duffing", 100), ("oscillator", 375 - math.pi)):
         h = D("0.005") if name == "Lorenz" else D("0.02")
-        states = [START[name]] + list(walk(name, [k * h for k in range(1, int(end / float(h)) + 1)], "1e-18"))
+        states = [START[name]] + list(states_at(name, [k * h for k in range(1, int(end / float(h)) + 1)], "1e-18"))
         values = [float(s[0]) for s in states]
         tops, lows = [], []
         for a, b, c in zip(values, values[1:], values[2:]):
@@ -171,7 +171,7 @@ def printed(name, step, order, end):
     """Errors, the largest of the components, at the ends of steps, those of the first component, and the last state."""
     times = [k * D(step) for k in range(1, int(D(end) / D(step)) + 1)]
     s, errors, first, components = [D(v) for v in START[name]], [], [], 3 if name == "Lorenz" else 2
-    for t, exact in zip(times, walk(name, times, "1e-30" if name == "Lorenz" else "1e-24")):
+    for t, exact in zip(times, states_at(name, times, "1e-30" if name == "Lorenz" else "1e-24")):
         s = [sum(c * D(step) ** k for k, c in enumerate(a)) for a in SERIES[name](s, order)]
         errors.append((t, max(abs(a - b) for a, b in zip(s[:components], exact))))
         first.append((t, abs(s[0] - exact[0])))

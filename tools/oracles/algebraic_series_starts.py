@@ -15,7 +15,7 @@ def duffing(_, s):
     return [v, D("7.5") * c - v / 20 - u * u * u, -z, c, q, -q / 20 - 3 * u * u * p]
 
 
-def walk(u, v, step, end):
+def integrate(u, v, step, end):
     method, y = Extrapolation(duffing, "1e-34"), [D(u), D(v), D(1), D(0), D(1), D(1)]
     for k in range(round(end / float(step))):
         y = method.run(k * D(step), y, (k + 1) * D(step))
@@ -24,7 +24,7 @@ def walk(u, v, step, end):
 
 def main():
     head()
-    first, second = list(walk(3, 4, "0.05", 100)), list(walk("3.1", "4.1", "0.05", 100))
+    first, second = list(integrate(3, 4, "0.05", 100)), list(integrate("3.1", "4.1", "0.05", 100))
     apart = [(t, math.hypot(float(a[0] - b[0]), float(a[1] - b[1]))) for (t, a), (_, b) in zip(first, second)]
     for t, state in second:
         if t in (50, 100):

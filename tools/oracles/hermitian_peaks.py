@@ -1,7 +1,7 @@
 """First peaks of Laier's two oscillators by the operators of his Table 1 (misprints corrected), with fixed steps, in doubles.
 
 Each operator is A y0 + B y1 + h (C v0 + D v1) + h^2 (E a0 + F a1) + h^3 (G j0 + H j1) = 0; two of them give y1 and v1 by Newton's iteration
-with differences. Between ends stands the polynomial of degree 5 through places, velocities and accelerations."""
+with differences. Between ends the solution is the polynomial of degree 5 through positions, velocities and accelerations."""
 import math
 
 from shared.chain import linear

@@ -1,4 +1,4 @@
-"""Which program could have printed Laier's Tables 4 and 5? The paper states neither its start nor how its program iterates and reads a peak.
+"""Search for settings of a program that print Laier's Tables 4 and 5. The paper states neither its start nor how its program iterates and reads a peak.
 
 A combination is one choice for all nine numbers of a table: the start (rest, or a position or velocity alone, of plus or minus 0.001, 0.002,
 0.005 to 2); the load, plus or minus cosine or sine, ahead by -2 to 2 steps in halves; the first step, with the acceleration and jerk of the

@@ -140,7 +140,7 @@ class Chain:
         return u
 
     def singular(self, u):
-        """The determinant of the end conditions under a load that is held: 0 where an equilibrium has a neighbour. By central differences."""
+        """The determinant of the end conditions under a fixed load: 0 where an equilibrium has a neighbour. By central differences."""
         columns = []
         for i in range(3):
             step = D("1e-7") * max(abs(u[i]), D("1e-3"))

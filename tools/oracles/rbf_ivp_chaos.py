@@ -60,19 +60,19 @@ def step(s, d, square, force, t, h, u0, v0):
     return None
 
 
-def walk(n, c, force, steps):
+def integrate(n, c, force, steps):
     """States at t = 50 and 100 by so many steps to 50, or how many steps were made before one failed."""
     s, d = derivative(n, c)
     square = [[sum(d[i][k] * d[k][j] for k in range(1, n)) for j in range(n)] for i in range(n)]
-    h, u, v, seen = 50 / steps, 3.0, 4.0, []
+    h, u, v, ends = 50 / steps, 3.0, 4.0, []
     for k in range(2 * steps):
         end = step(s, d, square, force, k * h, h, u, v)
         if end is None:
             return k
         u, v = end
         if k + 1 in (steps, 2 * steps):
-            seen.append(u)
-    return seen
+            ends.append(u)
+    return ends
 
 
 def exact(force):
@@ -93,15 +93,15 @@ def main():
     short = mp.mpf("0.77") * 4 * mp.ellipk(mp.mpf(1) / 4) / mp.sqrt(2) / 10  # c h of Table 4.2 with 7 nodes
     chaotic = ("chaotic", 7.5, exact("7.5"), ((35, 8), (35, 23), (35, 27), (7, 215), (7, 256)))
     transient = ("transient", 0.0, (half, end), ((35, 8), (35, 27), (35, 32), (7, 256)))
-    for name, force, truth, runs in (chaotic, transient):
+    for name, force, exact_states, runs in (chaotic, transient):
         for n, steps in runs:
             c = mp.mpf(n - 1) / 4 if n == 35 else short
             what = f"{name} N = {n} {steps} steps to 50"
-            seen = walk(n, c, force, steps)
-            if isinstance(seen, int):
-                row(f"{what}: made", seen, 3)
+            ends = integrate(n, c, force, steps)
+            if isinstance(ends, int):
+                row(f"{what}: made", ends, 3)
                 continue
-            for t, u, state in zip((50, 100), seen, truth):
+            for t, u, state in zip((50, 100), ends, exact_states):
                 row(f"{what}: error at {t}", abs(u - float(state[0])), 2)
 
 

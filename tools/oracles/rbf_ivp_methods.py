@@ -355,9 +355,9 @@ def table_4_6():
             times, states = method.step(chain, k * step, y, step)
             for t, z in zip(times, states):
                 near = int(t / h + 1e-9)
-                truth = chain_runge_kutta(near * h, exact[near], t - near * h)
+                exact_state = chain_runge_kutta(near * h, exact[near], t - near * h)
                 for i in (0, 3):
-                    squares[i].append((z[i] - truth[i]) ** 2)
+                    squares[i].append((z[i] - exact_state[i]) ** 2)
             y = states[-1]
         for i, what in ((0, "x1"), (3, "v1")):
             row(f"4.6 MCPI-{number} {what}", math.sqrt(sum(squares[i]) / len(squares[i])), 3)

@@ -102,8 +102,8 @@ def main():
             row(f"{name} ({degrees[0]} {degrees[1]}) {steps} steps {orbits} orbits", value, count)
         if degrees in ((10, 9), (30, 29)) and steps != 72:
             r, v = [[D(a) for a in pair] for pair in ORBITS[name]]
-            truth = kepler(name, mp.mpf(str(20 * period(r, v))))
-            row(f"{name} position error after 20 orbits", mp.hypot(*[mp.mpf(str(a)) - b for a, b in zip(end, truth)]), 2)
+            exact_position = kepler(name, mp.mpf(str(20 * period(r, v))))
+            row(f"{name} position error after 20 orbits", mp.hypot(*[mp.mpf(str(a)) - b for a, b in zip(end, exact_position)]), 2)
     for name, order, steps, count in (("LEO", 10, 25, 3), ("HEO", 30, 100, 2)):
         for orbits, value in zip((5, 10, 20), printed(name, order, steps)):
             row(f"{name} by (3.66) as printed {orbits} orbits", value, count)

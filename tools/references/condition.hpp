@@ -1,6 +1,6 @@
 /// @file
-/// How a problem multiplies errors: products of the derivatives of steps, backwards from the times at which
-/// errors are judged.
+/// Condition numbers of a problem: products of the derivatives of steps, backwards from the times at which
+/// errors are measured.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,7 +15,7 @@ namespace nlmech::references {
 /// A step of a solution: its start, and the derivatives of its end by its start.
 struct Link {
   double end;                  ///< time
-  Eigen::VectorXd begin;       ///< state
+  Eigen::VectorXd start;       ///< state
   Eigen::MatrixXd derivative;  ///< n times n
 };
 
@@ -29,8 +29,8 @@ struct Scales {
 };
 
 /// A component is near zero if it changes its sign, or falls below a tenth of its greatest value, between the
-/// judged times: it then counts by that value. One below a thousandth of the absolute tolerance is what the
-/// tolerance leaves open, and counts by that.
+/// times of measurement: it then counts by that value. One below a thousandth of the absolute tolerance is
+/// what the tolerance leaves open, and counts by that.
 inline Scales scales_of(const std::vector<Eigen::VectorXd>& judged, double absolute) {
   Scales scales{Eigen::VectorXd::Zero(judged.front().size())};
   for (Eigen::Index i = 0; i < scales.flagged.size(); ++i) {
@@ -47,9 +47,9 @@ inline Scales scales_of(const std::vector<Eigen::VectorXd>& judged, double absol
   return scales;
 }
 
-/// The median over the judged times of the greatest factor from errors of one weight in every component, at
-/// any earlier time, to the error there; weights are absolute + |x_i|, signs the worst.
-/// @param links of the whole way; a link ends at each judged time
+/// The median over the times of measurement of the greatest factor from errors of one weight in every
+/// component, at any earlier time, to the error there; weights are absolute + |x_i|, signs the worst.
+/// @param links all steps from the start to the end; a step ends at each time of measurement
 inline double condition(const std::vector<Link>& links, const std::vector<double>& times,
                         const std::vector<Eigen::VectorXd>& judged, const Scales& scales, double absolute) {
   std::vector<double> all;
@@ -67,7 +67,7 @@ inline double condition(const std::vector<Link>& links, const std::vector<double
     while (last > 0 && links[last - 1].end > times[k]) --last;
     for (; last > 0; --last) {
       m = (m * links[last - 1].derivative).eval();
-      greatest = std::max(greatest, factor(m, links[last - 1].begin));
+      greatest = std::max(greatest, factor(m, links[last - 1].start));
     }
     all.push_back(greatest);
   }

@@ -101,24 +101,24 @@ struct RadauRule {
 inline Eigen::MatrixXd step_derivative(const Eigen::MatrixXd& a, double h,
                                        const std::vector<Eigen::MatrixXd>& jacobians) {
   const auto s = static_cast<Eigen::Index>(jacobians.size()), n = jacobians[0].rows();
-  Eigen::MatrixXd m = Eigen::MatrixXd::Identity(s * n, s * n), begin(s * n, n);
+  Eigen::MatrixXd m = Eigen::MatrixXd::Identity(s * n, s * n), start(s * n, n);
   for (Eigen::Index i = 0; i < s; ++i) {
-    begin.middleRows(i * n, n).setIdentity();
+    start.middleRows(i * n, n).setIdentity();
     for (Eigen::Index j = 0; j < s; ++j)
       m.block(i * n, j * n, n, n) -= h * a(i, j) * jacobians[static_cast<std::size_t>(j)];
   }
-  return m.partialPivLu().solve(begin).bottomRows(n);
+  return m.partialPivLu().solve(start).bottomRows(n);
 }
 
-/// One step of the walk.
+/// One step of the integration.
 template <class Real>
 struct RadauStep {
   Real end;                    ///< time
-  Eigen::VectorXd begin;       ///< state, in double
+  Eigen::VectorXd start;       ///< state, in double
   Eigen::MatrixXd derivative;  ///< of the end by the start
 };
 
-/// Walks along the solution of a stiff problem, to each of @p times in turn.
+/// Integrates a stiff problem to each of @p times.
 /// @param problem right-hand side for Real, and for dual numbers
 /// @param stages 2 stages - 1 is the order
 /// @param tolerance of the last coefficient of a step's polynomial, relative to the components

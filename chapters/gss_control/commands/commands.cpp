@@ -35,11 +35,10 @@ struct Craft {
 
 /// Declares --spacecraft and, with @p with_gains, --gains.
 void declare_craft(scene::Options& options, Craft& craft, bool with_gains = true) {
-  options.add(
-      "--spacecraft", craft.file,
-      "TOML file, - for standard input, with hub_inertia, mass_per_length, youngs_modulus, length, "
-      "hub_radius, second_moment, tip_mass, tip_inertia in any consistent units, which are those of all "
-      "options and results; without it, and for a key that is missing, Table 3.1 in slug, ft, lb, s");
+  options.add("--spacecraft", craft.file,
+              "TOML file (- is standard input) with hub_inertia, mass_per_length, youngs_modulus, length, "
+              "hub_radius, second_moment, tip_mass, tip_inertia in any consistent units; options and results "
+              "have the same units. Default, also for missing keys: Table 3.1 in slug, ft, lb, s");
   if (with_gains)
     options.add("--gains", craft.gains, "k1,k2,k3 of u = -k1 (theta - theta_f) - k2 (r S0 - M0) - k3 theta'");
 }
@@ -58,11 +57,11 @@ std::vector<double> typed_frequencies(const char* option, const std::string& tex
   }
   const std::vector<std::string> parts = scene::split(text, ':');
   if (parts.size() != 3)
-    throw InputError(fmt::format("{} {}: LO:HI:N has three parts, not {}", option, text, parts.size()));
+    throw InputError(fmt::format("{} {}: LO:HI:N needs three parts, not {}", option, text, parts.size()));
   const double low = scene::typed_positive(option, parts[0]), high = scene::typed_positive(option, parts[1]);
   const int n = scene::typed_whole(option, parts[2], 1, 10'000'000);
   if (n < 2 || !(high > low))
-    throw InputError(fmt::format("{} {}: LO:HI:N needs LO below HI, and N of 2 at least", option, text));
+    throw InputError(fmt::format("{} {}: in LO:HI:N LO must be below HI, and N at least 2", option, text));
   return logarithmic(low, high, n);
 }
 
@@ -80,7 +79,7 @@ std::vector<Place> typed_places(const char* option, const std::string& text,
   for (const std::string& word : scene::typed_words(option, text)) {
     const double x = scene::typed_number(option, word);
     if (x < 0 || x > craft.length)
-      throw InputError(fmt::format("{} {}: {} lies off the appendage, which reaches from 0 to {:.17g}",
+      throw InputError(fmt::format("{} {}: {} is not on the appendage; give a distance from 0 to {:.17g}",
                                    option, text, word, craft.length));
     all.push_back({word, x});
   }
@@ -91,7 +90,7 @@ std::vector<Place> typed_places(const char* option, const std::string& text,
 spacecraft::ClosedLoop typed_loop(const spacecraft::Parameters& craft, const std::vector<double>& gains) {
   const std::string typed = fmt::format("--gains {}", fmt::join(gains, ","));
   if (gains.size() != 3)
-    throw InputError(fmt::format("{}: {} numbers where k1,k2,k3 are needed", typed, gains.size()));
+    throw InputError(fmt::format("{}: {} numbers; needs three, k1,k2,k3", typed, gains.size()));
   try {
     return {craft, {gains[0], gains[1], gains[2]}};
   } catch (const std::invalid_argument& error) {
@@ -188,13 +187,16 @@ std::string print_zeros(const FrequencyOptions& typed) {
   const spacecraft::Plant plant(craft);
   if (typed.at.empty()) return table_of(on_axis(spacecraft::hub_zeros(plant, count)), count);
   const std::vector<Place> places = typed_places("--at", typed.at, craft);
-  if (places.size() != 1) throw InputError(fmt::format("--at {}: zeros are those of one place", typed.at));
-  if (places[0].x == 0) throw InputError(fmt::format("--at {}: y is 0 at the root, at any s", typed.at));
+  if (places.size() != 1)
+    throw InputError(fmt::format("--at {}: several places; give one, whose zeros are found", typed.at));
+  if (places[0].x == 0)
+    throw InputError(fmt::format(
+        "--at {}: the deflection at the root is 0 for every s; give a distance above 0", typed.at));
   const std::vector<Complex> found = deflection_zeros(plant, places[0].x, count);
   if (found.size() < std::size_t(count))
     throw Failure(
         Status::failure(Outcome::not_converged,
-                        fmt::format("zeros: {} of {} found; ask for fewer by --count", found.size(), count)));
+                        fmt::format("zeros: {} of {} found; give a smaller --count", found.size(), count)));
   return table_of(found, count);
 }
 
@@ -244,9 +246,9 @@ struct StepOptions {
 
 void declare_step(scene::Options& options, StepOptions& typed) {
   declare_craft(options, typed.craft);
-  options.add("--final-angle", typed.angle, "theta_f, rad; 1 without it");
+  options.add("--final-angle", typed.angle, "theta_f, rad (default 1)");
   options.add("--until", typed.until, "last time").positive().required();
-  options.add("--every", typed.every, "rows at this distance in time; without it the first and the last")
+  options.add("--every", typed.every, "time between rows (default: only the first and the last row)")
       .positive();
   options.add("--at", typed.at, "places on the appendage x1,x2,..., their distances from the rim");
 }
@@ -255,8 +257,7 @@ spacecraft::TimeResponse respond(const StepOptions& typed, const spacecraft::Par
                                  const std::vector<double>& places) {
   if (!typed.craft.gains.empty())
     return step_response(typed_loop(craft, typed.craft.gains), typed.angle.value_or(1), places);
-  if (typed.angle)
-    throw InputError(fmt::format("--final-angle {}: means nothing without --gains k1,k2,k3", *typed.angle));
+  if (typed.angle) throw InputError(fmt::format("--final-angle {}: needs --gains k1,k2,k3", *typed.angle));
   return torque_response(spacecraft::Plant(craft), 1, places);
 }
 
@@ -316,24 +317,25 @@ std::string print_optimal(const OptimalOptions& typed) {
 
 void commands(scene::Commands& all) {
   all.add("poles",
-          "Poles of theta/u, or with gains of the closed loop, as CSV: index,real,imag; those with imaginary "
-          "part "
-          "0 or more but not the double one at 0, by modulus, 1/s",
+          "Print the poles of theta/u, or with --gains of the closed loop, as CSV: index,real,imag (1/s); "
+          "imaginary part 0 or more, in order of modulus, without the double pole at 0",
           declare_poles, print_poles);
   all.add("zeros",
-          "Zeros of theta/u, or with --at of y/u there, as CSV: index,real,imag; those with imaginary part 0 "
-          "or more, by modulus, 1/s; gains move none",
+          "Print the zeros of theta/u, or with --at of y/u at that place, as CSV: index,real,imag (1/s); "
+          "imaginary part 0 or more, in order of modulus; gains do not change them",
           declare_zeros, print_zeros);
   all.add("response",
-          "theta/u and y/u at s = j omega, or with gains theta/theta_f and y/theta_f, as "
-          "CSV: omega,theta_re,theta_im,y@X_re,y@X_im,...",
+          "Print theta/u and y/u at s = j omega, or with --gains theta/theta_f and y/theta_f, as CSV: "
+          "omega,theta_re,theta_im,y@X_re,y@X_im,...",
           declare_response, print_response);
   all.add("step",
-          "Motion from rest under a unit torque, or with gains to a target angle, by residues, as CSV: "
+          "Print the motion from rest under a unit torque, or with --gains to a target angle, computed by "
+          "residues, as CSV: "
           "t,theta,theta_dot,y@X,ydot@X; in the spacecraft's units, s, rad and ft for Table 3.1",
           declare_step, print_step);
   all.add("optimal-gains",
-          "Gains that minimise int (theta - theta_f)^2 + W y(L)^2 + R u^2 dt of a turn by 1 rad, as CSV: "
+          "Print the gains that minimise int (theta - theta_f)^2 + W y(L)^2 + R u^2 dt for a rotation by 1 "
+          "rad, as CSV: "
           "k1,k2,k3,cost",
           declare_optimal, print_optimal);
 }

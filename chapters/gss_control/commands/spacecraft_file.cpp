@@ -51,7 +51,7 @@ spacecraft::Parameters parse_spacecraft(std::string_view text, const std::string
   Parameters parameters = spacecraft::table_3_1();
   for (const auto& [key, node] : parse_toml(text, name)) {
     const auto known = std::ranges::find(keys, key.str(), &Key::name);
-    if (known == keys.end()) complain(name, node, key.str(), "no such key; there are " + names_of_keys());
+    if (known == keys.end()) complain(name, node, key.str(), "no such key; the keys are " + names_of_keys());
     parameters.*(known->field) = number(node, *known, name);
   }
   try {

@@ -69,8 +69,9 @@ Gains with_load(Gains gains, double k2) {
 }
 
 void draw(const DiscreteModel& model, scene::Show& show) {
-  scene::Panel& panel = show.plot("Nothing turns where {/:Italic k}_2 changes its sign", "{/:Italic k}_2",
-                                  "integral over that at {/:Italic k}_2 = 0");
+  scene::Panel& panel =
+      show.plot("Integrals against {/:Italic k}_2: no extremum where {/:Italic k}_2 changes its sign",
+                "{/:Italic k}_2", "integral over that at {/:Italic k}_2 = 0");
   panel.x_range(-2, 4).y_range(0, 4);
   show.figure().columns({"curve", "panel", "x", "y"});
   const Parameters p = craft(true);
@@ -151,7 +152,7 @@ void put(scene::Show& show) {
 
 std::vector<scene::Scene> scenes() {
   return {{.name = "energies",
-           .title = "Energies of the hub and of the beams by the gain on the root load",
+           .title = "Energies of the hub and of the beams against the gain on the root load",
            .place = "our own, for two claims of section 3.1.4",
            .content = scene::Content(put)}};
 }

@@ -34,7 +34,7 @@ std::vector<Motion> motions(bool quick) {
 
 void draw(const std::vector<Motion>& all, scene::Show& show) {
   using Sample = spacecraft::LyapunovSample;
-  scene::Plot& plot = show.plots("V with both appendages falls; as printed it rises too");
+  scene::Plot& plot = show.plots("Lyapunov function V: falls with both appendages; as printed it also rises");
   plot.stacked().size(760, 560).columns({"curve", "panel", "x", "y"});
   for (const Motion& m : all) {
     const bool first = &m == &all.front();
@@ -84,7 +84,7 @@ std::vector<scene::Scene> scenes() {
       "printed: (3.52) with one appendage and without the tip's inertia",
       motions);
   return {{.name = "lyapunov",
-           .title = "Lyapunov's function along the motion, corrected and as printed",
+           .title = "Lyapunov function along the motion, corrected and as printed",
            .place = "our own, for a claim of section 3.1.4",
            .content = scene::Content(put, result)}};
 }

@@ -74,12 +74,12 @@ struct Figure {
   double bound;
 };
 constexpr std::array figures = {
-    Figure{"fig-3.17", hub_angle, "Designed gains: a turn of 1 rad, with 14 % overshoot", 1, 15, check_angle,
-           1e-12},
-    Figure{"fig-3.18", hub_rate, "Designed gains: the hub's rate", 0, 15, check_rate, 1e-7},
-    Figure{"fig-3.19", deflection, "Designed gains: the first mode dies out in ten seconds", 0, 15,
-           check_deflection, 1e-8},
-    Figure{"fig-3.20", deflection_rate, "Designed gains: the second mode rings for minutes", 0, 20,
+    Figure{"fig-3.17", hub_angle, "Designed gains: hub angle with 14 % overshoot", 1, 15, check_angle, 1e-12},
+    Figure{"fig-3.18", hub_rate, "Designed gains: hub rate", 0, 15, check_rate, 1e-7},
+    Figure{"fig-3.19", deflection, "Designed gains: the first mode of the deflection decays in ten seconds",
+           0, 15, check_deflection, 1e-8},
+    Figure{"fig-3.20", deflection_rate,
+           "Designed gains: the second mode of the deflection decays over minutes", 0, 20,
            check_deflection_rate, 2e-5}};
 
 void put_figure(const Figure& f, const TimeResponse& response, scene::Show& show) {

@@ -70,7 +70,7 @@ void draw(const spacecraft::Parameters& p, const CostWeights& w, scene::Show& sh
     }
   }
   show.draw(std::move(data), "gss_control-cost-map",
-            {{"heading", "A flat valley: plain PD control costs 6 % more"},
+            {{"heading", "Cost over the gains: flat about the optimum; PD control costs 6 % more"},
              {"height", "520"},
              {"optimum", fmt::format("{:.9g},{:.9g}", full.gains.k2, full.gains.k3)},
              {"pd", fmt::format("{:.9g},{:.9g}", pd.gains.k2, pd.gains.k3)}});
@@ -172,7 +172,7 @@ void put(scene::Show& show) {
 
 std::vector<scene::Scene> scenes() {
   return {{.name = "optimal-gains",
-           .title = "The cost over the gains: designed, unit, optimal, PD",
+           .title = "Cost over the gains: designed, unit, optimal, PD",
            .place = "our own, for what section 3.1.4 leaves open",
            .content = scene::Content(put)}};
 }

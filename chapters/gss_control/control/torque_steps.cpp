@@ -59,8 +59,8 @@ void put(const Figure& f, const TimeResponse& response, scene::Show& show) {
   const auto off = [&](double t) { return modes(t) - exact(t); };
   double difference = 0;
   for (const double t : times) difference = std::max(difference, std::abs(off(t)));
-  scene::Plot& plot = show.plots(h.hub ? "The hub turns as a rigid body would, and ripples a little"
-                                       : "The appendages bend back and ring on: nothing damps them");
+  scene::Plot& plot = show.plots(h.hub ? "Unit torque: the hub moves as a rigid body with small vibrations"
+                                       : "Unit torque: the appendages vibrate without damping");
   plot.stacked({0.64, 0.36}).columns({"curve", "panel", "x", "y"});
   scene::Panel& panel = plot.panel("", h.label);
   panel.x_range(0, end).key(h.hub ? "top left" : "bottom right maxrows 1");

@@ -184,7 +184,7 @@ scene::ProblemLines measure_all(bool quick) { return Field(quick).measure(); }
 
 void put(const scene::ProblemLines& all, scene::Show& show) {
   scene::show_work_precision(
-      {.heading = "Residues gain digits; ten assumed modes stop at three",
+      {.heading = "Digits of the motion: ten by residues, three by ten assumed modes",
        .digits = "digits of {/:Italic θ} and {/:Italic y}, median",
        .most_digits = 17,
        .error = "median error",

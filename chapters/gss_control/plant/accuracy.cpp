@@ -64,7 +64,8 @@ double worst(const std::vector<Sample>& samples, Form form, std::size_t what, do
 }
 
 void draw(const std::vector<Sample>& samples, scene::Show& show) {
-  scene::Plot& plot = show.plots("Only scaled exponentials hold from 1e-8 to 1e8 rad/s");
+  scene::Plot& plot =
+      show.plots("Errors of three evaluations: only scaled waves are accurate at all frequencies");
   plot.stacked().size(760, 600).columns({"curve", "panel", "x", "y"});
   for (const std::size_t what : {0U, 1U}) {
     scene::Panel& panel =

@@ -67,10 +67,10 @@ struct Figure {
   }
 };
 constexpr std::array figures = {
-    Figure{"fig-3.13", "Unit gains: a peak of 14 dB, and a phase that is ordinary", false, true},
-    Figure{"fig-3.14", "Unit gains: the deflection rings at every mode", false, false},
-    Figure{"fig-3.15", "Designed gains: hardly a peak of the hub angle", true, true},
-    Figure{"fig-3.16", "Designed gains: the deflection still rings at 52 rad/s", true, false}};
+    Figure{"fig-3.13", "Unit gains: the hub angle has a peak of 14 dB", false, true},
+    Figure{"fig-3.14", "Unit gains: the deflection has a sharp peak at every mode", false, false},
+    Figure{"fig-3.15", "Designed gains: the hub angle has almost no peak", true, true},
+    Figure{"fig-3.16", "Designed gains: the deflection keeps a sharp peak at 52 rad/s", true, false}};
 
 void draw(const Figure& f, const ClosedLoop& loop, scene::Show& show) {
   const std::vector<double> omega = frequencies(loop);

@@ -66,9 +66,8 @@ void draw_spacecraft(scene::Show& show) {
                     {"xrange", "[-7.6:9]"},
                     {"yrange", "[-4.1:4.3]"},
                     {"height", "400"}}));
-  show.near(
-      "inertia of the rigid body", {p.total_inertia(), "slug ft^2"}, slices, 1e-12,
-      "the sum over 2000 rigid slices of an appendage, each with its own inertia: exact but for rounding");
+  show.near("inertia of the rigid body", {p.total_inertia(), "slug ft^2"}, slices, 1e-12,
+            "the sum over 2000 rigid slices of an appendage, each with its inertia: exact to rounding");
   show.near("the same, by hand", {p.total_inertia(), "slug ft^2"}, 18.0961, 1e-12,
             "8 + 2 x 0.1569 x 25 + 2 x 0.0018 + 2 x 0.0271875 x 124/3 by hand");
 }

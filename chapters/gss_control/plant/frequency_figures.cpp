@@ -107,7 +107,7 @@ struct Bode {
 };
 
 Bode bode_of_hub(const Plant& plant) {
-  return {"Hub angle: poles and zeros take turns, all undamped",
+  return {"Hub angle: poles and zeros alternate, all undamped",
           "|{/:Italic θ}| of a unit step (rad s)",
           "theta/u",
           "1/(lb ft)",

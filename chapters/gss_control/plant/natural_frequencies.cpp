@@ -85,7 +85,8 @@ struct Model {
 };
 
 void draw(const std::array<Model, 2>& both, scene::Show& show) {
-  scene::Plot& plot = show.plots("With tips, assumed modes stop at percents, elements do not");
+  scene::Plot& plot =
+      show.plots("Errors of the poles: with tips assumed modes stall at percents, elements converge");
   plot.stacked().size(760, 600).columns({"curve", "panel", "x", "y"});
   for (const Model& model : both) {
     scene::Panel& panel = plot.panel("number of the mode", fmt::format("relative error, {}", model.name));

@@ -30,37 +30,37 @@ constexpr std::array methods = {
     "newmark", "hht",    "generalized-alpha", "backward-euler", "explicit", "rk4", "rk6", "ode45",
     "dop853",  "rkn1210"};
 
-LoadHistory history_of(const DynamicWords& words) {
-  const LoadHistory::Kind kind = words.history == "ramp"    ? LoadHistory::Kind::ramp
-                                 : words.history == "pulse" ? LoadHistory::Kind::pulse
+LoadHistory history_of(const DynamicOptions& typed) {
+  const LoadHistory::Kind kind = typed.history == "ramp"    ? LoadHistory::Kind::ramp
+                                 : typed.history == "pulse" ? LoadHistory::Kind::pulse
                                                             : LoadHistory::Kind::step;
-  if (kind == LoadHistory::Kind::step && words.duration)
-    throw InputError("--duration: a step has none; say --history ramp or pulse");
-  if (kind != LoadHistory::Kind::step && !words.duration)
-    throw InputError("--history " + words.history + " needs a --duration");
-  return {kind, words.factor.value_or(1), words.duration.value_or(0)};
+  if (kind == LoadHistory::Kind::step && typed.duration)
+    throw InputError("--duration: is for --history ramp or pulse; leave it out or give one of them");
+  if (kind != LoadHistory::Kind::step && !typed.duration)
+    throw InputError("--history " + typed.history + " needs a --duration");
+  return {kind, typed.factor.value_or(1), typed.duration.value_or(0)};
 }
 
-std::string method_of(const DynamicWords& words) { return words.method.empty() ? "newmark" : words.method; }
+std::string method_of(const DynamicOptions& typed) { return typed.method.empty() ? "newmark" : typed.method; }
 
 /// Step size or tolerance of the method. Default step size of fixed-step methods: time/2000, for `explicit`
 /// within its stability limit.
-ivp::Settings settings_of(const DynamicWords& words, const frames::FrameMotion& motion, double time) {
-  if (words.step && words.tolerance) throw InputError("--step and --tolerance: one of both");
-  const ivp::MethodInfo& method = ivp::method_info(method_of(words));
+ivp::Settings settings_of(const DynamicOptions& typed, const frames::FrameMotion& motion, double time) {
+  if (typed.step && typed.tolerance) throw InputError("--step and --tolerance: give only one of them");
+  const ivp::MethodInfo& method = ivp::method_info(method_of(typed));
   if (!method.fixed_step()) {
-    if (words.step && method.steps == ivp::Steps::adaptive)
-      throw InputError("--step: " + words.method + " chooses its steps by --tolerance");
-    return {.step = words.step, .tolerance = words.tolerance};
+    if (typed.step && method.steps == ivp::Steps::adaptive)
+      throw InputError("--step: " + typed.method + " adapts its steps to --tolerance");
+    return {.step = typed.step, .tolerance = typed.tolerance};
   }
-  if (words.tolerance)
+  if (typed.tolerance)
     throw input_error(
-        "--tolerance {}: {} takes equal steps; give --step, or a method that chooses its steps, as dop853",
-        *words.tolerance, method.name);
-  if (words.step) return {.step = words.step};
+        "--tolerance {}: {} takes equal steps; give --step, or a method with adaptive steps, such as dop853",
+        *typed.tolerance, method.name);
+  if (typed.step) return {.step = typed.step};
   double step = time / 2000;
   // The stability limit is step * frequency = 2; the factor 1/2 allows for members that stiffen in tension.
-  if (words.method == "explicit") step = std::min(step, 1 / motion.highest_frequency());
+  if (typed.method == "explicit") step = std::min(step, 1 / motion.highest_frequency());
   return {.step = step};
 }
 
@@ -90,10 +90,10 @@ std::vector<Eigen::Index> compared_of(const frames::Frame& frame) {
 /// Runs of one motion with several step sizes.
 class Runs {
  public:
-  Runs(const frames::FrameMotion& motion, const DynamicWords& words, double seconds)
+  Runs(const frames::FrameMotion& motion, const DynamicOptions& typed, double seconds)
       : motion_(motion),
         system_(motion),
-        words_(words),
+        typed_(typed),
         seconds_(seconds),
         compared_(compared_of(motion.frame().frame)) {}
 
@@ -101,16 +101,16 @@ class Runs {
   /// displacements
   /// @param has_rows whether to record rows
   FrameRun run(const ivp::Settings& settings, const FrameRun* coarse = nullptr, bool has_rows = true) {
-    const auto integrate = ivp::named_integrator(method_of(words_), settings);
+    const auto integrate = ivp::named_integrator(method_of(typed_), settings);
     frames::FrameEnergies energies(motion_);
     FrameRun run;
     run.moments.push_back(moment_of(motion_, 0, motion_.rest(), energies));
     double most = 0, apart = 0;
     std::size_t compared = 0;
     const auto see = [&](const ivp::Step& step) {
-      if (has_rows && words_.every) add_rows(step, energies, run.moments);
+      if (has_rows && typed_.every) add_rows(step, energies, run.moments);
       energies.take(step);
-      const bool is_last = step.t1 == *words_.time;
+      const bool is_last = step.t1 == *typed_.time;
       for (; coarse != nullptr && compared < coarse->moments.size(); ++compared) {
         const Moment& other = coarse->moments[compared];
         if (other.time > step.t1 && !is_last) break;
@@ -118,27 +118,26 @@ class Runs {
         most = std::max(most, here(compared_).cwiseAbs().maxCoeff());
         apart = std::max(apart, (here(compared_) - other.x(compared_)).cwiseAbs().maxCoeff());
       }
-      if (!has_rows || words_.every) return true;
+      if (!has_rows || typed_.every) return true;
       if (run.moments.size() > most_rows)
         throw InputError(
-            fmt::format("without --every each step has a row: more than {} rows at t = {:.6g}; "
-                        "say --every",
+            fmt::format("without --every each step has a row: more than {} rows at t = {:.6g}; give --every",
                         most_rows, step.t1));
       run.moments.push_back(moment_of(motion_, step.t1, step.x1, energies));
       return true;
     };
-    run.status = integrate(system_, motion_.rest(), 0, *words_.time, see,
+    run.status = integrate(system_, motion_.rest(), 0, *typed_.time, see,
                            {.seconds = std::max(seconds_ - time_.seconds(), 1e-3)})
                      .status;
     difference_ = most > 0 ? apart / most : 0;
     run.imbalance = energies.greatest > 0 ? energies.imbalance / energies.greatest : 0;
     if (run.status.ok() && !(run.imbalance <= most_imbalance))
-      run.status = Status::failure(
-          Outcome::not_converged,
-          fmt::format(
-              "{}: {:.2g} of the greatest energy is too much or missing, more than {}; take a shorter "
-              "step, a smaller tolerance, or newmark, which does not dissipate",
-              method_of(words_), run.imbalance, most_imbalance));
+      run.status =
+          Status::failure(Outcome::not_converged,
+                          fmt::format("{}: the energies do not balance: the error is {:.2g} of the largest "
+                                      "energy, more than {}; take a shorter "
+                                      "step, a smaller tolerance, or newmark, which does not dissipate",
+                                      method_of(typed_), run.imbalance, most_imbalance));
     return run;
   }
 
@@ -154,7 +153,7 @@ class Runs {
   /// @param before energies at the start of the step
   void add_rows(const ivp::Step& step, const frames::FrameEnergies& before, std::vector<Moment>& rows) const {
     // The end time always has a row; a requested time that equals it up to rounding has no second one.
-    const double every = *words_.every, end = *words_.time, last = std::ceil(end / every - 1e-9);
+    const double every = *typed_.every, end = *typed_.time, last = std::ceil(end / every - 1e-9);
     for (;;) {
       const auto number = static_cast<double>(rows.size());
       const double t = number < last ? number * every : end;
@@ -168,12 +167,12 @@ class Runs {
 
   /// Runs the motion and compares it with half the step size. The default step size is halved until both
   /// agree.
-  FrameRun held(ivp::Settings settings) {
+  FrameRun run_with_check(ivp::Settings settings) {
     FrameRun coarse = run(settings);
     for (int halving = 0; settings.step; ++halving) {
       const bool has_room =
-          words_.every || 2 * *words_.time / *settings.step < static_cast<double>(most_rows);
-      const bool is_free = !words_.step && halving < most_halvings && has_room;
+          typed_.every || 2 * *typed_.time / *settings.step < static_cast<double>(most_rows);
+      const bool is_free = !typed_.step && halving < most_halvings && has_room;
       if (!coarse.status.ok() && !is_free) break;
       const double step = *settings.step;
       settings.step = step / 2;
@@ -191,7 +190,7 @@ class Runs {
                       fmt::format("{}: with half the step of {:.3g} displacements differ by {:.2g} of the "
                                   "largest, more than {}; take a shorter --step, or --method dop853 with a "
                                   "--tolerance",
-                                  method_of(words_), step, difference_, most_difference))
+                                  method_of(typed_), step, difference_, most_difference))
                 : fine.status;
       break;
     }
@@ -201,7 +200,7 @@ class Runs {
  private:
   const frames::FrameMotion& motion_;
   ivp::System system_;
-  const DynamicWords& words_;
+  const DynamicOptions& typed_;
   double seconds_;
   Stopwatch time_;
   std::vector<Eigen::Index> compared_;
@@ -210,57 +209,60 @@ class Runs {
 
 }  // namespace
 
-void declare_dynamic(scene::Options& options, DynamicWords& words) {
-  options.add("--dynamic", words.is_wanted, "the motion in time instead; members need a mass");
-  options.add("--history", words.history, "with --dynamic: of the load factor, from time 0; without it step")
-      .one_of({"step", "ramp", "pulse"});
-  options.add("--factor", words.factor, "with --dynamic: the greatest load factor; without it 1");
+void declare_dynamic(scene::Options& options, DynamicOptions& typed) {
+  options.add("--dynamic", typed.is_wanted, "compute the motion in time instead; members need a mass");
   options
-      .add("--duration", words.duration, "with --dynamic: in which a ramp rises, or after which a pulse ends")
+      .add("--history", typed.history,
+           "with --dynamic: history of the load factor from time 0 (default step)")
+      .one_of({"step", "ramp", "pulse"});
+  options.add("--factor", typed.factor, "with --dynamic: the largest load factor (default 1)");
+  options
+      .add("--duration", typed.duration,
+           "with --dynamic: time in which a ramp rises, or after which a pulse ends")
       .positive();
-  options.add("--time", words.time, "with --dynamic: end of the motion").positive();
-  options.add("--method", words.method, "with --dynamic: the integrator; without it newmark")
+  options.add("--time", typed.time, "with --dynamic: end of the motion").positive();
+  options.add("--method", typed.method, "with --dynamic: the integrator (default newmark)")
       .one_of({methods.begin(), methods.end()});
   options
-      .add("--step", words.step,
-           "with --dynamic: time step; without it a two-thousandth of the time, halved until half of it "
-           "changes no displacement by more than a hundredth of the largest")
+      .add("--step", typed.step,
+           "with --dynamic: time step. Default: 1/2000 of --time, halved until halving it changes no "
+           "displacement by more than 1/100 of the largest")
       .positive();
-  options.add("--tolerance", words.tolerance, "with --dynamic: for methods that choose their steps")
+  options.add("--tolerance", typed.tolerance, "with --dynamic: tolerance of methods with adaptive steps")
       .positive();
   options
-      .add("--every", words.every,
-           "with --dynamic: rows at multiples of this time and at the end, by the method's dense output; "
-           "without it each step has one")
+      .add("--every", typed.every,
+           "with --dynamic: rows at multiples of this time and at the end, by dense output (default: a row "
+           "for each step)")
       .positive();
 }
 
-void require_none(const DynamicWords& words) {
-  const std::array typed = {
-      std::pair{"--history", !words.history.empty()},        std::pair{"--factor", words.factor.has_value()},
-      std::pair{"--duration", words.duration.has_value()},   std::pair{"--time", words.time.has_value()},
-      std::pair{"--method", !words.method.empty()},          std::pair{"--step", words.step.has_value()},
-      std::pair{"--tolerance", words.tolerance.has_value()}, std::pair{"--every", words.every.has_value()}};
-  for (const auto& [option, is_typed] : typed) {
+void require_none(const DynamicOptions& typed) {
+  const std::array given = {
+      std::pair{"--history", !typed.history.empty()},        std::pair{"--factor", typed.factor.has_value()},
+      std::pair{"--duration", typed.duration.has_value()},   std::pair{"--time", typed.time.has_value()},
+      std::pair{"--method", !typed.method.empty()},          std::pair{"--step", typed.step.has_value()},
+      std::pair{"--tolerance", typed.tolerance.has_value()}, std::pair{"--every", typed.every.has_value()}};
+  for (const auto& [option, is_typed] : given) {
     if (is_typed)
-      throw InputError(fmt::format("{}: of a motion in time alone; say --dynamic, or leave it out", option));
+      throw InputError(fmt::format("{}: is for a motion in time; add --dynamic or leave it out", option));
   }
 }
 
-FrameRun run_frame(const FrameFile& file, const frames::NamedFrame& frame, const DynamicWords& words,
+FrameRun run_frame(const FrameFile& file, const frames::NamedFrame& frame, const DynamicOptions& typed,
                    double seconds) {
-  if (!words.time) throw InputError("--dynamic needs a --time at which it ends");
-  const LoadHistory history = history_of(words);
-  if (words.every && *words.time / *words.every > static_cast<double>(most_rows))
-    throw InputError(fmt::format("--every {}: more than {} rows", *words.every, most_rows));
+  if (!typed.time) throw InputError("--dynamic: needs --time T, the end of the motion");
+  const LoadHistory history = history_of(typed);
+  if (typed.every && *typed.time / *typed.every > static_cast<double>(most_rows))
+    throw InputError(fmt::format("--every {}: more than {} rows", *typed.every, most_rows));
   try {
     const frames::FrameMotion motion(frame, history);
-    const ivp::Settings settings = settings_of(words, motion, *words.time);
-    if (!words.every && settings.step && *words.time / *settings.step > static_cast<double>(most_rows))
+    const ivp::Settings settings = settings_of(typed, motion, *typed.time);
+    if (!typed.every && settings.step && *typed.time / *settings.step > static_cast<double>(most_rows))
       throw InputError(
-          fmt::format("without --every each of {:.3g} steps has a row, more than {}; say --every",
-                      *words.time / *settings.step, most_rows));
-    return Runs(motion, words, seconds).held(settings);
+          fmt::format("without --every each of {:.3g} steps has a row, more than {}; give --every",
+                      *typed.time / *settings.step, most_rows));
+    return Runs(motion, typed, seconds).run_with_check(settings);
   } catch (const frames::ModelError& error) {
     complain_of(file, error);
   }

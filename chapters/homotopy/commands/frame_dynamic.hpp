@@ -15,7 +15,7 @@
 namespace nlmech::chapters::homotopy {
 
 /// Options of a motion.
-struct DynamicWords {
+struct DynamicOptions {
   bool is_wanted = false;           ///< --dynamic
   std::string history;              ///< --history; empty: `step`
   std::optional<double> factor;     ///< --factor; default 1
@@ -28,10 +28,10 @@ struct DynamicWords {
 };
 
 /// Declares the options of a motion.
-void declare_dynamic(scene::Options& options, DynamicWords& words);
+void declare_dynamic(scene::Options& options, DynamicOptions& typed);
 
 /// @throws InputError naming an option of a motion that was typed without --dynamic
-void require_none(const DynamicWords& words);
+void require_none(const DynamicOptions& typed);
 
 /// State of a motion at one time.
 struct Moment {
@@ -58,7 +58,7 @@ struct FrameRun {
 /// kept
 /// @throws InputError naming a missing or unsuitable option, or the entry of the file without mass
 [[nodiscard]] FrameRun run_frame(const FrameFile& file, const frames::NamedFrame& frame,
-                                 const DynamicWords& words, double seconds);
+                                 const DynamicOptions& typed, double seconds);
 
 /// Output rows as CSV.
 [[nodiscard]] std::string csv_of(const frames::NamedFrame& frame, const FrameRun& run);

@@ -52,7 +52,7 @@ class Reader {
         read_imperfection(*node);
       else
         complain(*node, key,
-                 "no such key; there are nodes, members, supports, loads, displacements, masses, damping, "
+                 "no such key; the keys are nodes, members, supports, loads, displacements, masses, damping, "
                  "imperfection");
     }
   }
@@ -86,7 +86,7 @@ class Reader {
   template <class Use>
   void for_entries(const std::string& key, const toml::node& node, const Use& use) {
     const toml::table* const table = node.as_table();
-    if (table == nullptr) complain(node, key, "a table is needed, with a line for each node");
+    if (table == nullptr) complain(node, key, "must be a table with a line for each node");
     for (const auto& [name, entry] : in_order(*table)) use(name, *entry);
   }
 
@@ -113,15 +113,15 @@ class Reader {
     for (const std::string& name : cases_) names.append(names.empty() ? "" : ", ").append(quoted_input(name));
     if (single != nullptr && !cases_.empty())
       throw InputError(
-          fmt::format("{}, line {}: this stands beside cases ({}); put all loads and "
-                      "displacements under a case, or none",
+          fmt::format("{}, line {}: loads or displacements without a case beside cases ({}); put all of them "
+                      "under a case, or none",
                       file_.name, single->source().begin.line, quoted_input(names, 400)));
     if (case_ && !cases_.contains(*case_))
       throw InputError(fmt::format(
           "{}, [loads]: there is no case {}; {}", file_.name, quoted_input(*case_),
-          cases_.empty() ? "loads stand there without one" : "there is " + quoted_input(names, 400)));
+          cases_.empty() ? "the file has no cases" : "the cases are " + quoted_input(names, 400)));
     if (!case_ && cases_.size() > 1)
-      throw InputError(fmt::format("{}, [loads]: there are several cases; say --case and one of {}",
+      throw InputError(fmt::format("{}, [loads]: there are several cases; give --case with one of {}",
                                    file_.name, quoted_input(names, 400)));
     if (!case_ && cases_.size() == 1) case_ = *cases_.begin();
   }
@@ -161,13 +161,13 @@ class Reader {
 
   std::string text(const toml::node& node, const std::string& key) const {
     const auto value = node.value_exact<std::string>();
-    if (!value) complain(node, key, "a name in quotes is needed");
+    if (!value) complain(node, key, "must be a name in quotes");
     return *value;
   }
 
   std::vector<std::string> texts(const toml::node& node, const std::string& key) const {
     const toml::array* const array = node.as_array();
-    if (array == nullptr) complain(node, key, "a list of names in quotes is needed");
+    if (array == nullptr) complain(node, key, "must be a list of names in quotes");
     std::vector<std::string> all;
     for (const toml::node& entry : *array) all.push_back(text(entry, key));
     return all;
@@ -176,7 +176,8 @@ class Reader {
   void read_node(const std::string& name, const toml::node& node) {
     const std::string key = "nodes." + name;
     const toml::array* const place = node.as_array();
-    if (place == nullptr || place->size() != 2) complain(node, key, "a place is two numbers, [x, y]");
+    if (place == nullptr || place->size() != 2)
+      complain(node, key, "must be a position of two numbers, [x, y]");
     file_.model.nodes.push_back({name, number((*place)[0], key), number((*place)[1], key)});
     note_line(ModelPart::nodes, node);
   }
@@ -209,7 +210,8 @@ class Reader {
         hinges = texts(*node, key);
         hinges_at = node;
       } else {
-        complain(*node, key, "no such key; a member has nodes, EA, EI, hinges, elements, radius, mass");
+        complain(*node, key,
+                 "no such key; the keys of a member are nodes, EA, EI, hinges, elements, radius, mass");
       }
     }
     for (const std::string_view key : {"nodes", "EA", "EI"}) {
@@ -230,7 +232,7 @@ class Reader {
   int whole(const toml::node& node, const std::string& key) const {
     const auto value = node.value_exact<std::int64_t>();
     if (!value || *value < 1 || *value > frames::most_beam_columns)
-      complain(node, key, fmt::format("a whole number from 1 to {} is needed", frames::most_beam_columns));
+      complain(node, key, fmt::format("must be a whole number from 1 to {}", frames::most_beam_columns));
     return static_cast<int>(*value);
   }
 
@@ -245,7 +247,7 @@ class Reader {
     const std::string key = "supports." + name;
     for (const std::string& word : texts(node, key)) {
       const auto motion = motion_of(word);
-      if (!motion) complain(node, key, quoted_input(word) + " is no motion; there are x, y, rotation");
+      if (!motion) complain(node, key, quoted_input(word) + " is no motion; the motions are x, y, rotation");
       file_.model.supports.push_back({name, *motion});
       note_line(ModelPart::supports, node);
     }
@@ -281,7 +283,7 @@ class Reader {
 
   void read_damping(const toml::node& node) {
     frames::Damping& damping = file_.model.damping;
-    read_numbers(node, "damping", "a table is needed", {"mass", &damping.mass},
+    read_numbers(node, "damping", "must be a table", {"mass", &damping.mass},
                  {"stiffness", &damping.stiffness});
     note_line(ModelPart::damping, node);
   }
@@ -292,7 +294,8 @@ class Reader {
                     const NamedNumber& first, const NamedNumber& second) const {
     for (const auto& [word, value] : table_of(node, key, what)) {
       if (word != first.first && word != second.first)
-        complain(*value, key + "." + word, fmt::format("there are {}, {}", first.first, second.first));
+        complain(*value, key + "." + word,
+                 fmt::format("no such key; the keys are {}, {}", first.first, second.first));
       *(word == first.first ? first : second).second = number(*value, key + "." + word);
     }
   }
@@ -300,14 +303,14 @@ class Reader {
   void read_imperfection(const toml::node& node) {
     frames::Imperfection imperfection;
     bool has_amplitude = false;
-    for (const auto& [word, value] : table_of(node, "imperfection", "a table is needed")) {
+    for (const auto& [word, value] : table_of(node, "imperfection", "must be a table")) {
       if (word == "mode") {
         imperfection.mode = whole(*value, "imperfection.mode");
       } else if (word == "amplitude") {
         imperfection.amplitude = number(*value, "imperfection.amplitude");
         has_amplitude = true;
       } else {
-        complain(*value, "imperfection." + word, "there are mode, amplitude");
+        complain(*value, "imperfection." + word, "no such key; the keys are mode, amplitude");
       }
     }
     if (!has_amplitude)

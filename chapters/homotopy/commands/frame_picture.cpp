@@ -157,7 +157,7 @@ scene::Figure frame_picture(const frames::NamedFrame& frame, const frames::Frame
   scene::Plot& plot = show.plots("Load factor against the largest displacement, and shapes");
   plot.size(width, height).columns({"panel", "curve", "x", "y"});
   put_paths(motion, paths, plot.panel(scene::without_markup(motion.name), "load factor").key("top left"));
-  scene::Panel& panel = plot.panel("x, in the file's units", "y, in the file's units").key("top left");
+  scene::Panel& panel = plot.panel("x (units of the file)", "y (units of the file)").key("top left");
   const std::vector<ShownShape> seen = shown_shapes(paths);
   std::vector<Shape> shapes = {shape_of(frame.frame, Eigen::VectorXd::Zero(frame.frame.size()))};
   for (const ShownShape& s : seen) shapes.push_back(shape_of(frame.frame, s.point->x));

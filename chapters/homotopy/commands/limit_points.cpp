@@ -16,7 +16,8 @@ namespace nlmech::chapters::homotopy {
 namespace {
 
 void declare(scene::Options& options, TypedToggle& toggle) {
-  declare_toggle(options, toggle, "one does not bow, and ends with 1 above a height of 0.75 in");
+  declare_toggle(options, toggle,
+                 "one element does not bend sideways, and exits with 1 for heights above 0.75 in");
 }
 
 frames::TogglePath path_of(const TypedToggle& typed) {
@@ -27,7 +28,7 @@ frames::TogglePath path_of(const TypedToggle& typed) {
 }
 
 /// Prints the mesh error estimated from the critical points of a second mesh.
-void tell_of_mesh(const TypedToggle& typed, const frames::TogglePath& path) {
+void print_mesh_error(const TypedToggle& typed, const frames::TogglePath& path) {
   const int elements = elements_of(typed),
             second = frames::second_mesh(elements, 2 * static_cast<std::size_t>(elements));
   const frames::TogglePath other =
@@ -36,9 +37,9 @@ void tell_of_mesh(const TypedToggle& typed, const frames::TogglePath& path) {
     return a.kind == b.kind && a.is_symmetric == b.is_symmetric;
   };
   if (!other.status.ok() || !std::ranges::equal(path.events, other.events, is_same)) {
-    scene::print_message(fmt::format(
-        "limit-points: the mesh error is not known: with {} elements a member in place of {} {}", second,
-        elements, other.status.ok() ? "there are other points" : other.status.sentence()));
+    scene::print_message(
+        fmt::format("limit-points: the mesh error is unknown: with {} elements a member in place of {} {}",
+                    second, elements, other.status.ok() ? "the points differ" : other.status.sentence()));
     return;
   }
   double worst = 0;
@@ -62,19 +63,19 @@ void limit_points(const TypedToggle& typed) {
   if (!path.status.ok())
     throw Failure(Status::failure(
         path.status.outcome(),
-        fmt::format("limit-points: the path is followed to a drop of {:.6g} in and {} critical points, no "
-                    "farther; take another number of elements a member, 4 or more: {}",
+        fmt::format("limit-points: the path was followed only to a drop of {:.6g} in and {} critical points; "
+                    "take another number of elements a member, 4 or more: {}",
                     path.drop, path.events.size(), path.status.sentence())));
   std::string text = "kind,load,deflection,motion\n";
   for (const frames::ToggleEvent& e : path.events)
     text += fmt::format("{},{:.12g},{:.12g},{}\n", to_string(e.kind), e.load, e.drop,
                         e.is_symmetric ? "symmetric" : "antisymmetric");
-  if (typed.model == "element") tell_of_mesh(typed, path);
+  if (typed.model == "element") print_mesh_error(typed, path);
   scene::print_last_result(text);
   if (path.drop < 2.2 * typed.height)
     std::cerr << fmt::format(
         "limit-points: Williams' equation ends at a drop of {:.6g} in, at the pole of d_5, where its load "
-        "falls without bound; --model element goes on\n",
+        "falls without bound; --model element follows the path further\n",
         path.drop);
 }
 //! [rows of the toggle]
@@ -82,13 +83,12 @@ void limit_points(const TypedToggle& typed) {
 }  // namespace
 
 void add_limit_points_command(scene::Commands& all) {
-  all.add(
-      "limit-points",
-      "Limit points and bifurcations of a toggle on its symmetric path from rest, as CSV: "
-      "kind,load,deflection,motion; only the head if there are none. kind: maximum, minimum, bifurcation; "
-      "motion: of the whole toggle that costs no work there, symmetric or antisymmetric. Members, inch and "
-      "pound as in Table 2.1",
-      declare, limit_points);
+  all.add("limit-points",
+          "Print the limit points and bifurcations of a toggle on its symmetric path from rest as CSV: "
+          "kind,load,deflection,motion; only the header if there are none. kind: maximum, minimum, "
+          "bifurcation; motion: symmetric or antisymmetric, the motion of the whole toggle with zero "
+          "stiffness there. Members, inch and pound as in Table 2.1",
+          declare, limit_points);
 }
 
 }  // namespace nlmech::chapters::homotopy

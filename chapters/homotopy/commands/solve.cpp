@@ -20,22 +20,21 @@ namespace nlmech::chapters::homotopy {
 namespace {
 
 /// Options of the command.
-struct Words {
+struct SolveOptions {
   TypedToggle toggle;
   double load = 0;
   std::string solver = "energy-trust-region";
   std::optional<double> tolerance;  ///< default 1e-10, or the rounding bound if larger
 };
 
-void declare(scene::Options& options, Words& words) {
-  declare_toggle(options, words.toggle, "one does not bow");
-  options.add("--load", words.load, "W on the apex, downwards, pound").required();
-  options.add("--solver", words.solver, "its name; an unknown one lists them");
+void declare(scene::Options& options, SolveOptions& typed) {
+  declare_toggle(options, typed.toggle, "one element does not bend sideways");
+  options.add("--load", typed.load, "load W on the apex, downwards, pound").required();
+  options.add("--solver", typed.solver, "name of the solver; an unknown name lists all");
   options
-      .add("--tolerance", words.tolerance,
-           "on the residual, below 1; if not given 1e-10, or where that is more, as with very many elements, "
-           "4 "
-           "times what rounding of the displacements makes of it (the bound that is printed)")
+      .add("--tolerance", typed.tolerance,
+           "tolerance on the residual, below 1. Default: 1e-10, or 4 times the residual that rounding of the "
+           "displacements causes if that is larger, as with very many elements (the printed bound)")
       .positive();
 }
 
@@ -84,19 +83,19 @@ algebraic::Report run(const algebraic::NamedSolver& method, algebraic::Equations
   }
   const auto names = algebraic::solver_names();
   if (std::find(names.begin(), names.end(), method.name) == names.end())
-    throw InputError(fmt::format("--solver {}: there are {}{}", method.name, fmt::join(names, ", "),
-                                 peers::kinsol_available() ? ", kinsol" : ""));
+    throw InputError(fmt::format("--solver {}: no such solver; the solvers are {}{}", method.name,
+                                 fmt::join(names, ", "), peers::kinsol_available() ? ", kinsol" : ""));
   return find_root(method, equations, x);
 }
 
 /// Stability of an equilibrium and its relation to the path from rest.
-struct Standing {
+struct PathRelation {
   std::optional<Eigen::Index> unstable;  ///< unstable modes of the whole toggle; nothing if unknown
   frames::TogglePath from_rest;          ///< path up to the load or the first critical point
 };
 
-Standing standing_of(const Loaded& toggle, double height, double load, int elements,
-                     const Eigen::VectorXd& x) {
+PathRelation path_relation(const Loaded& toggle, double height, double load, int elements,
+                           const Eigen::VectorXd& x) {
   constexpr int enough = 64;  // elements per member; loads are accurate to 1e-6
   if (!toggle.toggle) {
     const frames::Williams williams{.height = height};
@@ -108,55 +107,55 @@ Standing standing_of(const Loaded& toggle, double height, double load, int eleme
       first_critical_point(frames::Toggle{.height = height, .elements = std::min(elements, enough)}, load)};
 }
 
-std::string stability_of(const Standing& s) {
+std::string stability_of(const PathRelation& s) {
   if (!s.unstable) return "unknown";
   return *s.unstable == 0 ? "stable" : "unstable";
 }
 
 /// Prints to standard error how the equilibrium found relates to the path from rest.
-void tell(const Standing& s, double height, double drop) {
+void print_relation(const PathRelation& s, double height, double drop) {
   if (!s.from_rest.status.ok()) {
-    std::cerr << fmt::format("solve: whether the path from rest leads here is not known: {}\n",
-                             s.from_rest.status.text());
+    std::cerr << fmt::format(
+        "solve: it is not known whether the path from rest leads to this equilibrium: {}\n",
+        s.from_rest.status.text());
   } else if (!s.from_rest.events.empty()) {
     const frames::ToggleEvent& e = s.from_rest.events[0];
     std::cerr << fmt::format(
-        "solve: before this load the path from rest meets {}{} at {:.7g} lb and a drop of {:.6g} in, where "
-        "it "
-        "loses its stability; the shape found lies beyond and is {}\n",
+        "solve: before this load the path from rest reaches {}{} at {:.7g} lb and a drop of {:.6g} in, where "
+        "it loses its stability; the equilibrium found lies beyond it and is {}\n",
         e.kind == algebraic::CriticalPoint::Kind::bifurcation
             ? (e.is_symmetric ? "a symmetric " : "an antisymmetric ")
             : "a ",
         to_string(e.kind), e.load, e.drop, stability_of(s));
   } else if (!(std::abs(s.from_rest.drop - drop) <= 1e-3 * height)) {
     std::cerr << fmt::format(
-        "solve: another equilibrium than the one on the path from rest, which carries this load at a drop of "
-        "{:.6g} in; this one is {}\n",
+        "solve: this equilibrium is not on the path from rest, which carries this load at a drop of {:.6g} "
+        "in; it is {}\n",
         s.from_rest.drop, stability_of(s));
   }
 }
 
-std::string solve(const Words& words) {
-  const double height = words.toggle.height, load = words.load, tolerance = words.tolerance.value_or(1e-10);
+std::string solve(const SolveOptions& typed) {
+  const double height = typed.toggle.height, load = typed.load, tolerance = typed.tolerance.value_or(1e-10);
   if (!(tolerance < 1)) throw InputError(fmt::format("--tolerance {}: must be below 1", tolerance));
-  const int elements = elements_of(words.toggle);
-  const Loaded toggle = loaded_toggle(words.toggle, elements, load);
+  const int elements = elements_of(typed.toggle);
+  const Loaded toggle = loaded_toggle(typed.toggle, elements, load);
   const double scale = load != 0 ? std::abs(load) / 2 : 1;
   Eigen::VectorXd x = Eigen::VectorXd::Zero(toggle.equations->size());
   const algebraic::Report report =
-      run({.name = words.solver, .tolerance = tolerance, .scale = scale, .to_rounding = !words.tolerance},
+      run({.name = typed.solver, .tolerance = tolerance, .scale = scale, .to_rounding = !typed.tolerance},
           *toggle.equations, x);
   if (!report.status.ok()) throw Failure(report.status);
   // Avoids a drop of -0.
   const double drop = x[toggle.apex] == 0 ? 0 : toggle.sign * x[toggle.apex];
-  const Standing standing = standing_of(toggle, height, load, elements, x);
-  const auto& events = standing.from_rest.events;
-  tell(standing, height, drop);
+  const PathRelation relation = path_relation(toggle, height, load, elements, x);
+  const auto& events = relation.from_rest.events;
+  print_relation(relation, height, drop);
   return fmt::format(
       "status,deflection,residual,iterations,bound,stability,critical_load\n{},{:.17g},{:.6g},{},"
       "{:.6g},{},{}\n",
       to_string(report.status.outcome()), drop, report.last / scale,
-      report.statistics.steps + report.statistics.rejected, report.bound / scale, stability_of(standing),
+      report.statistics.steps + report.statistics.rejected, report.bound / scale, stability_of(relation),
       events.empty() ? "" : fmt::format("{:.12g}", events[0].load));
 }
 
@@ -165,14 +164,13 @@ std::string solve(const Words& words) {
 void add_solve_command(scene::Commands& all) {
   all.add(
       "solve",
-      "An equilibrium of half a loaded toggle, from rest, as CSV: "
+      "Solve for an equilibrium of half a loaded toggle from rest; prints as CSV "
       "status,deflection,residual,iterations,bound,stability,critical_load. Members, inch and pound as in "
       "Table "
-      "2.1. residual: |F| there, relative to half the load, at most the bound; stability: of the whole "
-      "toggle, "
-      "antisymmetric motions included; critical_load: the limit point or bifurcation that the path from rest "
-      "meets before this load, empty if none. Ends with 1 and says why if there is no such equilibrium to "
-      "show",
+      "2.1. residual: |F| relative to half the load, at most the bound; stability: of the whole toggle, "
+      "including antisymmetric motions; critical_load: load of the limit point or bifurcation on the path "
+      "from rest before this load, empty if there is none. Exits with 1 and a message if no equilibrium is "
+      "found",
       declare, solve);
 }
 

@@ -33,18 +33,20 @@ std::vector<scene::Scene> scenes() {
   using enum Scheme;
   const std::vector<History> figures = {
       {"fig-2.16", "Newton's residual, element, l sin(beta) = 0.44 in, W = 43.79 lb",
-       "A misprint in the tangent makes Newton oscillate for ever", "table-2.4", newton, true, 40, near_root,
+       "Newton's residual: oscillates with the tangent as printed", "table-2.4", newton, true, 40, near_root,
        40},
       {"fig-2.17", "Residual of the scalar fixed-point homotopy, element, W = 43.79 lb, tolerance 1e-6",
-       "Fixed-point homotopy, 43.79 lb: wandering, then capture", "table-2.4", fixed_point, true, 200,
-       near_root, 40},
+       "Fixed-point homotopy, 43.79 lb: erratic residual, then convergence", "table-2.4", fixed_point, true,
+       200, near_root, 40},
       {"fig-2.18", "Residual of the scalar Newton homotopy, element, W = 43.79 lb, tolerance 1e-6",
-       "Newton homotopy, 43.79 lb: the same, another count", "table-2.4", newton_homotopy, true, 200,
-       near_root, 40},
+       "Newton homotopy, 43.79 lb: erratic residual, then convergence", "table-2.4", newton_homotopy, true,
+       200, near_root, 40},
       {"fig-2.19", "Residual of the scalar fixed-point homotopy, element, W = 44 lb, tolerance 0.1 %",
-       "Fixed-point homotopy, 44 lb, to a thousandth", "table-2.5", fixed_point, true, 80, last_root, 40},
+       "Fixed-point homotopy, 44 lb: erratic residual, then below 0.1 %", "table-2.5", fixed_point, true, 80,
+       last_root, 40},
       {"fig-2.20", "Residual of the scalar Newton homotopy, element, W = 44 lb, tolerance 0.1 %",
-       "Newton homotopy, 44 lb, to a thousandth", "table-2.5", newton_homotopy, true, 200, last_root, 40}};
+       "Newton homotopy, 44 lb: erratic residual, then below 0.1 %", "table-2.5", newton_homotopy, true, 200,
+       last_root, 40}};
   std::vector<scene::Scene> all = {
       result_table("table-2.4", "Elements near the limit point, 43.79 lb, tolerance 1e-6", check_near_load),
       result_table("table-2.5", "Elements near the limit point, 44 lb, tolerance 0.1 %", check_last_load)};

@@ -21,7 +21,7 @@ using frames::FramePoint;
 using Kind = FramePoint::Kind;
 
 /// A shipped frame and its equilibrium paths.
-struct Walked {
+struct TracedPath {
   frames::NamedFrame frame;
   frames::FramePaths paths;
 
@@ -51,7 +51,7 @@ struct Walked {
 };
 
 /// Traces the equilibrium paths of a file of chapters/homotopy/frames. @throws Failure if tracing fails
-Walked walk(const std::string& name, int elements, const frames::PathOptions& how) {
+TracedPath trace(const std::string& name, int elements, const frames::PathOptions& how) {
   const auto file = scene::data_folder() / "chapters" / "homotopy" / "frames" / (name + ".toml");
   frames::NamedFrame frame = build(parse_frame(scene::read_whole(file), name + ".toml").model, elements);
   frames::FramePaths paths = equilibrium_paths(frame, how);
@@ -59,14 +59,14 @@ Walked walk(const std::string& name, int elements, const frames::PathOptions& ho
   return {std::move(frame), std::move(paths)};
 }
 
-void put_shape(const Walked& w, const Eigen::VectorXd& x, const std::string& name,
+void put_shape(const TracedPath& w, const Eigen::VectorXd& x, const std::string& name,
                const scene::CurveStyle& look, scene::Panel& panel) {
   const Shape shape = shape_of(w.frame.frame, x);
   panel.curve(name, shape.x, shape.y, look);
 }
 
 /// Draws the limit and bifurcation points of the path from rest.
-void put_forks(const Walked& w, const std::function<double(const FramePoint&)>& x, scene::Panel& panel) {
+void put_forks(const TracedPath& w, const std::function<double(const FramePoint&)>& x, scene::Panel& panel) {
   for (const auto& [kind, style] :
        {std::pair{Kind::maximum, 5}, {Kind::minimum, 4}, {Kind::bifurcation, 3}}) {
     if (!w.points(kind).empty())
@@ -77,18 +77,18 @@ void put_forks(const Walked& w, const std::function<double(const FramePoint&)>& 
 
 // ------------------------------------------------------------------------------------------- Lee's frame
 
-Walked walk_lee() { return walk("lee", 4, {.until = 3, .turn = 0.06}); }
+TracedPath trace_lee() { return trace("lee", 4, {.until = 3, .turn = 0.06}); }
 
-void show_lee(const Walked& lee, scene::Show& show) {
-  scene::Plot& plot = show.plots("Lee's frame: the load turns back, then its displacement");
+void show_lee(const TracedPath& lee, scene::Show& show) {
+  scene::Plot& plot = show.plots("Lee's frame: limit points of the load and of its displacement");
   plot.size(960, 480).columns({"panel", "curve", "x", "y"});
   scene::Panel& path =
-      plot.panel("displacement of the load, downwards, in the file's units", "load factor").key("top left");
+      plot.panel("downward displacement of the load (units of the file)", "load factor").key("top left");
   const auto down = lee.motion("load.y", -1);
   path.x_range(0, 100).y_range(-1.5, 4.4);
   path.curve("path from rest", lee.points(0), down, &FramePoint::load);
   put_forks(lee, down, path);
-  scene::Panel& shapes = plot.panel("x, in the file's units", "y, in the file's units").key("top left");
+  scene::Panel& shapes = plot.panel("x (units of the file)", "y (units of the file)").key("top left");
   shapes.x_range(-40, 264).y_range(-37, 250);
   put_shape(lee, Eigen::VectorXd::Zero(lee.frame.frame.size()), "at rest", scene::thin_lines(8), shapes);
   const FramePoint high = lee.points(Kind::maximum).at(0), low = lee.points(Kind::minimum).at(0);
@@ -111,10 +111,10 @@ void show_lee(const Walked& lee, scene::Show& show) {
 
 // ----------------------------------------------------------------------------------------- shallow arch
 
-Walked walk_arch() { return walk("shallow-arch", 4, {.until = 60, .branches = 2, .turn = 0.05}); }
+TracedPath trace_arch() { return trace("shallow-arch", 4, {.until = 60, .branches = 2, .turn = 0.05}); }
 
-void show_arch(const Walked& arch, scene::Show& show) {
-  scene::Plot& plot = show.plots("A shallow arch falls straight, or tilts on its way");
+void show_arch(const TracedPath& arch, scene::Show& show) {
+  scene::Plot& plot = show.plots("Shallow arch: symmetric path, and tilted branch between its bifurcations");
   plot.size(960, 480).columns({"panel", "curve", "x", "y"});
   const auto put = [&](const char* label, const std::function<double(const FramePoint&)>& x, bool is_named) {
     scene::Panel& panel = plot.panel(label, "load factor").key(is_named ? "top left" : "off").y_range(0, 80);
@@ -124,8 +124,8 @@ void show_arch(const Walked& arch, scene::Show& show) {
     panel.curve("tilted to the right", arch.points(2), x, &FramePoint::load, scene::lines(4));
     put_forks(arch, x, panel);
   };
-  put("displacement of the crown, downwards, in the file's units", arch.motion("crown.y", -1), true);
-  put("rotation of the crown, rad", arch.motion("crown.rotation"), false);
+  put("downward displacement of the crown (units of the file)", arch.motion("crown.y", -1), true);
+  put("rotation of the crown (rad)", arch.motion("crown.rotation"), false);
   const auto forks = arch.points(Kind::bifurcation);
   if (forks.size() != 2) throw Failure("shallow arch: other bifurcations than two");
   // oracle: homotopy_frames shallow arch of 32 limit, shallow arch of 32 lower limit
@@ -137,7 +137,7 @@ void show_arch(const Walked& arch, scene::Show& show) {
   show.between("load of the first bifurcation", forks[0].load, 26.5, 27.5,
                "regression value near 27.0, between two places of a displacement-controlled path");
   show.between("drop of the crown at the first bifurcation", arch.motion("crown.y", -1)(forks[0]), 0.74, 0.76,
-               "the same walk");
+               "the same path");
   show.at_most("distance of the end of a tilted branch from the second bifurcation",
                std::abs(arch.points(1).back().load - forks[1].load), 1e-9,
                "both halves join the two bifurcations");
@@ -147,10 +147,10 @@ void show_arch(const Walked& arch, scene::Show& show) {
 
 std::vector<scene::Scene> scenes() {
   const scene::Result lee("lee-path", "Lee's frame, chapters/homotopy/frames/lee.toml, 20 elements a member",
-                          walk_lee);
+                          trace_lee);
   const scene::Result arch("shallow-arch-paths",
                            "chapters/homotopy/frames/shallow-arch.toml, 16 elements a half, both branches",
-                           walk_arch);
+                           trace_arch);
   return {{.name = "lee-frame",
            .title = "Lee's frame: its whole path, with limit points of the load and of the displacement",
            .content = scene::Content(show_lee, lee)},

@@ -50,8 +50,8 @@ void draw(scene::Panel& panel, const LoadCurve& williams, const LoadCurve& eleme
 /// the points that load stepping finds on them.
 void both_models(double height, const BothStepped& steps, scene::Show& show) {
   const auto williams = williams_curve(height), element = element_curve(height);
-  scene::Panel& panel = show.plot(height < 0.35 ? "No limit point: load stepping finds the whole path"
-                                                : "Load stepping jumps at the limit points",
+  scene::Panel& panel = show.plot(height < 0.35 ? "Load stepping without a limit point: finds the whole path"
+                                                : "Load stepping: jumps at both limit loads",
                                   drop_label, load_label);
   panel.key("below").y_range(0, 50);
   show.figure().size(760, 640);
@@ -157,7 +157,8 @@ void published_loads(scene::Show& show) {
       published(near_load, "element", *element, 42.435492120383, 0.621922545486),
       published(last_load, "Williams", *williams, 42.771896097273, 0.636310193301),
       published(last_load, "element", *element, 42.435492120383, 0.623070489)};
-  scene::Panel& panel = show.plot("Both published loads lie above the maximum", drop_label, load_label);
+  scene::Panel& panel = show.plot("Load against deflection: both published loads exceed the limit load",
+                                  drop_label, load_label);
   panel.key("below").x_range(0, 0.75).y_range(24, 48);
   draw(panel, *williams, *element, 0.75, scene::lines);
   panel.curve("43.79 and 44 lb", {0, 0.75}, {near_load, near_load}, scene::lines(3));
@@ -182,7 +183,7 @@ std::vector<scene::Scene> scenes() {
     const scene::Result steps(
         fmt::format("load-steps-{}", height),
         "fixed-point homotopy (Eqs 2.12, 2.15 corrected) by Euler's rule under loads of 1, 2, ... 50 lb and "
-        "back, each from the solution before; the text states no loads",
+        "back, each from the previous solution; the text states no loads",
         [height] { return step_both(height); });
     const std::string number = fmt::format("2.{}", 13 + all.size());
     all.push_back(

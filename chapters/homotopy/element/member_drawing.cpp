@@ -79,7 +79,7 @@ void draw_member(scene::Show& show) {
   double worst = 0;
   for (const Spot& angles : {Spot{theta_1, theta_2}, Spot{1, -1}, Spot{1, 1}, Spot{-0.3, 0.7}})
     worst = std::max(worst, moment_error(angles.x, angles.y));
-  show.draw(d.take({{"heading", "Rotations of the ends are split into the chord's and the rest"},
+  show.draw(d.take({{"heading", "End rotations: rotation of the chord plus rotation relative to the chord"},
                     {"xrange", "[-2.5:12]"},
                     {"yrange", "[-1.6:6.4]"},
                     {"height", "440"}}));

@@ -91,7 +91,7 @@ void draw(const Cycle& c, scene::Show& show) {
   std::vector<double> grid;
   for (int i = 0; i <= 160; ++i) grid.push_back(low + (high - low) * i / 160);
   scene::Panel& panel =
-      show.plot("With A_{nd} as printed Newton turns about the root for ever",
+      show.plot("Newton's map: with A_{nd} as printed the iterates cycle about the root",
                 "deflection {/:Italic δ}_{k} (in)", "next deflection {/:Italic δ}_{k+1} (in)");
   panel.key("below").x_range(low, high).y_range(0.56, 0.76);
   show.figure().size(760, 540);

@@ -122,7 +122,7 @@ std::vector<std::string> solvers() {
 /// Groups of solvers; the last group takes all solvers not listed.
 const std::vector<std::pair<scene::MethodGroup, std::vector<std::string>>> groups = {
     {{"Newton's kind", 2}, {"newton", "least-squares", "continuous-newton", "broyden"}},
-    {{"made safe by |F|", 5}, {"damped-newton", "kinsol", "levenberg-marquardt", "dogleg"}},
+    {{"globalised by |F|", 5}, {"damped-newton", "kinsol", "levenberg-marquardt", "dogleg"}},
     {{"descent", 6}, {"steepest-descent", "fictitious-time", "optimal-iterative"}},
     {{"energy", 0}, {trust_region}},
     {{"path following", 4}, {"riks", "crisfield", "gdc"}},
@@ -171,8 +171,8 @@ void draw(const std::vector<Toggle>& toggles, scene::Show& show) {
   const auto passed =
       std::ranges::count_if(last, [](const scene::MethodLine& l) { return l.least_error() < 1; });
   scene::show_work_precision(
-      {.heading =
-           fmt::format("With 16 elements {} of {} solvers get past the limit point", passed, last.size()),
+      {.heading = fmt::format("Digits against time: with 16 elements {} of {} solvers pass the limit point",
+                              passed, last.size()),
        .digits = "digits of the deflection",
        .most_digits = 17.5,
        .error = "error of the deflection",

@@ -189,8 +189,8 @@ void check_counts(const Extremes& x, scene::Show& show) {
   show.equals("cases in which the energy trust region ends in a stable equilibrium to rounding", stable,
               count, "a potential that is bounded below has a minimum");
   show.equals("cases that riks solves to rounding", reached, count - 1,
-              "all but the one whose start is on the straight branch of a buckled member, where it says "
-              "wrong_branch");
+              "all but the one whose start is on the straight branch of a buckled member, where its status "
+              "is wrong_branch");
   show.equals("paths that report the straight branch of a buckled member", refused, 3,
               "one element without symmetric rotations, past its clamped buckling load");
 }
@@ -256,7 +256,7 @@ std::vector<scene::Scene> scenes() {
       "starts that are snapped or singular; at most 300 steps, residual 1e-10 of half the load",
       compute);
   return {{.name = "extremes",
-           .title = "Stiff members, many elements, the limit load itself, unhappy starts",
+           .title = "Stiff members, many elements, the limit load itself, unfavourable starts",
            .content = scene::Content(put, result)}};
 }
 

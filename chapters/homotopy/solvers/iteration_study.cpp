@@ -156,7 +156,7 @@ void draw(const Study& s, scene::Show& show) {
     for (std::size_t i = 0; i < c.at.size(); ++i) data.add({panel, set, c.at[i], c.counts[i], c.row.printed});
   }
   show.draw(std::move(data), "homotopy-counts",
-            {{"heading", "Past the limit point the count of iterations is a lottery"},
+            {{"heading", "Iterations against step: scattered if the load is above the limit load"},
              {"width", "920"},
              {"height", "680"}});
 }

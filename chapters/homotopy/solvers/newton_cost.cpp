@@ -187,7 +187,7 @@ std::vector<scene::Scene> scenes() {
       "2 n^3/3",
       compute);
   return {{.name = "newton-cost",
-           .title = "Operations of one Newton iteration: assembly, and three ways to solve",
+           .title = "Operations of one Newton iteration: assembly and three linear solvers",
            .place = "our own, for two claims of section 2.2",
            .content = scene::Content(put, costs)}};
 }

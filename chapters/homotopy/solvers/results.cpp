@@ -17,8 +17,9 @@ namespace {
 /// A printed row and its results with two Jacobians.
 struct Row {
   PrintedRow printed;
-  scene::Result<Ran> exact;       ///< Jacobian is the derivative of F
-  scene::Result<Ran> misprinted;  ///< Jacobian with d_5 held constant (Williams) or A_nd as printed (element)
+  scene::Result<IterationRun> exact;  ///< Jacobian is the derivative of F
+  scene::Result<IterationRun>
+      misprinted;  ///< Jacobian with d_5 held constant (Williams) or A_nd as printed (element)
 };
 
 std::string short_name(Scheme scheme) {
@@ -29,9 +30,9 @@ std::string short_name(Scheme scheme) {
   }
 }
 
-Ran run(const PrintedRow& row, Model model) {
+IterationRun run(const PrintedRow& row, Model model) {
   LoadedToggle toggle(model, row.height, row.load);
-  Ran ran;
+  IterationRun ran;
   ran.scale = toggle.scale();
   ran.count = iterate(toggle, row.iteration, &ran.trace);
   for (int k = 1; k <= 16; ++k) {
@@ -71,14 +72,14 @@ std::string name_of(const PrintedRow& row, bool count) {
 }
 
 /// The accuracy as defined in the source: |F| for Williams' equation, |F|/|F(0)| for elements.
-double accuracy_of(const PrintedRow& row, const Ran& ran) {
+double accuracy_of(const PrintedRow& row, const IterationRun& ran) {
   return row.relative ? ran.count.residual / ran.scale : ran.count.residual;
 }
 
 /// A row of the output table.
 struct Line {
   const PrintedRow& row;
-  const Ran &exact, &other;
+  const IterationRun &exact, &other;
   std::string verdict, reading;
 
   [[nodiscard]] const std::string& method() const { return row.method; }
@@ -96,7 +97,7 @@ void put_table(const Results& all, scene::Show& show) {
   std::vector<Line> lines;
   for (std::size_t i = 0; i < all.printed.size(); ++i) {
     const PrintedRow& row = all.printed[i];
-    const Ran &exact = *all.exact[i], &other = *all.misprinted[i];
+    const IterationRun &exact = *all.exact[i], &other = *all.misprinted[i];
     // The printed equations give the derivative of F for Williams' equation, but A_nd without the factor l.
     const bool swapped = row.model != Model::williams;
     const auto in_order = [swapped](double with_derivative, double with_other) {
@@ -124,8 +125,8 @@ void put_table(const Results& all, scene::Show& show) {
 }
 
 /// Draws the first iterates: residuals for elements, deflections for Williams' equation.
-void draw(scene::Panel& panel, const History& h, const Row& row, const Ran& ran, const std::string& name,
-          int style, const char* look) {
+void draw(scene::Panel& panel, const History& h, const Row& row, const IterationRun& ran,
+          const std::string& name, int style, const char* look) {
   std::vector<double> k, value;
   for (const IterationRecord& t : ran.trace) {
     if (k.size() > static_cast<std::size_t>(h.shown)) break;
@@ -137,7 +138,8 @@ void draw(scene::Panel& panel, const History& h, const Row& row, const Ran& ran,
 
 const char* const marked = "linespoints linewidth 1.2";
 
-void check_history(const History& h, const Row& row, const Ran& exact, const Ran* other, scene::Show& show) {
+void check_history(const History& h, const Row& row, const IterationRun& exact, const IterationRun* other,
+                   scene::Show& show) {
   const double tolerance = row.printed.iteration.tolerance;
   show.at_most("|F| of the last iterate", {exact.count.residual, "lb"}, tolerance, "the tolerance");
   show.at_most("error of the last deflection", {std::abs(exact.trace.back().deflection - h.root), "in"},
@@ -155,7 +157,7 @@ const char* label_of(const Row& row) {
                                              : "deflection {/:Italic δ} (in)";
 }
 
-double level_of(const History& h, const Row& row, const Ran& ran) {
+double level_of(const History& h, const Row& row, const IterationRun& ran) {
   return row.printed.model == Model::element ? row.printed.iteration.tolerance / ran.scale : h.root;
 }
 
@@ -167,7 +169,7 @@ std::pair<const char*, const char*> names_of(const Row& row) {
   return {"derivative of {/:Italic F}", "{/:Italic d}_{5} held constant in the Jacobian"};
 }
 
-void put_alone(const History& h, const Row& row, const Ran& exact, scene::Show& show) {
+void put_alone(const History& h, const Row& row, const IterationRun& exact, scene::Show& show) {
   const double level = level_of(h, row, exact);
   scene::Panel& panel = show.plot(h.heading, "iteration", label_of(row));
   panel.x_range(0, h.shown).key("bottom right");
@@ -177,10 +179,11 @@ void put_alone(const History& h, const Row& row, const Ran& exact, scene::Show& 
 }
 
 /// Draws both iterations in stacked panels and checks them.
-void put_both(const History& h, const Row& row, const Ran& exact, const Ran& other, scene::Show& show) {
+void put_both(const History& h, const Row& row, const IterationRun& exact, const IterationRun& other,
+              scene::Show& show) {
   scene::Plot& plot = show.plots(h.heading);
   plot.stacked();
-  const auto add = [&](const Ran& ran, const char* caption, int style) {
+  const auto add = [&](const IterationRun& ran, const char* caption, int style) {
     scene::Panel& panel = plot.panel("iteration", label_of(row));
     panel.x_range(0, h.shown).caption(caption).key("off").level(level_of(h, row, ran), level_name(row));
     if (row.printed.model == Model::element)
@@ -203,9 +206,9 @@ Row row_of(const History& h) {
 
 }  // namespace
 
-double Ran::median_count() const { return median({scattered.begin(), scattered.end()}); }
+double IterationRun::median_count() const { return median({scattered.begin(), scattered.end()}); }
 
-std::string Ran::count_text() const {
+std::string IterationRun::count_text() const {
   const auto [least, most] = std::ranges::minmax(scattered);
   if (least == most && most == count.iterations) return std::to_string(least);
   return fmt::format("{:g} ({} to {})", median_count(), least, most);
@@ -214,14 +217,14 @@ std::string Ran::count_text() const {
 scene::Scene result_table(const std::string& table, const std::string& title,
                           const std::function<void(const Results&, scene::Show&)>& check) {
   std::vector<PrintedRow> printed;
-  std::vector<scene::Result<Ran>> exact, misprinted;
+  std::vector<scene::Result<IterationRun>> exact, misprinted;
   for (const Row& row : rows_of(table)) {
     printed.push_back(row.printed);
     exact.push_back(row.exact);
     misprinted.push_back(row.misprinted);
   }
-  const auto put = [printed, check](const std::vector<const Ran*>& ours, const std::vector<const Ran*>& other,
-                                    scene::Show& show) {
+  const auto put = [printed, check](const std::vector<const IterationRun*>& ours,
+                                    const std::vector<const IterationRun*>& other, scene::Show& show) {
     const Results all{printed, ours, other};
     put_table(all, show);
     check(all, show);
@@ -234,10 +237,12 @@ scene::Scene result_table(const std::string& table, const std::string& title,
 
 scene::Scene history(const History& h) {
   const Row row = row_of(h);
-  const auto with_other = [h, row](const Ran& exact, const Ran& other, scene::Show& show) {
+  const auto with_other = [h, row](const IterationRun& exact, const IterationRun& other, scene::Show& show) {
     put_both(h, row, exact, other, show);
   };
-  const auto alone = [h, row](const Ran& exact, scene::Show& show) { put_alone(h, row, exact, show); };
+  const auto alone = [h, row](const IterationRun& exact, scene::Show& show) {
+    put_alone(h, row, exact, show);
+  };
   return {.name = h.name,
           .title = h.title,
           .place = "Figure " + h.name.substr(4),

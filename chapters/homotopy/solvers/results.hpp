@@ -12,7 +12,7 @@
 namespace nlmech::chapters::homotopy {
 
 /// Result of an iteration with all its iterates.
-struct Ran {
+struct IterationRun {
   Count count;                         ///< result at the last iterate
   double scale = 0;                    ///< W/2, unit of relative residuals
   std::vector<IterationRecord> trace;  ///< all iterates, the start included
@@ -27,7 +27,7 @@ struct Ran {
 /// Results in the order of the rows of the table.
 struct Results {
   std::vector<PrintedRow> printed;
-  std::vector<const Ran*> exact, misprinted;
+  std::vector<const IterationRun*> exact, misprinted;
 
   /// Iterations with the derivative of F as Jacobian.
   [[nodiscard]] int count(std::size_t row) const { return exact[row]->count.iterations; }

@@ -38,9 +38,9 @@ constexpr std::size_t below_fold = 5, above_fold = 6;
 
 /// Outcome of a solver.
 enum class End : std::uint8_t {
-  equilibrium,  ///< success reported
-  held_up,      ///< failure within 0.02 in of the limit point, where |F| has a minimum
-  elsewhere     ///< failure elsewhere
+  equilibrium,     ///< success reported
+  at_limit_point,  ///< failure within 0.02 in of the limit point, where |F| has a minimum
+  elsewhere        ///< failure elsewhere
 };
 
 struct Trial {
@@ -86,7 +86,7 @@ Trial attempt(const std::string& name, const Load& column, double limit_load, do
   if (report.status.ok()) {
     t.end = End::equilibrium;
   } else if (column.height == 0.44 && std::abs(t.deflection - limit_deflection) < 0.02) {
-    t.end = End::held_up;
+    t.end = End::at_limit_point;
   }
   return t;
 }
@@ -114,7 +114,7 @@ std::string words_of(const Trial& t) {
   std::string counts = fmt::format("{}/{}", t.iterations, t.evaluations);
   switch (t.end) {
     case End::equilibrium: return counts;
-    case End::held_up: return fmt::format("at the fold, {} {}", to_string(t.outcome), counts);
+    case End::at_limit_point: return fmt::format("at the limit point, {} {}", to_string(t.outcome), counts);
     default: return fmt::format("{} {}", to_string(t.outcome), counts);
   }
 }
@@ -133,7 +133,7 @@ void put_table(const Solvers& s, scene::Show& show) {
 
 void draw(const Solvers& s, scene::Show& show) {
   scene::Table data({{"solver"}, {"row"}, {"column"}, {"end"}, {"iterations"}});
-  constexpr std::array ends = {"equilibrium", "held up", "elsewhere"};
+  constexpr std::array ends = {"equilibrium", "at limit point", "elsewhere"};
   for (std::size_t i = 0; i < s.names.size(); ++i) {
     for (std::size_t k = 0; k < loads.size(); ++k) {
       const Trial& t = s.trials[i][k];
@@ -141,7 +141,7 @@ void draw(const Solvers& s, scene::Show& show) {
     }
   }
   show.draw(std::move(data), "homotopy-solvers",
-            {{"heading", "Past the limit load only energy and paths never fail"},
+            {{"heading", "Iterations of each solver: energy descent and path following solve all loads"},
              {"solvers", std::to_string(s.names.size())},
              {"width", "900"},
              {"height", "700"}});
@@ -182,7 +182,7 @@ void check_numbers(const Solvers& s, scene::Show& show) {
   // |W - W_L|/W of one element; F is half the imbalance.
   show.near("least residual that Levenberg-Marquardt finds, one element, 43.79 lb",
             s.of("levenberg-marquardt", 0).residual, (43.79 - 42.435492120383) / 43.79, 1e-10,
-            "the distance of the load from the limit load, relative: the minimum of |F| is the fold");
+            "relative distance of the load from the limit load: the minimum of |F| is at the limit point");
   show.at_most("distance of that place from the limit point",
                {std::abs(drop("levenberg-marquardt", 0) - s.limit_of_one), "in"}, 1e-5,
                "|F| is flat there: the root of 1e-15, times a hundred");
@@ -212,8 +212,9 @@ void check_counts(const Solvers& s, scene::Show& show) {
   for (std::size_t k = 0; k < loads.size(); ++k)
     show.between(fmt::format("solvers that find an equilibrium, {}", loads[k].label), s.reached(k), 5,
                  k == above_fold ? 5 : static_cast<double>(s.names.size()),
-                 k == above_fold ? "the five above; all others see a minimum of |F| of 1e-9 and stay"
-                                 : "five follow a path or let the energy fall; chance decides on others");
+                 k == above_fold
+                     ? "the five above; all others stop at a minimum of |F| of 1e-9"
+                     : "five follow a path or minimise the energy; results of the others depend on rounding");
 }
 
 void put(const Solvers& s, scene::Show& show) {
@@ -231,7 +232,9 @@ std::vector<scene::Scene> scenes() {
       "half a toggle of one and four beam-columns a member from rest, under loads next to the limit load and "
       "past it, by every solver with its usual options, at most 2500 steps",
       compute);
-  return {{.name = "solvers", .title = "Every solver on every load", .content = scene::Content(put, result)}};
+  return {{.name = "solvers",
+           .title = "Iterations of each solver on each load",
+           .content = scene::Content(put, result)}};
 }
 
 }  // namespace nlmech::chapters::homotopy::solvers

@@ -35,8 +35,8 @@ std::vector<double> newton_iterates(double x, int count) {
 }
 
 void flat_slope(scene::Show& show) {
-  scene::Panel& panel =
-      show.plot("Where the slope vanishes, Newton's step is no longer small", "{/:Italic x}", "{/:Italic F}");
+  scene::Panel& panel = show.plot("Newton's iteration: large steps where the slope of {/:Italic F} is small",
+                                  "{/:Italic x}", "{/:Italic F}");
   panel.key("top left").x_range(-3, 4).y_range(-3, 8);
   std::vector<double> grid, zigzag_x, zigzag_y;
   for (int i = 0; i <= 200; ++i) grid.push_back(-3 + 0.03 * i);
@@ -83,7 +83,7 @@ void turning_points(scene::Show& show) {
   const double first = turning_point(0, 1.5, true), second = turning_point(-1.5, 0.5, false);
   std::vector<double> path;
   for (int i = 0; i <= 300; ++i) path.push_back(2 + (root - 2) * i / 300);
-  scene::Panel& panel = show.plot("On its way to the root the parameter runs backwards once",
+  scene::Panel& panel = show.plot("Homotopy path: {/:Italic t} decreases between two turning points",
                                   "homotopy parameter {/:Italic t}", "{/:Italic x}");
   panel.x_range(0, 1).y_range(-2.5, 2.5).note("{/:Italic x}_0", 0.02, 2.25);
   panel.curve("{/:Italic H}_{F} = 0", path, path_parameter, std::identity(), scene::lines(1))
@@ -121,7 +121,7 @@ void limit_point(scene::Show& show) {
     const double height = load(from) + curve->stiffness(from) * (to - from) - near_load;
     defect = std::max(defect, std::abs(height) / near_load);
   }
-  scene::Panel& panel = show.plot("Above the maximum no tangent leads to the load",
+  scene::Panel& panel = show.plot("Newton's iteration above the limit load: stays near the limit point",
                                   "deflection of the apex {/:Italic δ} (in)", "load {/:Italic W} (lb)");
   panel.key("bottom right").x_range(0, 0.75).y_range(0, 60);
   panel.note("maximum, 42.77 lb", limits.maximum.deflection, 47.5, "center");
@@ -154,7 +154,7 @@ std::vector<scene::Scene> scenes() {
            .place = "Figure 2.2",
            .content = scene::Content(turning_points)},
           {.name = "fig-2.3",
-           .title = "A limit point that Newton's iteration meets (drawn)",
+           .title = "Newton's iteration at a limit point (drawn)",
            .place = "Figure 2.3",
            .content = scene::Content(limit_point)}};
 }

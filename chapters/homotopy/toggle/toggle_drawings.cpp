@@ -49,7 +49,7 @@ void draw_toggle(scene::Show& show) {
   double worst = 0;
   for (const double height : heights)
     worst = std::max(worst, std::abs(element_curve(height)->stiffness(0) / linear_stiffness(height) - 1));
-  show.draw(d.take({{"heading", "Two members, rigidly joined, clamped, and loaded at the apex"},
+  show.draw(d.take({{"heading", "Williams' toggle: two members, clamped, rigidly joined, loaded at the apex"},
                     {"xrange", "[-10:10]"},
                     {"yrange", "[-1:4.5]"},
                     {"height", "260"}}));
@@ -109,10 +109,11 @@ void draw_deflected(scene::Show& show) {
   drawing.text("{/:Italic s′}", fallen + Spot{-0.55, 0.35});
   drawing.joint(fallen);
   const double n = -k * k, force = frames::stability_functions<double>(n).antisymmetric.value + n;
-  show.draw(drawing.take({{"heading", "The apex moves down and does not turn; members bend to an S"},
-                          {"xrange", "[-10:10]"},
-                          {"yrange", "[-1.2:5]"},
-                          {"height", "290"}}));
+  show.draw(
+      drawing.take({{"heading", "Symmetric deformation: the apex does not rotate, each member bends to an S"},
+                    {"xrange", "[-10:10]"},
+                    {"yrange", "[-1.2:5]"},
+                    {"height", "290"}}));
   show.near("transverse force of the drawn shape over 6 EI d_5 delta/l^3", sway.d * k * k * k / force, 1,
             1e-13, "the beam-column's differential equation solved in closed form; some hundred roundings");
 }

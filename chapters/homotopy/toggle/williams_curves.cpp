@@ -22,7 +22,8 @@ void draw(scene::Panel& panel, double (LoadCurve::*value)(double) const) {
 }
 
 void three_curves(scene::Show& show) {
-  scene::Panel& panel = show.plot("Two of the three heights have limit points", drop_label, load_label);
+  scene::Panel& panel =
+      show.plot("Load against deflection: limit points at two of the three heights", drop_label, load_label);
   panel.key("top left").y_range(0, 90);
   draw(panel, &LoadCurve::load);
   std::vector<CurvePoint> points;
@@ -35,8 +36,8 @@ void three_curves(scene::Show& show) {
 }
 
 void three_slopes(scene::Show& show) {
-  scene::Panel& panel = show.plot("At two heights the Jacobian vanishes twice", drop_label,
-                                  "d{/:Italic W}/d{/:Italic δ} (lb/in)");
+  scene::Panel& panel = show.plot("Jacobian against deflection: two zeros at two of the three heights",
+                                  drop_label, "d{/:Italic W}/d{/:Italic δ} (lb/in)");
   panel.key("top center");
   draw(panel, &LoadCurve::stiffness);
   panel.curve("", {0, 0.8}, {0, 0}, scene::lines(13));

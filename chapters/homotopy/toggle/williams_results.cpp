@@ -33,20 +33,20 @@ std::vector<scene::Scene> scenes() {
   // oracle: homotopy_williams Williams 0.32 drop under 27.11, Williams 0.44 drop under 43.79
   constexpr double low = 0.266690787315, near_root = 0.635331561089;
   using enum Scheme;
-  return {
-      result_table("table-2.2", "Williams' equation without a limit point, 27.11 lb", check_low_load),
-      result_table("table-2.3", "Williams' equation near the limit point, 43.79 lb", check_near_load),
-      history({"fig-2.8", "Newton's iterates, l sin(beta) = 0.32 in, W = 27.11 lb",
-               "Without a limit point Newton's iteration is done at once", "table-2.2", newton, false, 10,
-               low, 6}),
-      history({"fig-2.9", "Scalar fixed-point homotopy, l sin(beta) = 0.32 in, W = 27.11 lb",
-               "The homotopy approaches the same root slowly", "table-2.2", fixed_point, false, 32, low, 6}),
-      history({"fig-2.10", "Newton's iterates, l sin(beta) = 0.44 in, W = 43.79 lb",
-               "Newton wanders, and arrives: with a wrong Jacobian never", "table-2.3", newton, true, 150,
-               near_root, 40}),
-      history({"fig-2.11", "Scalar fixed-point homotopy, l sin(beta) = 0.44 in, W = 43.79 lb",
-               "The homotopy wanders too, and is thrown past the maximum", "table-2.3", fixed_point, false,
-               150, near_root, 40})};
+  return {result_table("table-2.2", "Williams' equation without a limit point, 27.11 lb", check_low_load),
+          result_table("table-2.3", "Williams' equation near the limit point, 43.79 lb", check_near_load),
+          history({"fig-2.8", "Newton's iterates, l sin(beta) = 0.32 in, W = 27.11 lb",
+                   "Newton's iterates without a limit point: fast convergence", "table-2.2", newton, false,
+                   10, low, 6}),
+          history({"fig-2.9", "Scalar fixed-point homotopy, l sin(beta) = 0.32 in, W = 27.11 lb",
+                   "Homotopy iterates without a limit point: slow convergence", "table-2.2", fixed_point,
+                   false, 32, low, 6}),
+          history({"fig-2.10", "Newton's iterates, l sin(beta) = 0.44 in, W = 43.79 lb",
+                   "Newton's iterates: erratic; with the wrong Jacobian no convergence", "table-2.3", newton,
+                   true, 150, near_root, 40}),
+          history({"fig-2.11", "Scalar fixed-point homotopy, l sin(beta) = 0.44 in, W = 43.79 lb",
+                   "Homotopy iterates: erratic, then convergence from beyond the root", "table-2.3",
+                   fixed_point, false, 150, near_root, 40})};
 }
 
 }  // namespace nlmech::chapters::homotopy::williams_results

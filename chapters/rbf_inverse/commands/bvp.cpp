@@ -32,25 +32,24 @@ struct BvpOptions {
 
 void declare(scene::Options& options, BvpOptions& typed) {
   options.add("--equation", typed.equation,
-              "an equation, or several with ; between: \"x'' + a exp(x) = 0; a = 1\". A constant that is not "
-              "known is an unknown of its own: k' = 0");
+              "an equation, or several separated by ;: \"x'' + a exp(x) = 0; a = 1\". An unknown constant is "
+              "a component: k' = 0");
   options.add("--file", typed.file, "a file of equations and definitions");
-  options.add("--set", typed.set, "name=value of a parameter; more of them with blanks between");
-  options.add("--begin", typed.begin, "conditions where it begins, commas between: \"x = 0, x' + 2 x = 1\"");
-  options.add("--end", typed.end, "conditions where it ends");
-  options.add("--from", typed.from, "time at which it begins");
-  options.add("--until", typed.until, "time at which it ends, later").required();
+  options.add("--set", typed.set, "name=value of a parameter; separate several by blanks");
+  options.add("--begin", typed.begin, "conditions at --from, separated by commas: \"x = 0, x' + 2 x = 1\"");
+  options.add("--end", typed.end, "conditions at --until");
+  options.add("--from", typed.from, "start of the interval");
+  options.add("--until", typed.until, "end of the interval, later than --from").required();
   options.add(
       "--guess", typed.guess,
-      "functions of t to begin with: \"x = sin(pi t), k = 10\". What is left out is the derivative of "
-      "what is not, or 0; without it zeros, then cubics at random, the same each time");
-  options.add("--tolerance", typed.tolerance, "of x' - f, relative to 1 and the largest f").range(1e-13, 0.1);
-  options
-      .add("--every", typed.every,
-           "rows at this distance in time; without it at the nodes of the collocation")
+      "initial guess as functions of t: \"x = sin(pi t), k = 10\". A component without a function is the "
+      "derivative of a given one, or 0. Default: zeros, then random cubics, the same in each run");
+  options.add("--tolerance", typed.tolerance, "tolerance on x' - f, relative to 1 and the largest f")
+      .range(1e-13, 0.1);
+  options.add("--every", typed.every, "time between rows (default: rows at the nodes of the collocation)")
       .positive();
   options.add("--plot", typed.plot,
-              "draws the unknowns against time: a name.svg, over an older such picture alone");
+              "NAME.svg: plot of the unknowns against time; replaces only an older such picture");
 }
 
 TypedBoundary problem_of(const BvpOptions& typed) {
@@ -113,8 +112,9 @@ bvp::Solution solve_from_guesses(const TypedBoundary& problem, const BvpOptions&
             problem, bvp::random_start(amplitudes, typed.from, typed.until, ++seed), typed);
         if (!next.status.ok()) continue;
         remark = fmt::format(
-            "zeros led to no solution, cubic number {} of size {} did; there may be others: --guess", seed,
-            size);
+            "no solution was found from zeros; this one is from random cubic {} of size {}; for another one "
+            "give a --guess",
+            seed, size);
         return next;
       }
     }
@@ -122,13 +122,14 @@ bvp::Solution solve_from_guesses(const TypedBoundary& problem, const BvpOptions&
   throw Failure(Status::failure(
       first.status.outcome(),
       fmt::format("{}; {}", first.status.sentence(),
-                  typed.guess.empty() ? "20 cubics at random lead to none either; try a --guess"
-                                      : "try another --guess")));
+                  typed.guess.empty() ? "no solution from 20 random cubics either; give a --guess"
+                                      : "give another --guess")));
 }
 
 /// Result of an integration from the initial values to the end: empty if it agrees with the solution, else a
 /// message with the deviation.
-std::string whole_way(const TypedBoundary& problem, const BvpOptions& typed, const bvp::Solution& solution) {
+std::string check_whole_integration(const TypedBoundary& problem, const BvpOptions& typed,
+                                    const bvp::Solution& solution) {
   bvp::Options options = options_of(typed);
   options.verification = bvp::Verification::whole;
   bvp::Solution copy = solution;
@@ -136,14 +137,14 @@ std::string whole_way(const TypedBoundary& problem, const BvpOptions& typed, con
   if (copy.status.ok()) return {};
   const double off = copy.integration_error;
   return fmt::format(
-      "verified by integration of each of {} intervals; integrated from its start alone it is lost{}, since "
-      "rounding grows on the way: both ends hold this solution",
+      "verified by integration over each of {} intervals; an integration from the start alone leaves it{}, "
+      "because rounding errors grow: the solution is determined by both ends",
       solution.mesh().size() - 1, std::isfinite(off) ? fmt::format(" ({:.1g} off)", off) : "");
 }
 
 std::vector<double> times_of(const BvpOptions& typed, const bvp::Solution& solution) {
   if (!typed.every) return solution.node_times();
-  const double way = typed.until - typed.from, count = std::ceil(way / *typed.every - 1e-9);
+  const double length = typed.until - typed.from, count = std::ceil(length / *typed.every - 1e-9);
   if (count > 1e6) throw input_error("--every {}: more than a million rows", *typed.every);
   std::vector<double> times;
   for (int i = 0; i < static_cast<int>(count); ++i) times.push_back(typed.from + i * *typed.every);
@@ -169,7 +170,7 @@ void boundary_values(const BvpOptions& typed) {
   const scene::Picture picture(typed.plot);
   std::string remark;
   const bvp::Solution solution = solve_from_guesses(problem, typed, remark);
-  const std::string way = whole_way(problem, typed, solution);
+  const std::string length = check_whole_integration(problem, typed, solution);
   std::string text = "t";
   for (const std::string& name : problem.names()) text.append(",").append(scene::csv_field(name));
   text += "\n";
@@ -182,7 +183,7 @@ void boundary_values(const BvpOptions& typed) {
       text += fmt::format(",{:.17g}", std::abs(x[i]) < 1e-18 * sizes[i] ? 0 : x[i]);
     text += "\n";
   }
-  for (const std::string& said : {remark, way}) {
+  for (const std::string& said : {remark, length}) {
     if (!said.empty()) scene::print_message("rbf_inverse: " + said);
   }
   scene::print_result(text);
@@ -199,11 +200,10 @@ void boundary_values(const BvpOptions& typed) {
 }  // namespace
 
 void add_bvp_command(scene::Commands& all) {
-  all.add(
-      "bvp",
-      "A boundary value problem of your own: equations between two times, with conditions at both, as CSV: "
-      "t,x,x',...; by collocation on a mesh that follows the residual, and verified by integration",
-      declare, boundary_values);
+  all.add("bvp",
+          "Solve a boundary value problem, equations with conditions at two times, by collocation on a mesh "
+          "adapted to the residual; prints t,x,x',... as CSV, verified by integration",
+          declare, boundary_values);
 }
 
 }  // namespace nlmech::chapters::rbf_inverse

@@ -27,22 +27,21 @@ void declare(scene::Options& options, DuffingOptions& typed) {
   for (const bvp::DuffingCase which : bvp::duffing_cases()) cases.emplace_back(to_string(which));
   typed.settings.beta = 0.9;
   options
-      .add("--case", typed.which,
-           "what is prescribed at both ends; harmonic has amplitudes 1.5, 2, 3 at 3 rad/s")
+      .add("--case", typed.which, "states prescribed at the ends; harmonic: amplitudes 1.5, 2, 3 at 3 rad/s")
       .one_of(cases)
       .required();
   options.add("--final-time", typed.settings.final_time, "T, seconds").range(1e-6, 1000).required();
   options.add("--beta", typed.settings.beta, "nonlinearity").range(0, 1e6);
-  options.add("--target", typed.target, "x1,x2 at T; 5,2 without it").range(-1e4, 1e4);
+  options.add("--target", typed.target, "x1,x2 at T (default 5,2)").range(-1e4, 1e4);
   options.add("--weights", typed.weights,
-              "s11,s22, 0 or more, of the miss that is not prescribed; 1,1 without it");
-  options.add("--bound", typed.bound, "largest |f|; none without it").positive();
+              "weights s11,s22, 0 or more, of the miss of states that are not prescribed (default 1,1)");
+  options.add("--bound", typed.bound, "largest |f| (default: no bound)").positive();
 }
 
 Eigen::Vector2d pair(const char* option, const std::vector<double>& typed) {
   if (typed.size() != 2)
-    throw InputError(fmt::format("{} {}: two finite numbers with a comma between are needed", option,
-                                 fmt::join(typed, ",")));
+    throw InputError(
+        fmt::format("{} {}: needs two finite numbers, separated by a comma", option, fmt::join(typed, ",")));
   return {typed[0], typed[1]};
 }
 
@@ -55,8 +54,9 @@ bvp::DuffingSettings understand(const DuffingOptions& typed) {
   if (!typed.target.empty()) {
     s.target = pair("--target", typed.target);
     if (s.which == harmonic)
-      throw InputError(fmt::format("--target {}: --case harmonic has its own, by Eq. 5.34; leave it out",
-                                   fmt::join(typed.target, ",")));
+      throw InputError(
+          fmt::format("--target {}: --case harmonic takes its target from Eq. 5.34; leave it out",
+                      fmt::join(typed.target, ",")));
   }
   if (!typed.weights.empty()) {
     s.weights = pair("--weights", typed.weights);
@@ -144,7 +144,7 @@ std::string duffing(const DuffingOptions& typed) {
 
 void add_duffing_command(scene::Commands& all) {
   all.add("duffing",
-          "The cheapest force found that brings a Duffing oscillator to its end, as CSV: "
+          "Find the force of least cost that drives a Duffing oscillator to its final state; prints as CSV "
           "cost,x1_0,x2_0,lambda1_0,lambda2_0,x1_T,x2_T,miss; omega_n = 1, start 0,0 where prescribed",
           declare, duffing);
 }

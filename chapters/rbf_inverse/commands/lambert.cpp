@@ -35,21 +35,22 @@ struct Arc {
 };
 
 void declare_arc(scene::Options& options, Arc& a) {
-  options.add("--from", a.problem.from, "x,y,z from the centre, in any consistent units").required();
+  options.add("--from", a.problem.from, "x,y,z of the departure from the centre, in any consistent units")
+      .required();
   options.add("--to", a.problem.to, "x,y,z of the arrival").required();
-  options.add("--time", a.problem.time, "of flight").positive().required();
+  options.add("--time", a.problem.time, "time of flight").positive().required();
   options
-      .add("--mu", a.mu,
-           fmt::format("gravitational parameter; the Earth's, {}, without it", orbit::earth().mu))
+      .add("--mu", a.mu, fmt::format("gravitational parameter (default {}, the Earth's)", orbit::earth().mu))
       .positive();
-  options.add("--long-way", a.long_way, "by more than 180 degrees");
-  options.add("--revolutions", a.revolutions, "whole ones before the arrival").range(0, 1e6);
-  options.add("--branch", a.branch, "of one revolution or more; low is the smaller semi-major axis")
+  options.add("--long-way", a.long_way, "transfer by more than 180 degrees");
+  options.add("--revolutions", a.revolutions, "number of complete revolutions before the arrival")
+      .range(0, 1e6);
+  options.add("--branch", a.branch, "of an arc of one or more revolutions; low: the smaller semi-major axis")
       .one_of({"low", "high"});
-  options.add("--plane", a.plane, "nx,ny,nz: the normal of the plane, for opposite positions alone");
-  options.add("--zonal", a.zonal, "J2[,J3,...,J6] of the centre, the axis along z");
-  options.add("--radius", a.radius, "that the zonal terms refer to").positive();
-  options.add("--method", a.method, "collocation has 81 nodes, polynomials, and goes the short way")
+  options.add("--plane", a.plane, "nx,ny,nz: normal of the plane; only for opposite positions");
+  options.add("--zonal", a.zonal, "zonal coefficients J2[,J3,...,J6] of the centre, with its axis along z");
+  options.add("--radius", a.radius, "reference radius of the zonal terms").positive();
+  options.add("--method", a.method, "izzo, or collocation by polynomials with 81 nodes (short way only)")
       .one_of({"izzo", "collocation"});
 }
 
@@ -57,7 +58,7 @@ std::string text_of(const orbit::Vector3<double>& v) { return fmt::format("{},{}
 
 void add_zonal_terms(const Arc& a, orbit::Gravity& gravity) {
   if (a.radius && a.zonal.empty())
-    throw InputError(fmt::format("--radius {}: means nothing without --zonal J2[,J3,...]", *a.radius));
+    throw InputError(fmt::format("--radius {}: needs --zonal J2[,J3,...]", *a.radius));
   if (a.zonal.empty()) return;
   const std::string zonal = fmt::format("--zonal {}", fmt::join(a.zonal, ","));
   if (!a.radius) throw InputError(zonal + ": needs --radius R");
@@ -82,12 +83,13 @@ orbit::TransferProblem problem_of(const Arc& a) {
   p.gravity.mu = a.mu.value_or(orbit::earth().mu);
   for (const auto& [option, r] : {std::pair("--from", p.from), {"--to", p.to}}) {
     if (r.isZero(0))
-      throw InputError(fmt::format("{} {}: is the centre, from where no orbit leads on", option, text_of(r)));
+      throw InputError(
+          fmt::format("{} {}: is the centre of attraction; give another position", option, text_of(r)));
   }
   if (!a.plane.empty()) {
     const std::string typed = fmt::format("--plane {}", fmt::join(a.plane, ","));
     if (a.plane.size() != 3)
-      throw InputError(fmt::format("{}: {} numbers where x,y,z are needed", typed, a.plane.size()));
+      throw InputError(fmt::format("{}: {} numbers; needs three, nx,ny,nz", typed, a.plane.size()));
     p.normal = {a.plane[0], a.plane[1], a.plane[2]};
     if (p.normal->isZero(0)) throw InputError(typed + ": a normal cannot be 0");
     if (!orbit::are_opposite({p.from, p.to, p.time, p.gravity.mu}))
@@ -102,7 +104,7 @@ orbit::LambertArc arc_of(const Arc& a) {
   if (a.revolutions > 0 && a.branch.empty())
     throw InputError(fmt::format("--revolutions {}: needs --branch low or high", a.revolutions));
   if (a.revolutions == 0 && !a.branch.empty())
-    throw InputError(fmt::format("--branch {}: means nothing without revolutions", a.branch));
+    throw InputError(fmt::format("--branch {}: needs --revolutions 1 or more", a.branch));
   return {a.long_way, a.revolutions,
           a.branch == "high" ? orbit::LambertBranch::high : orbit::LambertBranch::low};
 }
@@ -111,13 +113,12 @@ orbit::LambertArc arc_of(const Arc& a) {
 orbit::Transfer by_collocation(const orbit::TransferProblem& p, const orbit::LambertArc& arc) {
   if (arc.revolutions > 0)
     throw InputError(
-        fmt::format("--method collocation --revolutions {}: no guess is known from which collocation "
-                    "finds an arc of whole revolutions; use --method izzo",
+        fmt::format("--method collocation --revolutions {}: collocation has no initial guess for complete "
+                    "revolutions; use --method izzo",
                     arc.revolutions));
   if (arc.long_way)
     throw InputError(
-        "--method collocation --long-way: from simple guesses Newton's iteration ends on the short way; use "
-        "--method izzo");
+        "--method collocation --long-way: collocation finds only the short way; use --method izzo");
   constexpr int nodes = 81;
   orbit::Transfer t = orbit::collocate(p, {.nodes = nodes});
   if (!t.status.ok())
@@ -129,7 +130,7 @@ orbit::Transfer by_collocation(const orbit::TransferProblem& p, const orbit::Lam
   const orbit::Vector3<double> plane = orbit::cross(p.from, p.to);
   if (t.status.ok() && plane.dot(orbit::cross(p.from, t.v1)) < 0)
     t.status = Status::failure(Outcome::spurious_root,
-                               "lambert: collocation has ended on the arc the long way; use --method izzo");
+                               "lambert: collocation converged to the long way; use --method izzo");
   return t;
 }
 
@@ -162,9 +163,10 @@ void declare_grid(scene::Options& options, Grid& g) {
   options.add("orbits", g.file, "TOML: mu, [from], [to], [departures], [arrivals]; - is standard input")
       .required();
   options.add("--grid", g.grid, "NxM: departures and arrivals").required();
-  options.add("--threads", g.threads, "how many; 0: one a processor").range(0, 1024);
-  options.add("--plot", g.plot,
-              "also draws the grid: <name of the TOML file>.svg in this folder, over an older picture alone");
+  options.add("--threads", g.threads, "number of threads; 0: one for each processor").range(0, 1024);
+  options.add(
+      "--plot", g.plot,
+      "also draw the grid to <name of the TOML file>.svg in this folder; replaces only an older picture");
   options.footer(porkchop_keys());
 }
 
@@ -180,7 +182,7 @@ std::pair<int, int> counts_of(const std::string& grid) {
     }
   } catch (const InputError&) {  // for one of the numbers; the message below names both
   }
-  throw InputError(fmt::format("--grid {}: needs two whole numbers from 1 to 1000000 with 'x' between",
+  throw InputError(fmt::format("--grid {}: needs two whole numbers from 1 to 1000000, separated by x",
                                quoted_input(grid)));
 }
 
@@ -217,7 +219,7 @@ scene::Picture wanted_picture(const Grid& g, const orbit::PorkchopProblem& p) {
     throw InputError(fmt::format("--grid {}: --plot needs 4x4 or more", g.grid));
   for (const auto& [name, window] : {std::pair("departures", p.departures), {"arrivals", p.arrivals}}) {
     if (!(window.first < window.last))
-      throw InputError(fmt::format("{}: --plot needs a window of {} that has a width", g.file, name));
+      throw InputError(fmt::format("{}: --plot needs {} with first before last", g.file, name));
   }
   return scene::Picture(picture_of(g));
 }
@@ -235,8 +237,8 @@ void porkchop(const Grid& g) {
   if (!grid.status.ok()) throw Failure(grid.status);
   if (std::ranges::none_of(grid.cells, &orbit::PorkchopCell::exists))
     scene::print_message(
-        "rbf_inverse: no cell has a transfer: no arrival is after its departure, or the positions lie in one "
-        "direction from the centre");
+        "rbf_inverse: no cell has a transfer: no arrival is later than its departure, or both positions are "
+        "in the same direction from the centre");
   scene::print_result(porkchop_csv(grid));
   if (picture.wanted()) picture.draw([&] { return porkchop_map(grid, plain_axes(grid)); });
 }
@@ -245,11 +247,12 @@ void porkchop(const Grid& g) {
 
 void add_lambert_commands(scene::Commands& all) {
   all.add("lambert",
-          "The orbit from one position to another in a given time, as CSV: vx0,vy0,vz0,vx1,vy1,vz1,miss. The "
-          "departure is integrated by another method: a miss beyond a millionth of the distance is a failure",
+          "Solve Lambert's problem: the orbit from one position to another in a given time; prints as CSV "
+          "vx0,vy0,vz0,vx1,vy1,vz1,miss. The departure is integrated by another method; a miss above a "
+          "millionth of the distance is a failure",
           declare_arc, lambert);
   all.add("porkchop",
-          "Excess speeds of transfers between two orbits over a grid of times, as CSV: "
+          "Print the excess speeds of transfers between two orbits over a grid of times as CSV: "
           "departure,arrival,v_departure,v_arrival,revolutions",
           declare_grid, porkchop);
 }

@@ -60,7 +60,7 @@ class Reader {
   void only(std::initializer_list<std::string_view> known) const {
     for (const auto& [key, node] : table_) {
       if (std::find(known.begin(), known.end(), key.str()) == known.end())
-        refuse(&node, fmt::format("{} means nothing here; there are {}", full(quoted_input(key.str())),
+        refuse(&node, fmt::format("{}: no such key; the keys are {}", full(quoted_input(key.str())),
                                   fmt::join(known, ", ")));
     }
   }
@@ -174,17 +174,17 @@ orbit::PorkchopProblem read_porkchop(const std::string& text, const std::string&
 std::string porkchop_keys() {
   return R"(Keys of the TOML file, in any consistent units:
   mu                    gravitational parameter of the centre, positive; required
-  revolutions           whole ones that may be made, 0 to 1000; 0 without it
-  [from], [to]          the orbit that is left, and the one that is reached
+  revolutions           largest number of complete revolutions, 0 to 1000 (default 0)
+  [from], [to]          orbit of departure and orbit of arrival
     a or p              semi-major axis (negative for hyperbolas) or semi-latus rectum
     e                   eccentricity, 0 or more
-    i                   inclination, 0 to 180 degrees; 0 without it
-    raan, argp, nu      node, argument of periapsis, true anomaly at the epoch, -360 to 360 degrees; 0 without
+    i                   inclination, 0 to 180 degrees (default 0)
+    raan, argp, nu      ascending node, argument of periapsis, true anomaly at the epoch, -360 to 360 degrees (default 0)
     position, velocity  [x, y, z] in place of the elements
-    epoch               time of the anomaly or of the state; 0 without it
-  [departures]          first, last: times between which the orbit is left
-  [arrivals]            first, last: times between which the other is reached
-chapters/rbf_inverse/earth-mars.toml is one.)";
+    epoch               time of the anomaly or of the state (default 0)
+  [departures]          first, last: range of departure times
+  [arrivals]            first, last: range of arrival times
+Example: chapters/rbf_inverse/earth-mars.toml.)";
 }
 
 std::string porkchop_csv(const orbit::Porkchop& grid) {

@@ -37,7 +37,7 @@ std::vector<std::string> pieces_of(const char* option, const std::string& text) 
   for (std::string& piece : pieces) {
     piece = trimmed(piece);
     if (piece.empty())
-      throw input_error("{} {}: nothing stands between two commas", option, quoted_input(text));
+      throw input_error("{} {}: an empty condition between two commas", option, quoted_input(text));
   }
   return pieces;
 }
@@ -86,11 +86,11 @@ TypedBoundary::TypedBoundary(program::Equations equations, double from, double u
                              const std::string& begin, const std::string& end)
     : equations_(std::move(equations)), points_{from, until} {
   if (equations_.initial_time())
-    throw InputError("--equation: values at a time, as x(0) = 1, are given by --begin and --end here");
+    throw InputError("--equation: give values at a time, such as x(0) = 1, by --begin and --end");
   if (equations_.final_time() || !equations_.lower_bounds().empty() || !equations_.conserved().empty())
     throw InputError(
-        "--equation: an end, bounds of the state and what is conserved are for initial value problems; here "
-        "--until gives the end");
+        "--equation: end, bounds and conserved quantities are for initial value problems; give the end by "
+        "--until");
   slopes_ = Program(equations_.graph(), equations_.slopes());
   constexpr std::size_t most_jumps = 200;  // each jump adds one condition per component
   const std::vector<double> jumps =
@@ -100,8 +100,9 @@ TypedBoundary::TypedBoundary(program::Equations equations, double from, double u
   end_ = conditions_of("--end", end);
   const std::size_t given = begin_.outputs() + end_.outputs(), needed = names().size();
   if (given != needed)
-    throw input_error("--begin, --end: {} conditions; as many are needed as the state has components, {}: {}",
-                      given, needed, quoted_input(fmt::format("{}", fmt::join(names(), ", ")), 200));
+    throw input_error(
+        "--begin, --end: {} conditions, but the state has {} components, {}; give one condition for each",
+        given, needed, quoted_input(fmt::format("{}", fmt::join(names(), ", ")), 200));
 }
 
 Program TypedBoundary::conditions_of(const char* option, const std::string& text) {
@@ -109,7 +110,7 @@ Program TypedBoundary::conditions_of(const char* option, const std::string& text
   if (!trimmed(text).empty()) {
     for (const std::string& piece : pieces_of(option, text)) {
       if (piece.find('=') == std::string::npos)
-        throw input_error("{} {}: is no condition; an equation is needed, as x = 0", option,
+        throw input_error("{} {}: is no condition; give an equation, such as x = 0", option,
                           quoted_input(piece));
       all.push_back(equations_.expression(option, piece));
     }
@@ -137,14 +138,15 @@ bvp::Start TypedBoundary::guess(const std::string& text) const {
       const std::size_t equals = piece.find('=');
       const auto at = std::ranges::find(names(), trimmed(piece.substr(0, equals)));
       if (equals == std::string::npos || at == names().end())
-        throw input_error("--guess {}: begins with no component and =; there are {}", quoted_input(piece),
+        throw input_error("--guess {}: must begin with a component and =; the components are {}",
+                          quoted_input(piece),
                           quoted_input(fmt::format("{}", fmt::join(names(), ", ")), 200));
       std::optional<Program>& one = (*known)[static_cast<std::size_t>(at - names().begin())];
-      if (one) throw input_error("--guess {}: {} is given a second time", quoted_input(piece), *at);
+      if (one) throw input_error("--guess {}: {} is given twice", quoted_input(piece), *at);
       const program::NodeId node = equations.expression("--guess", piece.substr(equals + 1));
       one = Program(equations.graph(), {node});
       if (depends_on_state(*one, points_.front(), n))
-        throw input_error("--guess {}: is to be a function of the time t alone", quoted_input(piece));
+        throw input_error("--guess {}: must be a function of the time t only", quoted_input(piece));
     }
   }
   // For each missing component the given component of which it is the derivative.

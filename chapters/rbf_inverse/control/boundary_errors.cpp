@@ -125,7 +125,7 @@ std::vector<scene::Scene> scenes() {
   std::vector<scene::Result<std::vector<bvp::GlobalResult>>> all_variants;
   for (const DuffingSubject& subject : duffing_subjects()) all_variants.push_back(variants(subject));
   return {{.name = "table-5.3",
-           .title = "Residuals of the end conditions: what they measure is the linear solve",
+           .title = "Residuals of the end conditions: they measure only the linear solve",
            .place = "Table 5.3",
            .content = scene::Content(put, all_printed_results(), all_variants)}};
 }

@@ -68,8 +68,8 @@ std::vector<Bounded> bounded(const bvp::Multistart& found) {
 }
 
 void put_bounded(const std::vector<Bounded>& all, scene::Show& show) {
-  scene::Panel& panel =
-      show.plot("A bounded force pumps longer at its limit", "time (s)", "force {/:Italic f} (1/s^{2})");
+  scene::Panel& panel = show.plot("Optimal force: the lower its bound, the longer it stays at the bound",
+                                  "time (s)", "force {/:Italic f} (1/s^{2})");
   panel.key("top left").y_range(-20, 28);
   show.figure().size(760, 480).columns({"panel", "curve", "x", "y"});
   for (const Bounded& b : all) {

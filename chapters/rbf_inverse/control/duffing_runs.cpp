@@ -188,7 +188,7 @@ scene::Result<FromGuesses> printed_results(const DuffingSubject& subject, double
   return {fmt::format("printed-{}-T{:g}", to_string(subject.which), final_time),
           fmt::format("T = {:g}, S = I; 40 LGL nodes, Newton's iteration from zeros and ten random guesses "
                       "(independent at the nodes in +-1, or constant in +-5), 60 iterations at most; errors "
-                      "against the trajectory integrated from the own initial values at 1e-13",
+                      "against the trajectory integrated from the same initial values at 1e-13",
                       final_time),
           [&subject, final_time] { return solve_from_guesses(subject, final_time); }};
 }
@@ -202,7 +202,7 @@ std::vector<scene::Result<FromGuesses>> all_printed_results() {
 
 scene::Result<std::vector<bvp::GlobalResult>> variants(const DuffingSubject& subject) {
   return {fmt::format("variants-{}", to_string(subject.which)),
-          "T = 2: other derivative matrices on the same nodes, begun at the root that is drawn",
+          "T = 2: other derivative matrices on the same nodes, started from the root that is drawn",
           solve_variants, printed_results(subject)};
 }
 

@@ -81,7 +81,7 @@ void multiple_shooting(const Subject& s) {
   if (!multiple_shooting_available()) return;
   for (int power = 4; power <= 12; power += s.quick ? 4 : 1)
     s.add(fmt::format("tolerance 1e-{}", power), [&] {
-      const Shot shot = shoot(s.problem, s.start, {.tolerance = std::pow(10, -power)});
+      const ShootingResult shot = shoot(s.problem, s.start, {.tolerance = std::pow(10, -power)});
       return Answer{shot.status, shot.first};
     });
 }
@@ -121,7 +121,7 @@ std::vector<scene::ProblemLines> measure(bool quick) {
 
 void put(const std::vector<scene::ProblemLines>& problems, scene::Show& show) {
   scene::show_work_precision(
-      {.heading = "Printed Gaussians lose their digits again, refined intervals keep them",
+      {.heading = "Digits of {/:Italic λ}(0): lost with more nodes by printed Gaussians, not by refinement",
        .digits = "digits of {/:Italic λ}(0)",
        .most_digits = 16,
        .error = "error of the initial co-states",

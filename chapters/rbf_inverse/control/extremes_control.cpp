@@ -67,7 +67,7 @@ Row solved(const Hard& h) {
 }
 
 /// Oscillator with the right number of conditions, two of which are contradictory.
-struct TwoBegins {
+struct ContradictoryStart {
   static constexpr int states = 2, parameters = 0;
   [[nodiscard]] std::vector<double> points() const { return {0, 2}; }
   template <class T>
@@ -120,7 +120,7 @@ Extremes compute(bool quick) {
   const bvp::Extremal jerk = solve_extremal(sudden, bvp::constant_start(Eigen::VectorXd::Ones(4)));
   all.rows.push_back({"fixed, T = 1e-3", std::string(to_string(jerk.solution.status.outcome())), jerk.cost});
   const auto contradiction =
-      solve(bvp::DualProblem(TwoBegins{}), bvp::constant_start(Eigen::VectorXd::Zero(2)));
+      solve(bvp::DualProblem(ContradictoryStart{}), bvp::constant_start(Eigen::VectorXd::Zero(2)));
   all.rows.push_back({"x1(0) = 0 and x1(0) = 1", std::string(to_string(contradiction.status.outcome()))});
   return all;
 }
@@ -139,7 +139,8 @@ void put(const Extremes& all, scene::Show& show) {
     if (!r.estimate)
       show.at_most("lowest cost, " + r.task, cost, 14.5, "staying at rest costs (5^2 + 2^2)/2");
     else if (r.known)
-      show.at_most("lowest cost, " + r.task, cost, r.most, "regression value, its digits; lower is welcome");
+      show.at_most("lowest cost, " + r.task, cost, r.most,
+                   "regression value, its digits; a lower cost is an improvement");
   }
   show.equals("are two values at one end refused as infeasible?", all.rows.back().status == "infeasible", 1,
               "x1(0) = 0 and x1(0) = 1");
@@ -160,7 +161,7 @@ std::vector<scene::Scene> scenes() {
                           "the direct method",
                           compute);
   return {{.name = "extremes-ocp",
-           .title = "Strong nonlinearity, long and vanishing times, zero weights, contradictions",
+           .title = "Strong nonlinearity, long and very short times, zero weights, contradictory conditions",
            .content = scene::Content(put, all)}};
 }
 

@@ -72,10 +72,11 @@ void put(const std::vector<const FromGuesses*>& all, scene::Show& show) {
 }  // namespace
 
 std::vector<scene::Scene> scenes() {
-  return {{.name = "from-guesses",
-           .title = "What the printed method finds from zeros and ten random guesses, and at what cost",
-           .place = "our own, for the claims of section 5.5",
-           .content = scene::Content(put, all_printed_results())}};
+  return {
+      {.name = "from-guesses",
+       .title = "Extremals that the printed method finds from zeros and ten random guesses, with their cost",
+       .place = "our own, for the claims of section 5.5",
+       .content = scene::Content(put, all_printed_results())}};
 }
 
 }  // namespace nlmech::chapters::rbf_inverse::from_guesses

@@ -121,9 +121,10 @@ void put_states(const bvp::Multistart& found, const FromGuesses& all, scene::Sho
   const KnownExtremal& known = known_extremal(all.subject->which);
   const std::string from = guess_name(all.chosen());
   scene::Plot& plot = show.plots(
-      same_cost(drawn, best) ? fmt::format("From {} the printed method finds the cheapest extremal", from)
-                             : fmt::format("From {} the printed method pays {:.2g} times the least", from,
-                                           drawn.cost / best.cost));
+      same_cost(drawn, best)
+          ? fmt::format("States and control from {}: the printed method finds the cheapest extremal", from)
+          : fmt::format("States and control from {}: {:.2g} times the least cost", from,
+                        drawn.cost / best.cost));
   plot.size(1000, 440).columns({"panel", "curve", "x", "y"});
   const char* const names[] = {"{/:Italic x}_{1}", "{/:Italic x}_{2} (1/s)", "{/:Italic f} (1/s^{2})"};
   for (int k = 0; k < 3; ++k)
@@ -161,8 +162,8 @@ void put_errors(const std::vector<bvp::GlobalResult>& results, bool costates, bo
   const double worst = costates ? printed.costates : printed.states;
   const std::string letter = costates ? "λ" : "x";
   scene::Panel& panel =
-      show.plot(fmt::format("{} errors reach {}{}", costates ? "Co-state" : "State",
-                            scene::format_number(worst, 1), states_accuracy ? "; the text has 1e-7" : ""),
+      show.plot(fmt::format("{} errors: up to {}{}", costates ? "Co-state" : "State",
+                            scene::format_number(worst, 1), states_accuracy ? "; the text states 1e-7" : ""),
                 "time (s)", fmt::format("|{{/:Italic {0}}} - {{/:Italic {0}}}_{{integrated}}|", letter));
   show.figure().size(760, 480).columns({"panel", "curve", "x", "y"});
   const int first = costates ? 2 : 0;
@@ -196,9 +197,9 @@ void put_all_errors(const std::vector<const std::vector<bvp::GlobalResult>*>& ca
   for (Matrix& m : matrices)
     m.good =
         std::ranges::count_if(cases, [&](const auto* of) { return largest_error((*of)[m.variant]) <= text; });
-  scene::Plot& plot =
-      show.plots(fmt::format("Errors stay below 1e-7 in {} of {} cases as printed, in {} and {} otherwise",
-                             matrices[0].good, cases.size(), matrices[1].good, matrices[2].good));
+  scene::Plot& plot = show.plots(fmt::format(
+      "Errors below 1e-7: {} of {} cases as printed, {} with {{/:Italic c T}} = 7.5, {} with polynomials",
+      matrices[0].good, cases.size(), matrices[1].good, matrices[2].good));
   const int rows = static_cast<int>(cases.size()), top = 84, foot = 96, height = 88, gap = 32;
   const int whole = top + rows * (height + gap) + foot - gap;
   plot.size(760, whole).columns({"panel", "curve", "x", "y"});
@@ -247,9 +248,9 @@ std::vector<scene::Scene> scenes() {
          .content = scene::Content(put_states, extremals(subject.which), printed_results(subject))});
     for (const bool costates : {false, true}) {
       const int number = subject.figure + (costates ? 2 : 1);
-      const bool said = subject.which == DuffingCase::free || subject.which == DuffingCase::harmonic;
-      const auto put = [costates, said](const std::vector<bvp::GlobalResult>& results, scene::Show& show) {
-        put_errors(results, costates, said, show);
+      const bool stated = subject.which == DuffingCase::free || subject.which == DuffingCase::harmonic;
+      const auto put = [costates, stated](const std::vector<bvp::GlobalResult>& results, scene::Show& show) {
+        put_errors(results, costates, stated, show);
       };
       all.push_back(
           {.name = fmt::format("fig-5.{}", number),

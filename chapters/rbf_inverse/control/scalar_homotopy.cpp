@@ -154,7 +154,7 @@ std::vector<scene::Scene> scenes() {
                             "1e-8 of |F| at the start",
                             compute);
   return {{.name = "scalar-homotopy",
-           .title = "Eqs 2.15 and 2.16 as solvers of the collocation equations: how slowly they go",
+           .title = "Slow convergence of Eqs 2.15 and 2.16 as solvers of the collocation equations",
            .place = "our own, for a claim of section 5.5",
            .content = scene::Content(put, flows)}};
 }

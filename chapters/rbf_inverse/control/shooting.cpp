@@ -60,7 +60,7 @@ class Attempt {
     Eigen::VectorXd first(4);
     guess_of(guess_, time_).states(0, first);
     for (Eigen::Index i = 0; i < 2; ++i) first[i] = *problem.task().begin[static_cast<std::size_t>(i)];
-    const Shot shot = shoot_once(problem, first);
+    const ShootingResult shot = shoot_once(problem, first);
     return shot.status.ok() ? shot.reach : std::numeric_limits<double>::quiet_NaN();
   }
   [[nodiscard]] bool collocate_at(std::size_t beta) const {
@@ -215,7 +215,7 @@ std::vector<scene::Scene> scenes() {
       "guess, its root integrated; a reading is a final time, a guess and what divergence means",
       compute);
   return {{.name = "shooting",
-           .title = "Where single shooting converges, and the printed method from the same guess",
+           .title = "Convergence of single shooting and of the printed method from the same guess",
            .place = "our own, for the claim of section 5.3.5",
            .content = scene::Content(put, rows)}};
 }

@@ -88,7 +88,7 @@ class Segments {
   }
   /// Solves for the states at the starts of all segments.
   template <class Method>
-  Shot solve(const Method& method, VectorXd x) {
+  ShootingResult solve(const Method& method, VectorXd x) {
     algebraic::DenseEquations equations(
         x.size(), [&](const VectorXd& v, VectorXd& f) { residual(v, f); },
         [&](const VectorXd& v, MatrixXd& b) { derivative(v, b); });
@@ -133,17 +133,17 @@ class Segments {
 
 }  // namespace
 
-Shot shoot_once(const bvp::Problem& problem, const VectorXd& first, const SingleShooting& method) {
+ShootingResult shoot_once(const bvp::Problem& problem, const VectorXd& first, const SingleShooting& method) {
   const ivp::Ode45 ode45{.relative_tolerance = method.tolerance, .absolute_tolerance = method.tolerance};
   // A trajectory that needs more steps diverges, or oscillates too fast to be a solution.
   Segments segments(problem, 1, [&](const System& system, const VectorXd& y, double t0, double t1) {
     return ivp::integrate(system, y, t0, t1, ode45, {}, {.steps = 1000});
   });
   // Integration errors of some hundred tolerances limit the accuracy of the updates.
-  Shot shot = segments.solve(algebraic::Newton{.tolerance = 10 * method.tolerance,
-                                               .noise = 1e4 * method.tolerance,
-                                               .iterations = method.iterations},
-                             first);
+  ShootingResult shot = segments.solve(algebraic::Newton{.tolerance = 10 * method.tolerance,
+                                                         .noise = 1e4 * method.tolerance,
+                                                         .iterations = method.iterations},
+                                       first);
   VectorXd f;
   segments.residual(shot.first, f);
   shot.miss = f.cwiseAbs().maxCoeff();
@@ -158,7 +158,7 @@ Shot shoot_once(const bvp::Problem& problem, const VectorXd& first, const Single
   return shot;
 }
 
-Shot shoot(const bvp::Problem& problem, const bvp::Start& start, const MultipleShooting& method) {
+ShootingResult shoot(const bvp::Problem& problem, const bvp::Start& start, const MultipleShooting& method) {
   const peers::Cvode cvode{.formula = peers::Cvode::Formula::adams,
                            .relative_tolerance = method.tolerance,
                            .absolute_tolerance = method.tolerance};

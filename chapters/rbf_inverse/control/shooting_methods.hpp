@@ -10,7 +10,7 @@
 namespace nlmech::chapters::rbf_inverse {
 
 /// Result of single or multiple shooting.
-struct Shot {
+struct ShootingResult {
   Status status;            ///< status of Newton's iteration
   Eigen::VectorXd first;    ///< x(t_0); not meaningful after a failure
   double miss = 0;          ///< single: largest residual of the end conditions; NaN if the end is not reached
@@ -29,8 +29,8 @@ struct SingleShooting {
 /// Tests compare it with the closed form of a linear oscillator (1e-6), its roots with another integrator
 /// (1e-5), and check that a limit of iterations ends with a failure.
 /// @param first initial guess of x(t_0)
-[[nodiscard]] Shot shoot_once(const bvp::Problem& problem, const Eigen::VectorXd& first,
-                              const SingleShooting& method = {});
+[[nodiscard]] ShootingResult shoot_once(const bvp::Problem& problem, const Eigen::VectorXd& first,
+                                        const SingleShooting& method = {});
 
 /// Options of multiple shooting: the states at the starts of all segments are unknown.
 struct MultipleShooting {
@@ -41,8 +41,8 @@ struct MultipleShooting {
 };
 /// Multiple shooting: damped Newton iteration, with integration by CVODE's Adams methods.
 /// @throws std::logic_error if the build has no CVODE
-[[nodiscard]] Shot shoot(const bvp::Problem& problem, const bvp::Start& start,
-                         const MultipleShooting& method);
+[[nodiscard]] ShootingResult shoot(const bvp::Problem& problem, const bvp::Start& start,
+                                   const MultipleShooting& method);
 /// Whether this build includes CVODE.
 [[nodiscard]] bool multiple_shooting_available();
 

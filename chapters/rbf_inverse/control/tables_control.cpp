@@ -98,9 +98,9 @@ void put_parameters(scene::Show& show) {
       {"final conditions", "[5 2]", "5, 2 where prescribed, and in the cost elsewhere"},
       {"harmonic amplitudes", "1.5, 2, 3", "1.5, 2, 3"},
       {"harmonic frequency", "3 rad/s", "3 rad/s"},
-      {"final time T", "", "2, with 1 and 5 beside",
+      {"final time T", "", "2; also 1 and 5",
        "not stated; inferred, from a range that the failure of shooting leaves"},
-      {"weights S", "", "I", "not stated; Table 5.3 speaks for it"},
+      {"weights S", "", "I", "not stated; consistent with Table 5.3"},
       {"nodes, shape", "N = 40, c = (N - 1)/(4 T)", "the same: c T = 9.75"},
       {"initial guess, stopping rule, extremal", "", "zeros, and ten random guesses", "not stated"}};
   show.table(all, {{"parameter", &Parameter::name},
@@ -123,7 +123,7 @@ std::vector<scene::Scene> scenes() {
            .place = "Table 5.1",
            .content = scene::Content(put_conditions)},
           {.name = "table-5.2",
-           .title = "Constants of the Duffing control problem, and what the text leaves out",
+           .title = "Constants of the Duffing control problem, and those that the text omits",
            .place = "Table 5.2",
            .content = scene::Content(put_parameters)}};
 }

@@ -53,7 +53,7 @@ void add_rows(chapters::Speed& all, const Subject& s) {
           [&s] { return direct_start(s.problem, s.guess, {.pieces = 200}).status.ok(); });
   if (inverse::multiple_shooting_available())
     all.add(named(shooting), [&s] {
-      const inverse::Shot r = inverse::shoot(s.problem, s.start, {.tolerance = 1e-10});
+      const inverse::ShootingResult r = inverse::shoot(s.problem, s.start, {.tolerance = 1e-10});
       return s.right(r.status, r.first);
     });
   if (peers::ipopt_available())

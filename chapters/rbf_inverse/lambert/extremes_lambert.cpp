@@ -169,8 +169,8 @@ void put(scene::Show& show) {
     if (t.extreme.label == "parabola") parabola = std::abs(t.solution.reciprocal_axis);
   }
   show.equals("cases that end as they must", right, static_cast<double>(trials.size()),
-              "0 and 360 degrees, 180 without a plane, times that no velocity in double precision tells and "
-              "too short ones for their revolutions are refused, all others solved");
+              "0 and 360 degrees, 180 without a plane, times that double precision cannot distinguish and "
+              "times too short for the revolutions are refused, all others solved");
   show.at_most("largest miss over kappa eps, positions and velocities", worst, 8,
                "what the method states; integrated in 50 digits, kappa the condition of the orbit");
   show.at_most("1/a on the parabola", parabola, 64 * eps,
@@ -187,7 +187,7 @@ void put(scene::Show& show) {
 
 std::vector<scene::Scene> scenes() {
   return {{.name = "extremes-lambert",
-           .title = "Lambert's problem at its edges: angles, times, revolutions, units",
+           .title = "Lambert's problem, extreme cases: angles, times, revolutions, units",
            .content = scene::Content(put)}};
 }
 

@@ -81,7 +81,7 @@ void put(const std::vector<Row>& all, scene::Show& show) {
   show.between("least share of starts that the printed Gaussians lead to the short arc", by_gaussians, 0.9, 1,
                "regression value: 59 of 60, and all single starts");
   show.at_most("starts that lead to another arc", others, 6,
-               "a tenth of the random starts; none was seen among sixty");
+               "a tenth of the random starts; none among sixty");
 }
 
 }  // namespace
@@ -91,7 +91,7 @@ std::vector<scene::Scene> scenes() {
                           "47 LGL nodes, 6N equations, Newton's iteration with full steps, at most 60",
                           try_all);
   return {{.name = "guesses",
-           .title = "Which arc each start of Newton's iteration finds",
+           .title = "Arc that Newton's iteration finds from each start",
            .place = "our own, for the claim of section 5.4",
            .content = scene::Content(put, all)}};
 }

@@ -102,14 +102,15 @@ std::vector<Row> put_minima(const Porkchop& grid, scene::Show& show) {
 }
 
 void put_earth_to_mars(const Porkchop& grid, scene::Show& show) {
-  show.draw(porkchop_map(grid, {.heading = "Earth to Mars, summer of 2003: km/s by departure and arrival",
-                                .departure = "departure (days since J2000)",
-                                .arrival = "arrival (days since J2000)",
-                                .speed = "km/s",
-                                .time = day,
-                                .speed_unit = 1e3,
-                                .departure_tics = dated_tics(grid.departures),
-                                .arrival_tics = dated_tics(grid.arrivals)}));
+  show.draw(
+      porkchop_map(grid, {.heading = "Earth to Mars, 2003: excess speed (km/s) by departure and arrival",
+                          .departure = "departure (days since J2000)",
+                          .arrival = "arrival (days since J2000)",
+                          .speed = "km/s",
+                          .time = day,
+                          .speed_unit = 1e3,
+                          .departure_tics = dated_tics(grid.departures),
+                          .arrival_tics = dated_tics(grid.arrivals)}));
   const std::vector<Row> least = put_minima(grid, show);
   const char* const program =
       "regression value: least by other code (universal variables of Bate, Mueller and White, bisection) "

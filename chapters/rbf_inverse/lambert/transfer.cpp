@@ -103,8 +103,9 @@ void put_history(const CollocatedTransfer& printed, const CollocatedTransfer& po
   const auto largest = [&](const std::vector<Apart>& all) -> scene::Amount {
     return {std::ranges::max(all, {}, &Apart::distance).distance, part.unit};
   };
-  scene::Plot& plot = show.plots(
-      fmt::format("Nodes as printed are up to {:.1f} {} off their own orbit", largest(own).value, part.unit));
+  scene::Plot& plot =
+      show.plots(fmt::format("Printed nodes: up to {:.1f} {} from the orbit of their initial velocity",
+                             largest(own).value, part.unit));
   plot.size(1000, 520).columns({"panel", "curve", "time_of_flight_s", "y"});
   draw_components(plot.panel("time (s)", part.axis), printed, part);
   // Right panel: differences, with those of polynomial collocation.
@@ -115,10 +116,10 @@ void put_history(const CollocatedTransfer& printed, const CollocatedTransfer& po
     const auto apart = [](const Apart& a) { return a.distance > 0; };  // omits the common start
     right.curve(name, all | std::views::filter(apart), &Apart::t, &Apart::distance, look);
   };
-  curve("as printed, off F and G of its own velocity", own, scene::linespoints(1));
-  curve("that F and G, off Izzo's orbit", off_orbit(orbit_between(printed.v1, 0, 4320, 200), izzo.v1, part),
-        scene::lines(2));
-  curve("polynomial collocation, off Izzo's orbit", better, scene::linespoints(3));
+  curve("as printed, from F and G of its velocity", own, scene::linespoints(1));
+  curve("F and G of its velocity, from Izzo's orbit",
+        off_orbit(orbit_between(printed.v1, 0, 4320, 200), izzo.v1, part), scene::lines(2));
+  curve("polynomial collocation, from Izzo's orbit", better, scene::linespoints(3));
   const char* const by_rounding = "regression value: 5 to 1800 m by unit of time, 0.2 m in all digits";
   show.between(part.name + " as printed, off F and G of their own velocity", largest(own), part.may_least,
                part.may_most, by_rounding);
@@ -139,7 +140,7 @@ void put_geometry(const orbit::Transfer& izzo, scene::Show& show) {
   const Vector3<double> ex = p.from.normalized(), n = orbit::cross(p.from, izzo.v1).normalized(),
                         ey = orbit::cross<double>(n, ex);
   scene::Panel& panel = show.plot("Lambert's problem: two positions and a time determine the velocities",
-                                  "in the plane of the orbit, along r_{0}, 1000 km", "across, 1000 km");
+                                  "coordinate along r_{0} (1000 km)", "coordinate across r_{0} (1000 km)");
   show.figure().size(760, 480).columns({"panel", "curve", "x", "y"});
   panel.x_range(-2, 14).y_range(-2.6, 6.8).set("size ratio -1").key("below");
   const auto curve = [&](const std::string& name, const Course& course, int style) {
@@ -231,7 +232,7 @@ void put_errors(std::vector<CollocatedTransfer> printed, const CollocatedTransfe
                     {"Newton's iterations", &Row::iterations},
                     {"condition", &Row::condition, 2}});
   show.near("log10 of the condition of the printed functions", std::log10(in_seconds.condition), 17.3, 0.05,
-            "regression value: 1.9e17, as its logarithm; rounding is all there is");
+            "regression value: 1.9e17, as its logarithm; determined by rounding");
   show.between("best of twelve units of time, as printed", {least.miss, "m"}, 0.05, 500,
                "regression value: 4.7 m at best; rounding scatters it around 57 m");
   show.between("worst of twelve units of time, as printed", {most.miss, "m"}, 50, 1e5,
@@ -308,7 +309,7 @@ std::vector<scene::Scene> scenes() {
            .place = "Figure 5.21",
            .content = history(velocities)},
           {.name = "table-5.4",
-           .title = "Errors at the ends of the transfer: decided by rounding, but for the stable basis",
+           .title = "Errors at the ends of the transfer: due to rounding, except with the stable basis",
            .place = "Table 5.4",
            .content = scene::Content(put_errors, printed, printed_shape, stable, polynomial, izzo)}};
 }

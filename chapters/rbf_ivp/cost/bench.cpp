@@ -139,14 +139,14 @@ std::optional<double> native_error(const Case& c, const NativeRun& run, double t
 
 /// The fastest tolerance of a library in its own loop, which has no step limit. Only tolerances are tried
 /// with which the nlmech loop reaches the end with at most a hundred times the wanted error.
-std::optional<Work> fastest_alone(const Case& c, const NativeRun& run, const MethodSweep& walked,
+std::optional<Work> fastest_alone(const Case& c, const NativeRun& run, const MethodSweep& stepped,
                                   double wanted, const std::string& name) {
   const auto error = [&](const Setting& setting) -> std::optional<double> {
-    const auto there = error_of(c, walked, setting);
+    const auto there = error_of(c, stepped, setting);
     if (!there || *there > 100 * wanted) return std::nullopt;
     return native_error(c, run, *setting.settings.tolerance);
   };
-  return chapters::fastest(name, walked.settings, wanted, error, [&c, run](const Setting& setting) {
+  return chapters::fastest(name, stepped.settings, wanted, error, [&c, run](const Setting& setting) {
     ivp::State x = c.x0;
     const double tolerance = *setting.settings.tolerance;
     static_cast<void>(run(tolerance, tolerance, c.t0, c.t1, x.data()));
@@ -158,32 +158,33 @@ std::optional<Work> fastest_alone(const Case& c, const NativeRun& run, const Met
 /// the same formula in the nlmech loop. @param explicit_ones only explicit formulas
 void add_best_library(Speed& all, const Subject& s, double wanted, const std::string& at,
                       bool explicit_ones) {
-  std::optional<Work> best, in_our_walk;
+  std::optional<Work> best, in_loop;
   for (const MethodSweep& peer : comparison::all_peers(false)) {
     if (explicit_ones && comparison::any_method(peer.name).family == ivp::Family::implicit) continue;
     const auto native = std::ranges::find(s.native, peer.name, &NativePeer::name);
-    auto walked = fastest(s.c, peer, wanted, fmt::format("{}, {} in our loop", at, peer.name));
+    auto stepped = fastest(s.c, peer, wanted, fmt::format("{}, {} in our loop", at, peer.name));
     auto alone = native == s.native.end()
-                     ? walked
+                     ? stepped
                      : fastest_alone(s.c, native->run, peer, wanted, fmt::format("{}, {}", at, peer.name));
     if (!alone || (best && alone->seconds >= best->seconds)) continue;
     best = std::move(alone);
-    in_our_walk = std::move(walked);
+    in_loop = std::move(stepped);
   }
   fmt::print("{}: best library {}\n", at, best ? best->name : "none: no other library gets there");
   if (best) best->name = at + ", best library";
-  if (in_our_walk) in_our_walk->name = at + ", best library in our loop";
+  if (in_loop) in_loop->name = at + ", best library in our loop";
   all.add(best);
-  if (!explicit_ones) all.add(in_our_walk);
+  if (!explicit_ones) all.add(in_loop);
 }
 
 /// Compares adaptive-collocation with the fastest peer, compiled with the problem if the library allows it.
 void against_peers(Speed& all, const Subject& s, double wanted, double least) {
   const std::string at = fmt::format("{} to {:.0e}", s.c.name, wanted), best = at + ", best library",
-                    ours = at + ", adaptive-collocation";
-  all.add(fastest(s.c, comparison::by_tolerances("adaptive-collocation", Kind::own, false), wanted, ours));
+                    computed = at + ", adaptive-collocation";
+  all.add(
+      fastest(s.c, comparison::by_tolerances("adaptive-collocation", Kind::own, false), wanted, computed));
   add_best_library(all, s, wanted, at, false);
-  all.claim(ours, best, least);
+  all.claim(computed, best, least);
   all.claim(best + " in our loop", best,
             1 / 3.0);  // at most three times the time in the nlmech loop
 }
@@ -205,8 +206,8 @@ void against_collocation(Speed& all, const Case& c, const StepScales& scales, co
 template <class Problem, class Plain>
 void against_cvode(Speed& all, const Stiff& p, const Problem& problem, const Plain& plain) {
   using Run = std::function<bool(double relative, ivp::State& x)>;
-  const Run ours = [system = ivp::System(problem), end = p.end, least = p.absolute](double relative,
-                                                                                    ivp::State& x) {
+  const Run computed = [system = ivp::System(problem), end = p.end, least = p.absolute](double relative,
+                                                                                        ivp::State& x) {
     const ivp::AdaptiveCollocation method{.relative_tolerance = relative,
                                           .absolute_tolerance = relative * least};
     const auto s = ivp::integrate(system, x, 0, end, method, {}, enough);
@@ -230,7 +231,7 @@ void against_cvode(Speed& all, const Stiff& p, const Problem& problem, const Pla
                                 }));
       return name;
     };
-    const std::string mine = add("adaptive-collocation", ours);
+    const std::string mine = add("adaptive-collocation", computed);
     if (cvode == peers.end()) continue;
     const auto theirs = [run = cvode->run, &p](double relative, ivp::State& x) {
       return run(relative, relative * p.absolute, 0, p.end, x.data());
@@ -245,9 +246,9 @@ void add_six_digits(Speed& all, const Subject& s, const StepScales& scales) {
   constexpr double wanted = 1e-6;
   for (const MethodSweep& sweep : sweeps(scales, false)) {
     const std::string label = sweep.label();
-    for (const char* ours :
+    for (const char* computed :
          {"rbf-coll, N = 35", "lgl-coll, N = 35", "radau-coll, N = 17", "mcpi, N = 17", "rk6"}) {
-      if (label == ours) all.add(fastest(s.c, sweep, wanted, s.c.name + ", " + label));
+      if (label == computed) all.add(fastest(s.c, sweep, wanted, s.c.name + ", " + label));
     }
   }
   add_best_library(all, s, wanted, s.c.name, true);
@@ -295,7 +296,7 @@ void add_stiff(Speed& all) {
 void rows(Speed& all) {
   static const Subject duffing = compiled(free_duffing_case(), chapters::PlainDuffing{}), kinked = impact(),
                        chain = compiled(three_mass_case(), chapters::PlainChain{}),
-                       hard = compiled(held_back_case(), chapters::PlainDuffing{.hardening = 10});
+                       hard = compiled(holdout_case(), chapters::PlainDuffing{.hardening = 10});
   // On two of the problems the best library is faster at nine digits, by a factor below 1.5.
   for (const auto& [wanted, ahead, level] : {std::tuple{1e-9, 1.0, 1 / 1.5}, {1e-12, 1.5, 1.5}}) {
     against_peers(all, duffing, wanted, ahead);

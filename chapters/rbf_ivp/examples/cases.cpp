@@ -86,7 +86,7 @@ const Case& free_duffing_case() {
   return c;
 }
 
-const Case& held_back_case() {
+const Case& holdout_case() {
   static const Case c = make_free_duffing("held-back", problems::Duffing{.hardening = 10}, {2, 0}, 100);
   return c;
 }

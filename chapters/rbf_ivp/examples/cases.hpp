@@ -24,7 +24,7 @@ struct Case : comparison::Example {
 
 /// Holdout problem: the oscillator with eta = 10 from x = 2, to t = 100; no setting was tuned on it. Its
 /// motion is five times as fast and nearly that of a purely cubic spring. Computed at the first call.
-[[nodiscard]] const Case& held_back_case();
+[[nodiscard]] const Case& holdout_case();
 
 /// Eq. 4.24 with Table 4.3; the reference is a Taylor series of high order in extended precision. Amplitudes:
 /// those of the free vibration after the impact. Computed at the first call.

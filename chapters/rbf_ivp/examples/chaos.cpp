@@ -212,7 +212,7 @@ void check_ode45(const Runs& chaotic, scene::Show& show) {
   const Attempt &loose = chaotic.of("ode45", "tolerance 1e-06"),
                 &tight = chaotic.of("ode45", "tolerance 1e-09");
   show.at_most("error of u(100), chaotic, ode45, 1e-6", loose.at_end.value_or(HUGE_VAL), 0.0335,
-               "1 % of the amplitude: what is called following here");
+               "1 % of the amplitude, the limit for following");
   show.at_most("error of u(100), chaotic, ode45, 1e-9", tight.at_end.value_or(HUGE_VAL),
                1e-9 * double(tight.steps) * std::exp(8.33),
                "a tolerance a step, grown by e^8.33: tools/oracles/algebraic_series_starts.py");
@@ -239,7 +239,7 @@ std::vector<scene::Scene> scenes() {
         return std::vector<Runs>{run_all(motion("chaotic", true)), run_all(motion("transient", false))};
       });
   return {{.name = "chaos",
-           .title = "RBF-Coll on a chaotic and on an aperiodic motion: error against step, beside ode45",
+           .title = "RBF-Coll and ode45 on a chaotic and on an aperiodic motion: error against step",
            .place = "our own, for the claims of section 4.4.2",
            .content = scene::Content(put, runs)}};
 }

@@ -66,9 +66,9 @@ void put(const Example& example, const Comparison& figure, const Records& record
     add_method(data, ++number, *record, c.t1 - example.window, figure.component);
     off += distance(*record, c, figure.component) > visible ? 1 : 0;
   }
-  scene::Panel& panel = show.plot(
-      fmt::format("{}: {} of {} runs have left {}", example.title, off, records.size(), figure.symbol),
-      "{/:Italic t} (s)", figure.symbol);
+  scene::Panel& panel = show.plot(fmt::format("{}: {} of {} runs deviate visibly from {}", example.title, off,
+                                              records.size(), figure.symbol),
+                                  "{/:Italic t} (s)", figure.symbol);
   std::vector<std::string> labels = figure.methods;
   if (!figure.also_inferred.empty())
     labels.emplace_back("inferred");  // a longer label would not fit into two rows

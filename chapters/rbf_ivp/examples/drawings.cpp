@@ -55,15 +55,15 @@ void draw_flow_chart(scene::Show& show) {
       {72, 52}, right,
       {"{/:Bold integrate} term by term", "β_r = (F_{r − 1} − F_{r + 1})/(2{/:Italic r}), β_0 from x_0"});
   chart.box({72, 33}, right, {"{/:Bold evaluate}", "x_j = Σ β_r {/:Italic T}_r(τ_j)"});
-  chart.decision({72, 11}, {18, 9}, {"do all x_j", "stand still?"});
-  chart.way({{22, 83}, {22, 75}});
-  chart.way({{22, 61}, {22, 51}});
-  chart.way({{42, 44}, {45.5, 44}, {45.5, 90}, {49, 90}});
-  for (const double y : {83.0, 64.0, 45.0}) chart.way({{72, y}, {72, y - 5}});
-  chart.way({{72, 26}, {72, 20}});
-  chart.way({{90, 11}, {98, 11}, {98, 90}, {95, 90}});
-  chart.way({{54, 11}, {42, 11}});
-  chart.way({{22, 18}, {22, 37}});
+  chart.decision({72, 11}, {18, 9}, {"do all x_j", "converged?"});
+  chart.arrow({{22, 83}, {22, 75}});
+  chart.arrow({{22, 61}, {22, 51}});
+  chart.arrow({{42, 44}, {45.5, 44}, {45.5, 90}, {49, 90}});
+  for (const double y : {83.0, 64.0, 45.0}) chart.arrow({{72, y}, {72, y - 5}});
+  chart.arrow({{72, 26}, {72, 20}});
+  chart.arrow({{90, 11}, {98, 11}, {98, 90}, {95, 90}});
+  chart.arrow({{54, 11}, {42, 11}});
+  chart.arrow({{22, 18}, {22, 37}});
   chart.note("yes", {48, 13.5});
   chart.note("no", {93, 13.5});
   chart.note("next step", {29.5, 27});

@@ -76,9 +76,10 @@ void put_response(const Record& record, scene::Show& show) {
     data.add({value.t, value.x[0], value.x[1], value.x[2]});
   }
   const double load = problems::TextProblem("three-dof").parameter("frequency");
-  scene::Panel& panel = show.plot(fmt::format("Three masses: load and slowest mode beat every {:.0f} s",
-                                              2 * std::numbers::pi / std::abs(load - chain_frequencies()[0])),
-                                  "{/:Italic t} (s)", "position");
+  scene::Panel& panel =
+      show.plot(fmt::format("Positions of three masses: load and slowest mode beat every {:.0f} s",
+                            2 * std::numbers::pi / std::abs(load - chain_frequencies()[0])),
+                "{/:Italic t} (s)", "position");
   panel.place(0.12, 0.97, 0.13, 0.83).set("title offset 0,1.4").x_range(0, 200);
   panel.key("at screen 0.535, screen 0.905 center top horizontal maxrows 1 samplen 3");
   panel.columns("x_3", "t_s:x3", {"lines dashtype solid linewidth 1.4", 2})

@@ -22,8 +22,8 @@ Thinning thinning_of(const Record& record, const Case& c) {
   constexpr std::int64_t few = 20;
   const int bins = static_cast<int>(std::round((c.t1 - c.t0) / c.half_period));
   if (record.statistics.steps <= few) return {false, 0, "all nodes"};
-  if (record.statistics.steps <= bins) return {true, 0, "greatest within each step"};
-  return {false, bins, fmt::format("greatest of each {:.1f} s", (c.t1 - c.t0) / bins)};
+  if (record.statistics.steps <= bins) return {true, 0, "largest in each step"};
+  return {false, bins, fmt::format("largest in each {:.1f} s", (c.t1 - c.t0) / bins)};
 }
 
 /// Points of one line, or of one series of dots.

@@ -107,7 +107,7 @@ scene::Scene result_table(const Example& example) {
     put(example, lines(example, as_printed, as_inferred, milliseconds), to);
   };
   return {.name = example.table,
-          .title = example.title + ": step, error and time of each run, published beside ours",
+          .title = example.title + ": step, error and time of each run, published and recomputed",
           .place = "Table " + example.table.substr(6),
           .content = scene::Content(show, literal, inferred, times)};
 }

@@ -37,7 +37,7 @@ Expected scattered(double low, double high) {
   constexpr double widened = 3;  // rounding depends on compiler and processor
   return {low / widened, high * widened,
           "regression value: the range over which results scattered when nodes were moved by roundings, "
-          "three times as wide to both sides"};
+          "widened by a factor of three on both sides"};
 }
 
 std::string Row::setting_text(const Case& c) const {
@@ -176,7 +176,7 @@ Example impact_rows() {
   const auto add_explicit = [&](Row row, const std::string& run, double during, double after) {
     all.add(std::move(row), run, "restarted with v(t1 - h/2) = v(t1) - h/2 a(t1)",
             phases(CentralDifference{}, during, after),
-            "restarted with v(t1 - h'/2) of the first step h' taken for v(t1 - h/2) of the second step h",
+            "restarted with v(t1 - h'/2) of the first step h' used as v(t1 - h/2) of the second step h",
             faulty(during, after));
   };
   add({"", "ODE45", "tolerance 1e-13", Points::all, 0, {}, {}}, "ode45",

@@ -142,7 +142,7 @@ void check_smooth(const std::vector<Comparison>& all, scene::Show& show) {
   check("Radau nodes", right, "duffing", 20, at_end, 1e3, HUGE_VAL, "quadrature of order 2 N - 3 for N - 1");
   check("nodes by residual", residual, "duffing", 20, anywhere, 0.1, 10, "no digit either way");
   check("own shapes", own, "duffing", 20, anywhere, 0, 1,
-        "functions that are narrow where nodes are dense lose what wide ones share");
+        "functions that are narrow where nodes are dense lose the accuracy of wide ones");
   check("inserted nodes", inserted, "duffing", 20, anywhere, 0, show.quick() ? 10 : 1.5,
         "smooth motion: no part of the interval deserves more nodes than its ends");
   if (show.quick()) return;
@@ -177,13 +177,15 @@ void put(const std::vector<Comparison>& all, scene::Show& show) {
 std::vector<scene::Scene> scenes() {
   const scene::Result comparisons(
       "placed-nodes",
-      "one interval; Gaussians by algebra of 50 digits, rounded to double afterwards; errors of components "
+      "one interval; Gaussians in 50 digits, rounded to double afterwards; errors of components "
       "by their amplitudes, at the end / at all nodes and 3 (N - 1) points between",
       compute);
-  return {{.name = "node-study",
-           .title = "Placed nodes, own shapes, least squares and refinement with equally many unknowns",
-           .place = "our own, for the claim of section 4.5 and the future work of chapter 6",
-           .content = scene::Content(put, comparisons)}};
+  return {
+      {.name = "node-study",
+       .title =
+           "Placed nodes, individual shapes, least squares and refinement with the same number of unknowns",
+       .place = "our own, for the claim of section 4.5 and the future work of chapter 6",
+       .content = scene::Content(put, comparisons)}};
 }
 
 }  // namespace nlmech::chapters::rbf_ivp::node_study

@@ -262,7 +262,7 @@ ReadingChoice normalisation(const Printed& printed, const std::vector<Answer>& s
 }
 
 ReadingChoice begin_counted(const Printed& printed, const std::vector<Answer>& steps) {
-  ReadingChoice q{"begin counted in the mean", "4.2 4.4 4.6", "", "yes", {}};
+  ReadingChoice q{"start included in the mean", "4.2 4.4 4.6", "", "yes", {}};
   q.options.push_back({"yes", score(steps, printed, at_step_ends)});
   q.options.push_back({"no", score(steps, printed, [](const Answer& a) {
                          return a.rms(a.inferred_end(), Points::ends, 0, false);
@@ -393,15 +393,15 @@ double last_digit(const std::string& printed) {
   return std::pow(10.0, exponent - decimals);
 }
 
-void Score::count(const std::string& printed, double ours) {
-  const double distance = std::abs(ours - std::stod(printed)) / last_digit(printed);
+void Score::count(const std::string& printed, double computed) {
+  const double distance = std::abs(computed - std::stod(printed)) / last_digit(printed);
   ++rows;
   exact += distance <= 0.5 + 1e-9 ? 1 : 0;  // a tie can be rounded either way
-  close += scene::Tolerance("digits", printed).allows(ours, std::stod(printed)) ? 1 : 0;
+  close += scene::Tolerance("digits", printed).allows(computed, std::stod(printed)) ? 1 : 0;
 }
 
-void Score::count_noise(double printed, double ours) {
-  const bool explained = ours <= 5 * printed && ours >= printed / 5;
+void Score::count_noise(double printed, double computed) {
+  const bool explained = computed <= 5 * printed && computed >= printed / 5;
   ++rows;
   exact += explained ? 1 : 0;
   close += explained ? 1 : 0;

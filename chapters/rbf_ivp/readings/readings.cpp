@@ -112,7 +112,7 @@ std::vector<scene::Scene> scenes() {
       "readings-tried", "every option of every question that the text leaves open, one question at a time",
       try_readings);
   return {{.name = "readings",
-           .title = "How many readings were tried, and how many printed errors each explains",
+           .title = "Readings tried, and printed errors that each explains",
            .place = "our own, for the readings of Tables 4.2, 4.4 and 4.6",
            .content = scene::Content(put, tried)}};
 }

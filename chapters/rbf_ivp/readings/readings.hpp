@@ -14,10 +14,10 @@ struct Score {
   int exact = 0;  ///< reproduced to all printed digits (rounding noise: within a factor of five)
   int close = 0;  ///< reproduced rounded to the printed digits, or truncated
 
-  /// Counts a printed value and the computed value @p ours.
-  void count(const std::string& printed, double ours);
+  /// Counts a printed value and the computed value @p computed.
+  void count(const std::string& printed, double computed);
   /// Counts a value that is rounding noise; explained if within a factor of five.
-  void count_noise(double printed, double ours);
+  void count_noise(double printed, double computed);
 };
 
 /// One option and its score.

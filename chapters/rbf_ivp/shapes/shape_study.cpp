@@ -66,7 +66,7 @@ struct Sample {
 struct Choice {
   Setting setting;
   double flat;  ///< error of polynomials
-  const char* way;
+  const char* rule;
   double shape;
   std::optional<double> solved;
   double stable;
@@ -145,9 +145,9 @@ Study study_of(const Setting& setting, bool quick) {
   for (int i = 0; i <= count; ++i) {
     study.scan.push_back(sample(arc, least_shape * std::pow(largest_shape / least_shape, double(i) / count)));
   }
-  const auto choose = [&](const char* way, double shape) {
+  const auto choose = [&](const char* rule, double shape) {
     study.choices.push_back(
-        {setting, study.flat, way, shape, solved_error(arc, shape), stable_error(arc, shape)});
+        {setting, study.flat, rule, shape, solved_error(arc, shape), stable_error(arc, shape)});
   };
   choose("dissertation", setting.dissertation);
   choose("leave-one-out, least of 400", global_minimum_of_cost(arc));
@@ -216,7 +216,8 @@ void draw_study(const Study& study, int i, scene::Plot& plot) {
 }
 
 void draw(const std::vector<Study>& all, scene::Show& show) {
-  scene::Plot& plot = show.plots("Leave-one-out picks where rounding is; the error does not");
+  scene::Plot& plot =
+      show.plots("Shapes by leave-one-out lie where rounding dominates, unlike those of least error");
   scene::Table data({{"nodes", 3, true},
                      {"shape"},
                      {"inverse"},
@@ -265,11 +266,11 @@ void check_errors(const std::vector<Study>& all, scene::Show& show) {
             "regression value: truncation 5.9e-5 and rounding");
   constexpr std::array best = {0.425, 2.40}, least = {8.6e-8, 7.5e-7};
   for (std::size_t i = 0; i < best.size(); ++i) {
-    const Choice& ours = all[i].least_error();
+    const Choice& computed = all[i].least_error();
     const int n = all[i].setting.nodes;
-    show.near(fmt::format("c h of least error, N = {}", n), ours.shape, best[i], 0.02,
+    show.near(fmt::format("c h of least error, N = {}", n), computed.shape, best[i], 0.02,
               "tools/oracles/rbf_ivp_shapes.py, three digits; the least is flat or a cusp");
-    show.at_most(fmt::format("least error, N = {}", n), ours.stable, least[i] * 1.06,
+    show.at_most(fmt::format("least error, N = {}", n), computed.stable, least[i] * 1.06,
                  "tools/oracles/rbf_ivp_shapes.py; 8.6e-8 is a regression value");
   }
   show.at_most("least error, N = 35", all[2].least_error().stable, 2.05e-9 * 1.06,
@@ -292,7 +293,7 @@ void check_choices(const std::vector<Study>& all, scene::Show& show) {
                  HUGE_VAL, "a scan gained as much; two digits each");
     show.between(fmt::format("gain of the shape of an earlier arc over polynomials, N = {}", n),
                  study.flat / study.of_earlier_arc().stable, 1, 1.001 * gain,
-                 "a loss would speak against it; no shape gains more than the best for this arc");
+                 "no loss expected; no shape gains more than the best for this arc");
   }
 }
 
@@ -302,7 +303,7 @@ void put(const std::vector<Study>& all, scene::Show& show) {
   for (const Study& study : all) choices.insert(choices.end(), study.choices.begin(), study.choices.end());
   show.table(choices, {{"N", &Choice::nodes},
                        {"h (P)", &Choice::periods, 2},
-                       {"choice", &Choice::way},
+                       {"choice", &Choice::rule},
                        {"c h", &Choice::shape},
                        {"error, LU", &Choice::solved},
                        {"error, stable", &Choice::stable},
@@ -322,7 +323,7 @@ std::vector<scene::Scene> scenes() {
       "rounding and without, and shapes chosen by each",
       studies);
   return {{.name = "shape-study",
-           .title = "The shape by leave-one-out cross-validation, and by the error itself",
+           .title = "Shape parameter by leave-one-out cross-validation and by the error",
            .place = "our own, for the claims of section 4.3",
            .content = scene::Content(put, runs)}};
 }

@@ -253,7 +253,7 @@ std::vector<scene::Scene> scenes() {
       "intervals",
       compute);
   return {{.name = "solver-study",
-           .title = "Iterations of Newton, Picard and the scalar homotopies on the equations of an interval",
+           .title = "Iterations of Newton, Picard and the scalar homotopies for the equations of an interval",
            .place = "our own, for future work: solvers without the inverse of the Jacobian",
            .content = scene::Content(put, study)}};
 }

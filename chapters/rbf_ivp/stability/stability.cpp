@@ -186,7 +186,7 @@ void draw(const std::vector<Ending>& endings, scene::Show& show) {
     }
   }
   show.draw(std::move(data), "rbf_ivp-stability",
-            {{"heading", "Jumps defeat fixed steps; only implicit control passes all"},
+            {{"heading", "Stiff problems: only implicit methods with adaptive steps solve all"},
              {"rows_fixed", std::to_string(fixed_rows)},
              {"rows_adaptive", std::to_string(adaptive_rows)},
              {"height", "620"}});
@@ -214,8 +214,8 @@ void check(const std::vector<Ending>& endings, scene::Show& show) {
   }
   show.between("problems but van der Pol 1000 and Robertson of which radau-coll finds a digit or more", radau,
                show.quick() ? smooth - 1 : smooth, smooth,
-               "L-stable, order 11: all of them with a step short enough for the leaps; but for one with "
-               "--quick, whose search ends before");
+               "L-stable, order 11: all of them with a step short enough for the fast transitions; with "
+               "--quick one less, because its search ends earlier");
   show.between("fewest digits of adaptive-collocation on a problem", least, 4, 16,
                "two digits less than the tolerance, as the codes of the test set's tables lose at most");
 }
@@ -266,13 +266,13 @@ void put(const std::vector<Ending>& endings, scene::Show& show) {
 std::vector<scene::Scene> scenes() {
   const scene::Result endings(
       "stiff-ends",
-      "fixed steps: the largest of end/2^(k/4) that ends well with a digit or more, as does its half (for "
+      "fixed steps: the largest of end/2^(k/4) that succeeds with a digit or more, as does its half (for "
       "rbf-coll c h = 0.367), down to end/2^17 for collocations, 2^23 for explicit formulas, 2^19 for others "
       "(none beyond 2^10 on Robertson, 2^18 on HIRES); others: tolerance 1e-6, 2^17 steps at most; 10 % "
       "error of the largest component (Robertson, HIRES: of any) is a digit",
       all_endings);
   return {{.name = "stability",
-           .title = "Every method on stiff problems: largest step of use, digits, or how it fails",
+           .title = "Stiff problems: largest usable step, digits or failure of each method",
            .content = scene::Content(put, endings)}};
 }
 

@@ -86,17 +86,18 @@ void add_rows(chapters::Speed& all, const Ellipse& ellipse, double wanted) {
   const Integrator rkn1210 = general<ivp::Rkn1210>([](double tolerance) {
     return ivp::Rkn1210{.relative_tolerance = tolerance, .absolute_tolerance = tolerance};
   });
-  const Integrator walked = general<peers::OdeintDirect>([](double tolerance) {
+  const Integrator stepped = general<peers::OdeintDirect>([](double tolerance) {
     return peers::OdeintDirect{{fehlberg78, tolerance, tolerance}};
   });
-  const std::string ours = "analytic-continuation", alone = "odeint-fehlberg78 alone",
-                    in_our_walk = "odeint-fehlberg78 in our loop";
+  const std::string computed = "analytic-continuation", alone = "odeint-fehlberg78 alone",
+                    in_loop = "odeint-fehlberg78 in our loop";
   for (const TimedMethod& method :
-       {TimedMethod{ours, by_series}, {"rkn1210", rkn1210}, {in_our_walk, walked}, {alone, by_odeint}}) {
+       {TimedMethod{computed, by_series}, {"rkn1210", rkn1210}, {in_loop, stepped}, {alone, by_odeint}}) {
     const auto error = [&](double tolerance) -> std::optional<double> {
       // With a tolerance below rounding Odeint's own loop may not terminate; the nlmech loop returns a
       // failure.
-      if (method.name == alone && !walked(ellipse.start, orbits * revolution, tolerance)) return std::nullopt;
+      if (method.name == alone && !stepped(ellipse.start, orbits * revolution, tolerance))
+        return std::nullopt;
       return chapters::median_error(phases, [&](std::size_t i) -> std::optional<double> {
         const Place end = method.run(ellipse.start, ellipse.times[i], tolerance);
         return end ? std::optional((*end - ellipse.places[i]).norm()) : std::nullopt;
@@ -110,10 +111,10 @@ void add_rows(chapters::Speed& all, const Ellipse& ellipse, double wanted) {
   const auto claim = [&](const std::string& mine, const std::string& peer, double least) {
     all.claim(name_of(mine), name_of(peer), least, fmt::format("{} against {}", name_of(mine), peer));
   };
-  claim(ours, "rkn1210", wanted < 1e-9 ? 1.8 : 1.5);
+  claim(computed, "rkn1210", wanted < 1e-9 ? 1.8 : 1.5);
   if (wanted < 1e-9) return;
-  claim(ours, alone, 3);
-  claim(in_our_walk, alone, 0.5);  // at most twice the time in the nlmech loop
+  claim(computed, alone, 3);
+  claim(in_loop, alone, 0.5);  // at most twice the time in the nlmech loop
 }
 
 void rows(chapters::Speed& all) {

@@ -18,7 +18,7 @@ using comparison::Example;
 using comparison::Kind;
 
 constexpr int orbits = 20;
-const char* const ours = "analytic-continuation";
+const char* const computed = "analytic-continuation";
 
 /// Settings of a scene.
 struct Subject {
@@ -58,7 +58,7 @@ Example example_of(const Subject& subject) {
 
 /// Analytic continuation over the tolerances 1e-4 to 1e-17.
 scene::MethodLine adaptive(const Example& c, bool quick) {
-  scene::MethodLine curve = comparison::line_of(ours, Kind::own);
+  scene::MethodLine curve = comparison::line_of(computed, Kind::own);
   for (int power = 4; power <= 17; power += quick ? 6 : 1) {
     const double tolerance = std::pow(10, -power);
     curve.attempts.push_back(
@@ -122,10 +122,10 @@ comparison::Costs measure(const Subject& subject, bool quick) {
 
 void check(const comparison::Costs& m, const Subject& subject, scene::Show& show) {
   const double rounding = m.condition * std::numeric_limits<double>::epsilon();
-  const scene::MethodLine& series = m.lines.of(ours);
+  const scene::MethodLine& series = m.lines.of(computed);
   const auto tightest = static_cast<double>(comparison::steps_of(*series.best()));
   const auto least = [&](const char* name) { return m.lines.of(name).least_error(); };
-  show.at_most("least error of analytic continuation", least(ours), 8 * rounding,
+  show.at_most("least error of analytic continuation", least(computed), 8 * rounding,
                "eight roundings of the data times the condition of Kepler's problem, by its derivatives");
   show.at_most("error of Kepler's solution", least("Kepler"), 8 * rounding, "the same");
   show.at_most("error of analytic continuation at a tolerance of 1e-10",

@@ -112,8 +112,8 @@ std::optional<double> loosest(const Orbits& orbits, const Way& run, double wante
 
 /// Adds the orbits one by one, in lanes, and the multiply-adds of the lanes alone.
 void add_rows(chapters::Speed& all, const Shared& orbits, double wanted) {
-  const auto name_of = [&](const std::string& way) {
-    return fmt::format("{}, {} to {:g}", orbits->name, way, wanted);
+  const auto name_of = [&](const std::string& method) {
+    return fmt::format("{}, {} to {:g}", orbits->name, method, wanted);
   };
   const std::string single = name_of("one by one");
   const Way alone = one_by_one(orbits);
@@ -121,15 +121,15 @@ void add_rows(chapters::Speed& all, const Shared& orbits, double wanted) {
     all.add(single, [alone, t = *tolerance] { return alone(t); });
   for (const auto& [set, least] : {std::pair{InstructionSet::avx2, 4}, {InstructionSet::avx512, 5}}) {
     if (!available(set)) continue;
-    const std::string ours = name_of(fmt::format("lanes of {}", to_string(set)));
+    const std::string computed = name_of(fmt::format("lanes of {}", to_string(set)));
     const Way run = in_lanes(orbits, set);
     const auto tolerance = loosest(*orbits, run, wanted);
     if (!tolerance) continue;
-    all.add(ours, [run, t = *tolerance] { return run(t); });
+    all.add(computed, [run, t = *tolerance] { return run(t); });
     const double count = multiply_adds_of(*orbits, run(*tolerance));
-    all.add(ours + ", multiply-adds alone",
+    all.add(computed + ", multiply-adds alone",
             [instructions = set, count] { return chapters::multiply_adds(instructions, count); });
-    all.claim(ours, single, least, ours + " against one by one");
+    all.claim(computed, single, least, computed + " against one by one");
   }
 }
 

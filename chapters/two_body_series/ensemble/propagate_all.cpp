@@ -35,7 +35,8 @@ class OrbitCatalogue {
     refuse_doubled("until", request.until);
     refuse_doubled("mu", request.mu);
     if (!request.until && !catalogue_.has("until"))
-      throw input_error("{}: has no column until; give it, or --until T for all rows", catalogue_.name());
+      throw input_error("{}: has no column until; add the column, or give --until T for all rows",
+                        catalogue_.name());
   }
 
   [[nodiscard]] int print() {
@@ -61,7 +62,8 @@ class OrbitCatalogue {
  private:
   void refuse_doubled(const char* column, const std::optional<double>& option) const {
     if (option && catalogue_.has(column))
-      throw input_error("--{} {}: {} has a column {}", column, *option, catalogue_.name(), column);
+      throw input_error("--{} {}: {} has a column {}; leave out one of the two", column, *option,
+                        catalogue_.name(), column);
   }
 
   [[nodiscard]] double lines_between(const std::vector<double>& row) const {
@@ -71,8 +73,7 @@ class OrbitCatalogue {
   /// Error message for an input row; empty if it is valid. Also called by the constructor of catalogue_, when
   /// only the members declared before catalogue_ exist.
   [[nodiscard]] std::string complaint(const std::vector<double>& row) const {
-    if (row[x] == 0 && row[y] == 0 && row[z] == 0)
-      return "x,y,z = 0,0,0 is the centre, where the attraction has no bound";
+    if (row[x] == 0 && row[y] == 0 && row[z] == 0) return "x,y,z = 0,0,0 is the centre of attraction";
     if (row[mu] <= 0) return fmt::format("mu = {:.17g}: must be positive", row[mu]);
     if (!request_.mu && std::isnan(row[mu])) {
       const std::string why = inside_the_earth(start_of(row));

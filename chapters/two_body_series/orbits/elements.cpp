@@ -18,10 +18,10 @@ constexpr double degree = std::numbers::pi / 180;
 /// Longitude of the periapsis, Omega + omega, in degrees.
 double longitude_of(const Elements& e) { return (e.ascending_node + e.periapsis_argument) / degree; }
 
-/// An element as printed, and with mu of WGS 84 (`ours`) and the implied mu (`theirs`).
+/// An element as printed, and with mu of WGS 84 (`computed`) and the implied mu (`theirs`).
 struct Row {
   std::string orbit, element, unit, printed;
-  double ours, theirs;
+  double computed, theirs;
   std::string remark;
 };
 
@@ -40,15 +40,15 @@ struct Source {
 
 std::vector<Row> rows_of(const Source& s) {
   const double mu = s.implied_mu();
-  const Elements ours = s.by(earth_mu), theirs = s.by(mu);
+  const Elements computed = s.by(earth_mu), theirs = s.by(mu);
   const std::string name = s.orbit.name;
-  return {{name, "a", "m", s.axis, ours.semi_major_axis, theirs.semi_major_axis, ""},
-          {name, "e", "1", scene::format_number(s.e, 2), ours.eccentricity, theirs.eccentricity, ""},
-          {name, "i", "deg", "0", ours.inclination / degree, theirs.inclination / degree, ""},
-          {name, "longitude of the periapsis", "deg", s.longitude, longitude_of(ours), longitude_of(theirs),
-           s.on_longitude},
-          {name, "true anomaly", "deg", "", ours.true_anomaly / degree, theirs.true_anomaly / degree, ""},
-          {name, "T_p", "s", s.period, ours.period(earth_mu), theirs.period(mu), s.on_period}};
+  return {{name, "a", "m", s.axis, computed.semi_major_axis, theirs.semi_major_axis, ""},
+          {name, "e", "1", scene::format_number(s.e, 2), computed.eccentricity, theirs.eccentricity, ""},
+          {name, "i", "deg", "0", computed.inclination / degree, theirs.inclination / degree, ""},
+          {name, "longitude of the periapsis", "deg", s.longitude, longitude_of(computed),
+           longitude_of(theirs), s.on_longitude},
+          {name, "true anomaly", "deg", "", computed.true_anomaly / degree, theirs.true_anomaly / degree, ""},
+          {name, "T_p", "s", s.period, computed.period(earth_mu), theirs.period(mu), s.on_period}};
 }
 
 void check(const Source& low, const Source& high, scene::Show& show) {
@@ -95,7 +95,7 @@ void put(scene::Show& show) {
                     {"element", &Row::element},
                     {"unit", &Row::unit},
                     {"printed", &Row::printed},
-                    {"mu of WGS 84", &Row::ours, 10},
+                    {"mu of WGS 84", &Row::computed, 10},
                     {"implied mu", &Row::theirs, 10},
                     {"remark", &Row::remark}});
   check(low, high, show);

@@ -211,10 +211,11 @@ void put(const Outcome& m, scene::Show& show) {
   show.near("order of the fixed series of degree 2",
             std::log10(error("e = 0.1, an orbit in 1000 steps", "fixed, order 2") /
                        error("e = 0.1, an orbit in 10000 steps", "fixed, order 2")),
-            2, 0.05, "ten times the steps, a hundredth of the error");
+            2, 0.05, "a hundredth of the error with ten times the steps");
   show.equals("series that refuse r = 0, of three", count("r = 0", "refused"), 3, "all of them");
   show.at_most("error of no time", error("no time", "series"), 0, "the start itself");
-  show.at_most("difference between SI and units by powers of two", m.powers_of_two, 0, "no digit is touched");
+  show.at_most("difference between SI and units by powers of two", m.powers_of_two, 0,
+               "exact: no digit changes");
   show.at_most("difference between SI and canonical units", m.canonical,
                16 * m.rounding + std::numeric_limits<double>::epsilon(),
                "mu, time and six components rounded once more, times the condition");
@@ -229,7 +230,7 @@ std::vector<scene::Scene> scenes() {
       "million steps",
       measure);
   return {{.name = "extremes",
-           .title = "Thin ellipses, collisions, flybys, units: what each method answers",
+           .title = "Results of each method for thin ellipses, collisions, flybys and other units",
            .content = scene::Content(put, outcome)}};
 }
 

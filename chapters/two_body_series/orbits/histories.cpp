@@ -41,7 +41,7 @@ struct Records {
 /// Draws the errors; those of exactly 0 are drawn at 2e-17 on the logarithmic axis.
 void draw(const Records& r, const Orbit& orbit, scene::Show& show) {
   scene::Panel& panel = show.plot(
-      fmt::format("{}: ode45 to {}, Analytic-Cont to {}, the others at rounding", orbit.name,
+      fmt::format("{} energy error: ode45 to {}, Analytic-Cont to {}, others at rounding", orbit.name,
                   scene::format_number(greatest(r.ode45), 1), scene::format_number(greatest(r.series), 1)),
       "orbits", "|{/:Italic E}_k − {/:Italic E}_0|/|{/:Italic E}_0|");
   panel.x_range(0, 20).log_y(1e-17, std::pow(10, std::ceil(std::log10(greatest(r.ode45)))));

@@ -20,7 +20,7 @@ struct Line {
   Propagator propagator;
   int orbits;
   const EnergyRecord& record;
-  double ours;
+  double computed;
   std::string verdict;
   std::optional<double> published, published_ms;
   std::optional<double> literal = {};  ///< norm of the series with (3.66) as printed
@@ -39,9 +39,9 @@ struct Line {
   /// The norm as nominal or inferred value. Inferred: ode45, whose tolerances are not printed, and the
   /// series, because (3.66) is misprinted.
   [[nodiscard]] scene::Measured measured() const {
-    if (propagator == Propagator::ode45) return {{}, ours};
-    if (propagator == Propagator::series) return {literal, ours};
-    return {ours, {}};
+    if (propagator == Propagator::ode45) return {{}, computed};
+    if (propagator == Propagator::series) return {literal, computed};
+    return {computed, {}};
   }
 };
 
@@ -64,7 +64,7 @@ std::vector<Line> lines_of(const Orbit& orbit, const Records& records) {
   for (const int orbits : revolutions) {
     for (const Propagator p : all_propagators) {
       const EnergyRecord& record = *records[lines.size()];
-      Line line{p, orbits, record, norm_of(record.error), "ours alone", {}, {}};
+      Line line{p, orbits, record, norm_of(record.error), "not printed", {}, {}};
       if (const auto value = printed.find(norm_in_source(orbit, p, orbits)); value != printed.end()) {
         line.published = value->second.value;
         if (p == Propagator::series) line.literal = norm_by_printed_recursion(orbit, orbits);
@@ -84,7 +84,7 @@ void tabulate(const std::vector<Line>& lines, scene::Show& show) {
   show.table(lines, {{"orbits", &Line::orbits},
                      {"method", &Line::method},
                      {"steps", &Line::steps},
-                     {"energy error norm", &Line::ours},
+                     {"energy error norm", &Line::computed},
                      {"published", &Line::published},
                      {"verdict", &Line::verdict},
                      {"position error (m)", &Line::position_error, 2},
@@ -95,13 +95,14 @@ void tabulate(const std::vector<Line>& lines, scene::Show& show) {
 
 /// Draws the rows from the top down with labels at the left; the key is below the heading.
 void draw(const std::vector<Line>& lines, const Orbit& orbit, double ratio, scene::Show& show) {
-  scene::Plot& plot = show.plots(fmt::format("{}: Analytic-Cont is {} times better than printed", orbit.name,
-                                             scene::format_number(ratio, 2)));
+  scene::Plot& plot =
+      show.plots(fmt::format("{}: energy error of Analytic-Cont {} times smaller than printed", orbit.name,
+                             scene::format_number(ratio, 2)));
   plot.size(760, 640).data(
       scene::table_of(lines, {{"row", [&](const Line& l) { return &l - lines.data() + 1; }},
                               {"label", &Line::label},
                               {"published", &Line::published},
-                              {"ours", &Line::ours},
+                              {"computed", &Line::computed},
                               {"published_ms", &Line::published_ms},
                               {"time_ms", &Line::milliseconds}}));
   const scene::CurveStyle dots{"points pointtype 7 pointsize 1.1", 1},
@@ -115,9 +116,9 @@ void draw(const std::vector<Line>& lines, const Orbit& orbit, double ratio, scen
       .set("xtics 1e4")
       .set("ytics scale 0")
       .key("at screen 0.5, screen 0.91 center center horizontal maxrows 1 samplen 1")
-      .columns("ours", "ours:row:ytic(stringcolumn('label'))", dots)
+      .columns("computed", "computed:row:ytic(stringcolumn('label'))", dots)
       .columns("printed", "published:row", rings);
-  add_panel("time of a run (ms)", 0.72, 0.97)
+  add_panel("time per run (ms)", 0.72, 0.97)
       .set("xtics 100")
       .set("ytics 1")
       .set("format y ''")
@@ -176,7 +177,7 @@ void check(const std::vector<Line>& lines, const Known& known, scene::Show& show
     const auto name = [&](Propagator p) {
       return fmt::format("energy error norm of {}, {} orbits", name_of(p), orbits);
     };
-    const auto norm = [&](Propagator p) { return line_of(lines, p, orbits).ours; };
+    const auto norm = [&](Propagator p) { return line_of(lines, p, orbits).computed; };
     show.near(name(Propagator::series), norm(Propagator::series), known.series[i], known.share, known.oracle);
     show.near(fmt::format("energy error norm by (3.66) as printed, {} orbits", orbits),
               line_of(lines, Propagator::series, orbits).literal.value_or(NAN), known.literal[i],
@@ -193,7 +194,7 @@ void check(const std::vector<Line>& lines, const Known& known, scene::Show& show
   for (const int orbits : revolutions) {
     const Line& series = line_of(lines, Propagator::series, orbits);
     show.between(fmt::format("printed over ours, Analytic-Cont, {} orbits", orbits),
-                 *series.published / series.ours, known.least_gain, known.most_gain, known.gains);
+                 *series.published / series.computed, known.least_gain, known.most_gain, known.gains);
   }
   // The error of the last velocity term shifts the body along the orbit; the energy error understates it.
   show.near("position error of Analytic-Cont after 20 orbits",
@@ -205,7 +206,7 @@ scene::Scene table(const Orbit& orbit) {
   const auto put = [orbit](const Records& records, scene::Show& show) {
     const std::vector<Line> lines = lines_of(orbit, records);
     const Line& first = line_of(lines, Propagator::series, revolutions[0]);
-    draw(lines, orbit, *first.published / first.ours, show);
+    draw(lines, orbit, *first.published / first.computed, show);
     tabulate(lines, show);
     check(lines, known(orbit), show);
     for (const Line& l : lines) {
@@ -220,7 +221,7 @@ scene::Scene table(const Orbit& orbit) {
   }
   const std::string name = table_of(orbit);
   return {.name = name,
-          .title = fmt::format("{}: energy error and time over 5, 10 and 20 orbits, published beside ours",
+          .title = fmt::format("{}: energy error and time over 5, 10 and 20 orbits, published and recomputed",
                                orbit.name),
           .place = "Table " + name.substr(6),
           .content = scene::Content(put, records)};

@@ -55,7 +55,7 @@ scene::Figure draw() {
   FlowChart chart;
   chart.box({23, 88}, {20, 8},
             {"{/:Bold given}", "r, r′ at {/:Italic t}_0; μ", "order {/:Italic K}, step {/:Italic h}"});
-  chart.box({23, 62}, {20, 8}, {"{/:Bold begin of a step}", "r^{(0)} = r,  r^{(1)} = r′,  {/:Italic n} = 0"});
+  chart.box({23, 62}, {20, 8}, {"{/:Bold start of a step}", "r^{(0)} = r,  r^{(1)} = r′,  {/:Italic n} = 0"});
   chart.box(
       {23, 17}, {20, 10},
       {"{/:Bold end of the step}", "r ← Σ r^{(k)} {/:Italic h^k}/{/:Italic k}!,  {/:Italic k} ≤ {/:Italic K}",
@@ -75,18 +75,18 @@ scene::Figure draw() {
             {"{/:Bold r″ = −μ g_3 r}  (3.68)",
              "r^{(n+2)} = −μ Σ C({/:Italic n}, {/:Italic m}) r^{(m)}{/:Italic g}_3^{(n−m)}"});
   chart.decision({73, 17}, {18, 9}, {"{/:Italic n} + 2 = {/:Italic K}?"});
-  chart.way({{23, 80}, {23, 70}});
-  chart.way({{43, 62}, {45.5, 62}, {45.5, 88}, {49, 88}});
-  for (const double y : {80.0, 58.0}) chart.way({{73, y}, {73, y - 6}});
-  chart.way({{73, 36}, {73, 26}});
-  chart.way({{91, 17}, {99.3, 17}, {99.3, 88}, {97, 88}});
-  chart.way({{55, 17}, {43, 17}});
-  chart.way({{23, 27}, {23, 54}});
+  chart.arrow({{23, 80}, {23, 70}});
+  chart.arrow({{43, 62}, {45.5, 62}, {45.5, 88}, {49, 88}});
+  for (const double y : {80.0, 58.0}) chart.arrow({{73, y}, {73, y - 6}});
+  chart.arrow({{73, 36}, {73, 26}});
+  chart.arrow({{91, 17}, {99.3, 17}, {99.3, 88}, {97, 88}});
+  chart.arrow({{55, 17}, {43, 17}});
+  chart.arrow({{23, 27}, {23, 54}});
   chart.note("yes", {49, 20});
   chart.note("no", {94.5, 20});
   chart.note("next step", {30.5, 40});
   chart.note("{/:Italic n} ← {/:Italic n} + 1", {92, 30});
-  return chart.take("Analytic continuation: every derivative follows from the ones before");
+  return chart.take("Analytic continuation: each derivative follows from those of lower order");
 }
 
 void put(scene::Show& show) {

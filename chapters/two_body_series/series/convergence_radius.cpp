@@ -130,8 +130,8 @@ void tabulate(const std::vector<Choice>& choices, scene::Show& show) {
 
 /// Draws the radii; marks are radii from the coefficients.
 void draw(const std::vector<Radii>& all, scene::Show& show) {
-  scene::Panel& panel = show.plot("Near the periapsis a step must be short to converge at all",
-                                  "mean anomaly (degrees); periapsis at 0", "radius of convergence (orbits)");
+  scene::Panel& panel = show.plot("Radius of convergence along the orbit: smallest at the periapsis",
+                                  "mean anomaly (deg); periapsis at 0", "radius of convergence (orbits)");
   panel.x_range(-180, 180).log_y(1e-4, 2).set("xtics 60").key("bottom left");
   const char* small = "right font 'sans-serif,11' textcolor rgb soft_ink";
   panel.level(0.04).level(0.01);

@@ -38,18 +38,18 @@ Norms printed_norms(const Orbit& orbit, Propagator propagator, scene::Show& show
   return norms;
 }
 
-/// Largest deviation of the three norms from the printed ones: max(ours/printed, printed/ours) - 1.
-double distance(const Norms& ours, const Norms& printed) {
+/// Largest deviation of the three norms from the printed ones: max(computed/printed, printed/computed) - 1.
+double distance(const Norms& computed, const Norms& printed) {
   double worst = 0;
-  for (std::size_t k = 0; k < ours.size(); ++k) {
-    const double ratio = ours[k] / printed[k], factor = std::max(ratio, 1 / ratio) - 1;
+  for (std::size_t k = 0; k < computed.size(); ++k) {
+    const double ratio = computed[k] / printed[k], factor = std::max(ratio, 1 / ratio) - 1;
     if (!(factor <= worst)) worst = factor;
   }
   return worst;
 }
 
 /// Are all three norms within 10 % of the printed ones?
-bool fits(const Norms& ours, const Norms& printed) { return distance(ours, printed) <= 0.1; }
+bool fits(const Norms& computed, const Norms& printed) { return distance(computed, printed) <= 0.1; }
 
 /// Norms of a run over twenty orbits; infinite if it fails.
 Norms norms_of(const Orbit& orbit, const Degrees& degrees, double steps) {
@@ -144,7 +144,7 @@ struct Study {
 struct Row {
   std::string orbit, method, reading;
   std::optional<double> steps;
-  Norms ours, printed;
+  Norms computed, printed;
 };
 
 void add_rows(std::vector<Row>& rows, const Study& study, scene::Show& show) {
@@ -153,17 +153,17 @@ void add_rows(std::vector<Row>& rows, const Study& study, scene::Show& show) {
               ode45 = printed_norms(orbit, Propagator::ode45, show),
               f_and_g = printed_norms(orbit, Propagator::f_and_g, show);
   for (const Degrees& d : plan_of(orbit).degrees) {
-    const Norms ours = norms_of(orbit, d, orbit.steps);
-    rows.push_back({orbit.name, "Analytic-Cont", d.text(), orbit.steps, ours, series});
+    const Norms computed = norms_of(orbit, d, orbit.steps);
+    rows.push_back({orbit.name, "Analytic-Cont", d.text(), orbit.steps, computed, series});
     const Trial best = study.trials.best_of(d, series);
     if (best.steps != orbit.steps)
       rows.push_back({orbit.name, "Analytic-Cont", d.text() + ", nearest", best.steps, best.norms, series});
   }
   // Possible output points of the printed values of ode45.
   const auto add = [&](const char* reading, std::vector<double> EnergyRecord::*points) {
-    Norms ours{};
-    for (std::size_t k = 0; k < ours.size(); ++k) ours[k] = norm_of(study.ode45[k]->*points);
-    rows.push_back({orbit.name, "ode45", reading, {}, ours, ode45});
+    Norms computed{};
+    for (std::size_t k = 0; k < computed.size(); ++k) computed[k] = norm_of(study.ode45[k]->*points);
+    rows.push_back({orbit.name, "ode45", reading, {}, computed, ode45});
   };
   add("points of Analytic-Cont", &EnergyRecord::error);
   add("ends of its steps", &EnergyRecord::at_ends);
@@ -173,20 +173,20 @@ void add_rows(std::vector<Row>& rows, const Study& study, scene::Show& show) {
 }
 
 void tabulate(const std::vector<Row>& rows, scene::Show& show) {
-  const auto ours = [](std::size_t k) { return [k](const Row& r) { return r.ours[k]; }; };
-  const auto ratio = [](std::size_t k) { return [k](const Row& r) { return r.ours[k] / r.printed[k]; }; };
+  const auto computed = [](std::size_t k) { return [k](const Row& r) { return r.computed[k]; }; };
+  const auto ratio = [](std::size_t k) { return [k](const Row& r) { return r.computed[k] / r.printed[k]; }; };
   show.table(rows,
              {{"orbit", &Row::orbit},
               {"method", &Row::method},
               {"reading", &Row::reading},
               {"steps an orbit", &Row::steps, 4},
-              {"5 orbits", ours(0)},
-              {"10 orbits", ours(1)},
-              {"20 orbits", ours(2)},
+              {"5 orbits", computed(0)},
+              {"10 orbits", computed(1)},
+              {"20 orbits", computed(2)},
               {"times printed, 5", ratio(0), 2},
               {"10", ratio(1), 2},
               {"20", ratio(2), 2},
-              {"all within 10 %", [](const Row& r) { return fits(r.ours, r.printed) ? "yes" : "no"; }}});
+              {"all within 10 %", [](const Row& r) { return fits(r.computed, r.printed) ? "yes" : "no"; }}});
 }
 
 /// Adds one curve per pair of degrees.
@@ -211,9 +211,10 @@ void add_panel(scene::Panel& panel, int first_block, scene::Table& data, const S
 }
 
 void draw(const Study& low, const Study& high, scene::Show& show) {
-  scene::Plot& plot = show.plots("No pair of degrees gives the printed errors with the printed steps");
+  scene::Plot& plot =
+      show.plots("Ratio of errors: no pair of degrees fits the printed errors at the printed steps");
   scene::Table data({{"curve", 3, true}, {"steps"}, {"distance"}});
-  scene::Panel& left = plot.panel("steps an orbit", "max(ours/printed, printed/ours) − 1");
+  scene::Panel& left = plot.panel("steps an orbit", "max(computed/printed, printed/computed) − 1");
   left.x_range(18.8, 25.2).log_y(1e-2, 1e4).set("margins screen 0.12, screen 0.52, screen 0.13, screen 0.74");
   left.set("label 4 '10 %' at graph 0.97, first 0.14 right textcolor rgb soft_ink");
   add_panel(left, 0, data, low, show);
@@ -245,17 +246,17 @@ void check_norms(scene::Show& show) {
                                   {high_orbit(), {17, 18}, 100, {3.557e-8, 9.163e-8, 2.466e-7}, 0.001},
                                   {high_orbit(), {30, 29}, 72, {3.237e-8, 8.609e-8, 2.357e-7}, 0.001}};
   for (const Known& k : all) {
-    const Norms ours = norms_of(k.orbit, k.degrees, k.steps);
-    for (std::size_t i = 0; i < ours.size(); ++i)
+    const Norms computed = norms_of(k.orbit, k.degrees, k.steps);
+    for (std::size_t i = 0; i < computed.size(); ++i)
       show.near(fmt::format("norm of {} {}, {:g} steps, {} orbits", k.orbit.name, k.degrees.text(), k.steps,
                             revolutions[i]),
-                ours[i], k.norms[i], k.share, "tools/oracles/two_body_series_steps.py, to its digits");
+                computed[i], k.norms[i], k.share, "tools/oracles/two_body_series_steps.py, to its digits");
   }
   // Newton's iteration stopped at 1e-6 gives the same error in every orbit, like the printed values.
-  const Norms ours = norms_of_f_and_g(high_orbit(), 1e-6), known = {3.85e-12, 5.53e-12, 7.81e-12};
-  for (std::size_t i = 0; i < ours.size(); ++i)
-    show.near(fmt::format("norm of HEO F&G, Newton to 1e-6, {} orbits", revolutions[i]), ours[i], known[i],
-              0.1, "regression value; a tenth of it is rounding of both");
+  const Norms computed = norms_of_f_and_g(high_orbit(), 1e-6), known = {3.85e-12, 5.53e-12, 7.81e-12};
+  for (std::size_t i = 0; i < computed.size(); ++i)
+    show.near(fmt::format("norm of HEO F&G, Newton to 1e-6, {} orbits", revolutions[i]), computed[i],
+              known[i], 0.1, "regression value; a tenth of it is rounding of both");
 }
 
 void check_fits(const Study& study, double share, scene::Show& show) {
@@ -298,7 +299,7 @@ std::vector<scene::Result<EnergyRecord>> ode45_of(const Orbit& orbit) {
 
 std::vector<scene::Scene> scenes() {
   return {{.name = "reading-study",
-           .title = "Which degrees and steps the printed energy errors fit",
+           .title = "Degrees and steps that fit the printed energy errors",
            .place = "our own, for Tables 3.2 and 3.3",
            .content = scene::Content(put, trials_of("leo-readings", low_orbit()),
                                      trials_of("heo-readings", high_orbit()), ode45_of(low_orbit()),

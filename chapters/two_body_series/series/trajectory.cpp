@@ -131,11 +131,11 @@ struct Units {
     length = std::ldexp(1.0, a);
     time = std::ldexp(1.0, b);
     if (!std::isnormal(length) || !std::isnormal(time) || !std::isnormal(length / time))
-      throw Failure(failed_with(
-          Outcome::outside_validity,
-          "rkn1210: the distance {:g} and mu = {:g} make units of length and time that are no doubles; give "
-          "the data in other units, or use --method kepler",
-          r.start.position.stableNorm(), r.gravity.mu));
+      throw Failure(
+          failed_with(Outcome::outside_validity,
+                      "rkn1210: the distance {:g} and mu = {:g} give units of length and time beyond the "
+                      "range of doubles; give the data in other units, or use --method kepler",
+                      r.start.position.stableNorm(), r.gravity.mu));
     gravity = r.gravity;
     gravity.radius = std::ldexp(r.gravity.radius, -a);
     gravity.mu = std::ldexp(r.gravity.mu, 2 * b - 3 * a);
@@ -203,12 +203,13 @@ std::string rows_of_rkn1210(const OrbitRequest& request) {
   if (!rows.status().ok()) throw Failure(rows.status());
   if (!end.status.ok()) {
     // The message of the status has scaled units; report time and distance in the user's units.
-    throw Failure(failed_with(end.status.outcome(),
-                              "rkn1210: it ends at t = {:.17g}, a distance of {:.6g} from the centre; loosen "
-                              "the tolerance {:g}, or "
-                              "use the method series{}",
-                              end.t * units.time, units.users(end.x).position.norm(), request.tolerance,
-                              request.gravity.degree() == 0 ? fmt::format("; {}", without_steps) : ""));
+    throw Failure(
+        failed_with(end.status.outcome(),
+                    "rkn1210: stopped at t = {:.17g}, at a distance of {:.6g} from the centre; loosen "
+                    "the tolerance {:g}, or "
+                    "use the method series{}",
+                    end.t * units.time, units.users(end.x).position.norm(), request.tolerance,
+                    request.gravity.degree() == 0 ? fmt::format("; {}", without_steps) : ""));
   }
   say_steps_are_needless(request, end.statistics.steps);
   return rows.finish(units.users(end.x));

@@ -204,7 +204,8 @@ void draw(const std::vector<Outcome>& all, scene::Show& show) {
       {"division, compensated", {"division, compensated", 1}},
       {"adaptive, tolerance 1e-15", {"adaptive, tolerance 10^{−15}", 7}},
       {"adaptive, tolerance 1e-17", {"adaptive, tolerance 10^{−17}", 4}}};
-  scene::Plot& plot = show.plots("Rounded reciprocals drift like time, divisions like its root");
+  scene::Plot& plot = show.plots(
+      "Energy error: grows as {/:Italic t} with rounded reciprocals, as {/:Italic t}^{1/2} with divisions");
   plot.size(1000, 500);
   scene::Table data({{"line", 3, true}, {"e"}, {"method"}, {"orbits"}, {"energy_error"}, {"position_error"}});
   for (const double e : {0.1, 0.7}) {
@@ -243,15 +244,16 @@ void check(const std::vector<Outcome>& all, scene::Show& show) {
     show.between(fmt::format("exponent of the energy, {}, e = {:g}", what, e), of(e, name).energy_slope(),
                  expected - scatter, expected + scatter, reason);
   };
-  const char* walk =
-      "Brouwer's law; root mean squares of eight walks scatter by a quarter, of four by a third";
-  const char* line = "the same share in every step; the walk of rounding is still felt at 100 orbits";
+  const char* random_walk =
+      "Brouwer's law; root mean squares of eight random walks scatter by a quarter, of four by a third";
+  const char* line =
+      "the same relative error in every step; at 100 orbits the random walk of rounding still contributes";
   for (const double e : {0.1, 0.7}) {
-    exponent(division, e, division, 0.5, walk);
-    exponent(compensated, e, compensated, 0.5, walk);
+    exponent(division, e, division, 0.5, random_walk);
+    exponent(compensated, e, compensated, 0.5, random_walk);
   }
   for (const double e : {0.1, 0.7}) exponent("reciprocals, compensated", e, reciprocals, 1, line);
-  for (const double e : {0.1, 0.7}) exponent("adaptive", e, adaptive, 0.5, walk);
+  for (const double e : {0.1, 0.7}) exponent("adaptive", e, adaptive, 0.5, random_walk);
 
   struct Bound {
     double e;
@@ -291,7 +293,7 @@ std::vector<scene::Scene> scenes() {
       "states after whole orbits; fixed steps are rounded to 30 bits, so that times are exact",
       measure);
   return {{.name = "drift",
-           .title = "Energy over ten thousand orbits: what compensation and divisions are worth",
+           .title = "Energy error over ten thousand orbits: effect of compensated sums and of divisions",
            .place = "our own, stability over ten thousand orbits",
            .content = scene::Content(put, outcomes)}};
 }

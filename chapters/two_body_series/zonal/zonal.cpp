@@ -257,7 +257,7 @@ void draw_orbit(scene::Panel& panel, double orbit_hours) {
 }
 
 void draw(const std::vector<Study>& all, scene::Show& show) {
-  scene::Plot& plot = show.plots("A day about the oblate Earth: 1000 km from Kepler's ellipse");
+  scene::Plot& plot = show.plots("One day about the oblate Earth: 1000 to 1900 km from Kepler's ellipse");
   plot.size(1000, 480).data(data_of(all));
   draw_orbit(plot.panel("x (1000 km)", "y (1000 km)"),
              orbit::elements_of(all[1].j2.front(), earth_mu).period(earth_mu) / 3600);
@@ -322,7 +322,7 @@ std::vector<scene::Scene> scenes() {
       "in quadruple precision order 30 and tolerance 1e-21",
       studies);
   return {{.name = "zonal",
-           .title = "Orbits of a day with zonal harmonics, and their difference to Kepler",
+           .title = "One-day orbits with zonal harmonics: difference from Kepler's orbits",
            .place = "our own, for the future work of section 3.2.2",
            .content = scene::Content(put, result)}};
 }

@@ -76,14 +76,14 @@ TEST(IslandRadius, LooksAtEvery31stSection) {
 }
 
 TEST(Departure, FindsTheFirstTime) {
-  const Departure seen{"success", {1, 2, 3}, {0.1, 2, 0.3}};
-  EXPECT_EQ(seen.first_above(1), 2);
-  EXPECT_EQ(seen.first_above(3), std::nullopt);
-  EXPECT_EQ(seen.greatest(1.5), 0.1);
-  EXPECT_EQ(seen.greatest(10), 2);
+  const Departure departure{"success", {1, 2, 3}, {0.1, 2, 0.3}};
+  EXPECT_EQ(departure.first_above(1), 2);
+  EXPECT_EQ(departure.first_above(3), std::nullopt);
+  EXPECT_EQ(departure.greatest(1.5), 0.1);
+  EXPECT_EQ(departure.greatest(10), 2);
 }
 
-TEST(Samples, StandAtEqualTimesUpToTheEnd) {
+TEST(Samples, AreAtEqualTimesUpToTheEnd) {
   const auto& c = forced_duffing_example();
   const auto samples = sampled(c.system, c.x0, 0, 1, published_series(0.35, 20), 0.1);
   ASSERT_EQ(samples.size(), 11U);

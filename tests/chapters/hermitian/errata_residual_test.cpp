@@ -63,17 +63,17 @@ TEST(Errata, Equation6OneMisprintAtATime) {
                                                         {"one", {.one = true}},
                                                         {"load", {.load = true}}};
   const DuffingEquation p;
-  const double exact = residual(both, p, begin, end, step), corrected = equation_6(both, p, begin, end, step);
+  const double exact = residual(both, p, start, end, step), corrected = equation_6(both, p, start, end, step);
   for (const auto& [name, printed] : misprints) {
     expect_erratum(std::string("hermitian-6-") + name,
-                   {.printed = equation_6(both, p, begin, end, step, printed),
+                   {.printed = equation_6(both, p, start, end, step, printed),
                     .corrected = corrected,
                     .oracle = exact,
                     .tolerance = rounding,
                     .scale = 1});
   }
   // Nor is it correct with all of them together.
-  EXPECT_GT(std::abs(equation_6(both, p, begin, end, step, {true, true, true, true, true}) - exact), 0.1);
+  EXPECT_GT(std::abs(equation_6(both, p, start, end, step, {true, true, true, true, true}) - exact), 0.1);
 }
 
 /// Which misprints of (7) are kept; q = 1 - y_i^2, Q = 1 - y_{i+1}^2, d for delta.
@@ -130,10 +130,10 @@ TEST(Errata, Equation7OneMisprintAtATime) {
       {"rate", {.rate = true}},           {"delta", {.delta = true}},        {"load", {.load = true}},
       {"stiffness", {.stiffness = true}}, {"load-rate", {.load_rate = true}}};
   const VanDerPolEquation p;
-  const double exact = residual(both, p, begin, end, step), corrected = equation_7(both, p, begin, end, step);
+  const double exact = residual(both, p, start, end, step), corrected = equation_7(both, p, start, end, step);
   for (const auto& [name, printed] : misprints) {
     expect_erratum(std::string("hermitian-7-") + name,
-                   {.printed = equation_7(both, p, begin, end, step, printed),
+                   {.printed = equation_7(both, p, start, end, step, printed),
                     .corrected = corrected,
                     .oracle = exact,
                     .tolerance = rounding,
@@ -142,9 +142,9 @@ TEST(Errata, Equation7OneMisprintAtATime) {
   // The second (7) has the position coefficients of the first operator.
   for (const ivp::HermitianPair& pair : {ivp::laier, ivp::argyris}) {
     const HermitianOperator& o = pair.second;
-    expect_erratum("hermitian-7-one", {.printed = equation_7(o, p, begin, end, step, {}, pair.first),
-                                       .corrected = equation_7(o, p, begin, end, step),
-                                       .oracle = residual(o, p, begin, end, step),
+    expect_erratum("hermitian-7-one", {.printed = equation_7(o, p, start, end, step, {}, pair.first),
+                                       .corrected = equation_7(o, p, start, end, step),
+                                       .oracle = residual(o, p, start, end, step),
                                        .tolerance = rounding,
                                        .scale = 1});
   }
@@ -153,7 +153,7 @@ TEST(Errata, Equation7OneMisprintAtATime) {
   for (const bool of_6 : {false, true}) {
     for (const bool exchange : {false, true}) {
       const Printed7 all = {exchange, of_6, true, true, true, true, true, true};
-      EXPECT_GT(std::abs(equation_7(both, p, begin, end, step, all) - exact), 0.1);
+      EXPECT_GT(std::abs(equation_7(both, p, start, end, step, all) - exact), 0.1);
     }
   }
 }

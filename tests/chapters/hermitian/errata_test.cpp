@@ -22,11 +22,11 @@ TEST(Errata, JerksNeedThreeDots) {
   const auto end_of = [&](double j0, double j1) { return -(o.F * 6 + o.G * j0 + o.H * j1) / o.B; };
   expect_erratum("hermitian-1-jerk", {end_of(0, 6), end_of(6, 6), 1, 1e-15});
   const DuffingEquation p;
-  const Rates r = rates(p, begin);
-  const double y = begin.y, v = begin.v, nonlinear = 3 * p.mu * y * y * v;
+  const Rates r = rates(p, start);
+  const double y = start.y, v = start.v, nonlinear = 3 * p.mu * y * y * v;
   expect_erratum("hermitian-1-jerk", {.printed = r.a + p.C * v + p.K * y + nonlinear,
                                       .corrected = r.j + p.C * r.a + p.K * v + nonlinear,
-                                      .oracle = begin.df,
+                                      .oracle = start.df,
                                       .tolerance = rounding});
 }
 
@@ -45,16 +45,16 @@ TEST(Errata, Equation4IsTheDerivative) {
 // lines must give the load and its rate.
 TEST(Errata, Equation5IsVanDerPol) {
   const VanDerPolEquation p;
-  const Rates r = rates(p, begin);
-  const double y = begin.y, v = begin.v;
+  const Rates r = rates(p, start);
+  const double y = start.y, v = start.v;
   expect_erratum("hermitian-5-first", {.printed = r.a + p.d * v + p.K * y + p.d * v * v,
                                        .corrected = r.a - p.d * v + p.K * y + p.d * y * y * v,
-                                       .oracle = begin.f,
+                                       .oracle = start.f,
                                        .tolerance = rounding});
   expect_erratum("hermitian-5-second",
                  {.printed = r.a - p.d * v + p.K * y + p.d * v * v - 2 * p.d * v * v * y,
                   .corrected = r.j - p.d * r.a + p.K * v + p.d * y * y * r.a + 2 * p.d * y * v * v,
-                  .oracle = begin.df,
+                  .oracle = start.df,
                   .tolerance = rounding});
 }
 
@@ -84,11 +84,11 @@ TEST(Errata, Equation8HasTheOtherSign) {
                                  .tolerance = 1e-14});
   const DuffingEquation p;
   const auto norm = [&](const End& b) {
-    return std::hypot(residual(ivp::laier.first, p, begin, b, step),
-                      residual(ivp::laier.second, p, begin, b, step));
+    return std::hypot(residual(ivp::laier.first, p, start, b, step),
+                      residual(ivp::laier.second, p, start, b, step));
   };
-  EXPECT_LT(norm(iterate(p, begin, end, step, 6, -1)), 1e-12);
-  EXPECT_GT(norm(iterate(p, begin, end, step, 6, 1)), 10 * norm(end));
+  EXPECT_LT(norm(iterate(p, start, end, step, 6, -1)), 1e-12);
+  EXPECT_GT(norm(iterate(p, start, end, step, 6, 1)), 10 * norm(end));
 }
 
 /// F_y and G_y of (9). @param C the damping
@@ -110,7 +110,7 @@ TEST(Errata, Equation9) {
   const DuffingEquation p;
   const HermitianOperator &first = ivp::argyris.first, &second = ivp::argyris.second;
   const auto [fy, fv] = slopes(both, p, end, step);
-  const double left = residual(both, p, begin, end, step);
+  const double left = residual(both, p, start, end, step);
   expect_erratum("hermitian-9-partial", {.printed = left / end.y,
                                          .corrected = slope_by_y(both, p, end, p.C),
                                          .oracle = fy,

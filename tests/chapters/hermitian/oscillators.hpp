@@ -75,7 +75,7 @@ std::pair<double, double> slopes(const HermitianOperator& o, const Equation& p, 
           h * o.D + h * h * o.F * r.av + h * h * h * o.H * r.jv};
 }
 
-inline constexpr End begin = {0.7, -0.4, 0.3, 0.9}, end = {0.5, -0.6, 0.45, 1.1};
+inline constexpr End start = {0.7, -0.4, 0.3, 0.9}, end = {0.5, -0.6, 0.45, 1.1};
 inline constexpr double step = 0.3;
 inline constexpr HermitianOperator both = {12, -12, 6, 6, 1, -1, 0.5, -0.3};  ///< no coefficient is zero
 

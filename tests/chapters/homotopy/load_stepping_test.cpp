@@ -25,8 +25,8 @@ TEST(LoadStepping, FoundPointsCarryTheirLoads) {
       const Stepped steps = patient_steps(model, height, 2.5);
       EXPECT_EQ(steps.up.size(), 20U);
       EXPECT_EQ(steps.down.size(), 19U);
-      for (const auto* way : {&steps.up, &steps.down}) {
-        for (const LoadPoint& p : *way) {
+      for (const auto* points : {&steps.up, &steps.down}) {
+        for (const LoadPoint& p : *points) {
           ASSERT_TRUE(p.found) << height << " in, " << p.load << " lb";
           EXPECT_NEAR(static_cast<double>(load(height, p.deflection)), p.load, 2.001e-6);
         }
@@ -42,8 +42,8 @@ TEST(LoadStepping, SlopeAtFoundPointsIsAtLeastFive) {
       const auto curve = model == Model::williams ? williams_curve(height) : element_curve(height);
       for (const double step : {1.0, 0.5}) {
         const Stepped steps = patient_steps(model, height, step);
-        for (const auto* way : {&steps.up, &steps.down})
-          for (const LoadPoint& p : *way) EXPECT_GT(curve->stiffness(p.deflection) / 2, 5) << p.load;
+        for (const auto* points : {&steps.up, &steps.down})
+          for (const LoadPoint& p : *points) EXPECT_GT(curve->stiffness(p.deflection) / 2, 5) << p.load;
       }
     }
   }
@@ -118,7 +118,7 @@ TEST(LoadStepping, GivenUpLoadsAreLeftOut) {
 }
 
 // The change of branch at the first decreasing load is detected.
-TEST(LoadStepping, TheWayDownBeginsWhereTheWayUpEnded) {
+TEST(LoadStepping, UnloadingStartsWhereLoadingEnded) {
   const LoadPoint far{3, true, 0.6, 0, Branch::far}, first{2, true, 0.1, 0, Branch::first};
   ASSERT_EQ(jumps({{}, {far}, {first}}, false).size(), 1U);
   EXPECT_EQ(jumps({{}, {far}, {first}}, false)[0].before.load, 3);

@@ -90,9 +90,9 @@ TEST(FromGuesses, FiguresNeedOneCaseAtOneTime) {
 /// Processor time of this process, s.
 template <class Work>
 double processor_time(const Work& work) {
-  const std::clock_t begin = std::clock();
+  const std::clock_t start = std::clock();
   work();
-  return double(std::clock() - begin) / CLOCKS_PER_SEC;
+  return double(std::clock() - start) / CLOCKS_PER_SEC;
 }
 
 /// Time of the two results that Figure 5.1 draws.

@@ -76,7 +76,7 @@ TEST(MultipleShooting, FindsTheKnownCostates) {
   if (!multiple_shooting_available()) GTEST_SKIP() << "no CVODE in this build";
   const KnownExtremal& known = known_extremal(DuffingCase::fixed);
   const bvp::ExtremalProblem problem = duffing_problem(printed_settings(known.which, 2));
-  const Shot shot = shoot(problem, start_near(known), {.tolerance = 1e-10});
+  const ShootingResult shot = shoot(problem, start_near(known), {.tolerance = 1e-10});
   ASSERT_TRUE(shot.status.ok()) << shot.status.text();
   // Each of some hundred steps may have an error of the tolerance, which the problem amplifies by up to 100.
   EXPECT_NEAR(shot.first[2], known.first[2], 1e-6);
@@ -85,7 +85,7 @@ TEST(MultipleShooting, FindsTheKnownCostates) {
 }
 
 /// The fixed case from zeros.
-Shot shoot_from_zeros(double beta, double final_time, const SingleShooting& method = {}) {
+ShootingResult shoot_from_zeros(double beta, double final_time, const SingleShooting& method = {}) {
   bvp::DuffingSettings settings = printed_settings(DuffingCase::fixed, final_time);
   settings.beta = beta;
   return shoot_once(duffing_problem(settings), Eigen::VectorXd::Zero(4), method);
@@ -97,7 +97,7 @@ TEST(SingleShooting, LinearOscillatorInClosedForm) {
   Eigen::Matrix2d m;  // of (a, b) to (x1, x2) at T
   m << -T * s / 2, -(s - T * c) / 2, -(s + T * c) / 2, -T * s / 2;
   const Eigen::Vector2d ab = m.inverse() * Eigen::Vector2d(5, 2);
-  const Shot shot = shoot_from_zeros(0, T);
+  const ShootingResult shot = shoot_from_zeros(0, T);
   ASSERT_TRUE(shot.status.ok()) << shot.status.text();
   // ode45 at 1e-8 in some hundred steps; co-states of order 10.
   EXPECT_NEAR(shot.first[2], -ab[1], 1e-6);
@@ -105,7 +105,7 @@ TEST(SingleShooting, LinearOscillatorInClosedForm) {
 }
 
 TEST(SingleShooting, RootIsConfirmedByAnotherIntegrator) {
-  const Shot shot = shoot_from_zeros(0.9, 1);
+  const ShootingResult shot = shoot_from_zeros(0.9, 1);
   ASSERT_TRUE(shot.status.ok()) << shot.status.text();
   const bvp::ExtremalProblem problem = duffing_problem(printed_settings(DuffingCase::fixed, 1));
   const Eigen::MatrixXd integrated =
@@ -116,7 +116,7 @@ TEST(SingleShooting, RootIsConfirmedByAnotherIntegrator) {
 }
 
 TEST(SingleShooting, CutOffIsNoRoot) {
-  const Shot shot = shoot_from_zeros(0.9, 1, {.iterations = 2});
+  const ShootingResult shot = shoot_from_zeros(0.9, 1, {.iterations = 2});
   EXPECT_FALSE(shot.status.ok());
   EXPECT_FALSE(shot.status.text().empty());
 }

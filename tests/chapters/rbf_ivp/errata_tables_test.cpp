@@ -59,26 +59,26 @@ struct Oscillation {
 
   /// The classical Runge-Kutta method.
   void runge_kutta(double h, int steps) {
-    const double begin = t;
+    const double start = t;
     for (int k = 1; k <= steps; ++k) {
       const double a1 = acceleration(t, x), v2 = v + h / 2 * a1, a2 = acceleration(t + h / 2, x + h / 2 * v),
                    v3 = v + h / 2 * a2, a3 = acceleration(t + h / 2, x + h / 2 * v2), v4 = v + h * a3,
                    a4 = acceleration(t + h, x + h * v3);
       x += h / 6 * (v + 2 * v2 + 2 * v3 + v4);
       v += h / 6 * (a1 + 2 * a2 + 2 * a3 + a4);
-      t = begin + k * h;
+      t = start + k * h;
       count();
     }
   }
 
   /// Eq. 4.4: velocities half a step before positions. At both ends a half step of velocity.
   void central_differences(double h, int steps) {
-    const double begin = t;
+    const double start = t;
     v -= h / 2 * acceleration(t, x);
     for (int k = 1; k <= steps; ++k) {
       v += h * acceleration(t, x);
       x += h * v;
-      t = begin + k * h;
+      t = start + k * h;
       count();
     }
     v += h / 2 * acceleration(t, x);
@@ -87,10 +87,10 @@ struct Oscillation {
   /// Equation of motion of the HHT method between both ends of a step, (1 + alpha) r1 - alpha r0 = 0 for the
   /// residual forces r, solved for the position x1.
   void hilber_hughes_taylor(double h, int steps, double alpha = -0.1) {
-    const double begin = t, beta = (1 - alpha) * (1 - alpha) / 4, gamma = 0.5 - alpha;
+    const double start = t, beta = (1 - alpha) * (1 - alpha) / 4, gamma = 0.5 - alpha;
     double a = acceleration(t, x);
     for (int k = 1; k <= steps; ++k) {
-      const double end = begin + k * h, old_force = acceleration(t, x);
+      const double end = start + k * h, old_force = acceleration(t, x);
       double x1 = x + h * v;
       const auto new_acceleration = [&] {
         return (x1 - x - h * v - h * h * (0.5 - beta) * a) / (beta * h * h);

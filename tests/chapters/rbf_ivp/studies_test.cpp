@@ -186,7 +186,7 @@ TEST(StiffProblems, CountDigits) {
   EXPECT_EQ(duffing.digits(Vector<double, 2>(NAN, 0)), 0);
 }
 
-TEST(StiffProblems, EndWhereTheTestSetSays) {
+TEST(StiffProblems, EndStatesAgreeWithTheTestSet) {
   const auto expect = [](const auto& problem, std::vector<double> exact) {
     ASSERT_EQ(problem.reference.size(), static_cast<Eigen::Index>(exact.size()));
     for (Eigen::Index i = 0; i < problem.reference.size(); ++i)

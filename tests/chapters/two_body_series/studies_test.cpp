@@ -79,14 +79,14 @@ TEST(Propagators, AsIntegrators) {
   const auto limited = continuation_integrator(method, 1)(system, joined(start), 2, 9, {}, {.steps = 3});
   EXPECT_EQ(limited.status.outcome(), Outcome::step_limit);
 
-  int seen = 0;
+  int steps = 0;
   const auto count = [&](const ivp::Step& step) {
-    ++seen;
+    ++steps;
     EXPECT_EQ(parted(step.x1).position, orbit::propagate_kepler(start, step.t1 - 2, 1).state.position);
     return true;
   };
   const auto closed = kepler_integrator(1)(system, joined(start), 2, 9, count, {});
-  EXPECT_EQ(seen, 16);
+  EXPECT_EQ(steps, 16);
   EXPECT_EQ(parted(closed.x).velocity, orbit::propagate_kepler(start, 7, 1).state.velocity);
 }
 

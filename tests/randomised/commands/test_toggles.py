@@ -114,7 +114,7 @@ def judged_way(a, s, toggle, r):
     drop = toggle.between(path[-2], path[-1], lambda p: abs(p.load) >= abs(a.load))[1].drop
     # Is it said that the shape is another one than that on the path from rest?
     other = abs(drop - s.drop) / (1e-3 * a.height)
-    if ("another equilibrium" in r.errors) != (other > 1) and abs(other - 1) > 1e-3:
+    if ("not on the path from rest" in r.errors) != (other > 1) and abs(other - 1) > 1e-3:
         return wrong(f"{r.words}: from rest a drop of {drop!r}; {r.errors}")
     return judged(0, 1, r.words)
 
@@ -141,7 +141,7 @@ def judged_shape(a, s, r):
     way = judged_way(a, s, toggle, r)
     if not ratio <= 1:
         # Members may have bowed, or have looped: another shape of the same drop, of which nothing is printed. The command has to say so.
-        if "another equilibrium" in r.errors or "lies beyond" in r.errors:
+        if "not on the path from rest" in r.errors or "lies beyond" in r.errors:
             return way if way and way.verdict == "wrong" else undecided(r.words)
         if s.bound > 1e-6 and ratio < 2:  # what is of second order in a large residual
             return undecided(r.words)

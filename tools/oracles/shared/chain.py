@@ -16,7 +16,7 @@ class Member:
     def bent(self, m, n, start, moment):
         """With the normal force n: slope and moment at the end and the chord, from the slope and moment at the start."""
         l, of_force = self.length, n
-        if m is doubles and abs(n) * l * l < 1e-3 * self.ei:  # doubles would cancel; good enough for the walk
+        if m is doubles and abs(n) * l * l < 1e-3 * self.ei:  # doubles would cancel; accurate enough for the path in doubles
             n = doubles.copysign(1e-3 * self.ei / (l * l), n)
         k = m.sqrt(abs(n) / self.ei)
         c, s, sign = (m.cosh(k * l), m.sinh(k * l), 1) if n > 0 else (m.cos(k * l), m.sin(k * l), -1)
@@ -126,7 +126,7 @@ def linear(rows, right):
 
 
 class Path:
-    """The path of equilibria over the drop: walked in doubles, polished in mpmath's digits. Its first drops, `tiny`, where forces are so
+    """The path of equilibria over the drop: traced in doubles, refined in mpmath's precision. Its first drops, `tiny`, where forces are so
     small that doubles cancel, are found in mpmath's too, from the guess `start`."""
 
     def __init__(self, problem, load_of, steps, start, tiny=()):

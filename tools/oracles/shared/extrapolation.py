@@ -32,7 +32,7 @@ class Extrapolation:
         return rows[-1][-1], max(abs(a - b) for a, b in zip(rows[-1][-1], rows[-1][-2]))
 
     def run(self, t, y, end, seen=None):
-        """The state at `end`. `seen(t, y)` is told of every step."""
+        """The state at `end`. `seen(t, y)` is called after every step."""
         t, end, y = Decimal(t), Decimal(end), [Decimal(v) for v in y]
         while t != end:
             h = self.step if abs(self.step) < abs(end - t) else end - t
