@@ -15,7 +15,8 @@ PRINTED, RATIOS = "REPRODUCTION", "RATIOS"  # evidence that is no scene: pages b
 INTRODUCTION = """# Claims in prose
 
 What the sources say in words and a computation can decide, a row each, in our words. The claim *holds* if the quantity of the scene \
-beside it lies where the claim puts it; a text that leaves out what would decide is *not stated*. Numbers in tables are judged one by \
+beside it lies where the claim puts it; a text that leaves out what would decide is *not stated*. Formulas have the misprints of \
+[the errata](ERRATA.md) corrected unless a row says otherwise. Numbers in tables are judged one by \
 one in [Published beside reproduced](REPRODUCTION.md). Written by `make check` from `tables/claims.csv`.
 
 """

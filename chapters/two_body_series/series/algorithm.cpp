@@ -55,7 +55,7 @@ scene::Figure draw() {
   FlowChart chart;
   chart.box({23, 88}, {20, 8},
             {"{/:Bold given}", "r, r′ at {/:Italic t}_0; μ", "order {/:Italic K}, step {/:Italic h}"});
-  chart.box({23, 62}, {20, 8}, {"{/:Bold begin of a step}", "r^{(0)} = r,  r^{(1)} = r′,  {/:Italic n} = 0"});
+  chart.box({23, 62}, {20, 8}, {"{/:Bold start of a step}", "r^{(0)} = r,  r^{(1)} = r′,  {/:Italic n} = 0"});
   chart.box(
       {23, 17}, {20, 10},
       {"{/:Bold end of the step}", "r ← Σ r^{(k)} {/:Italic h^k}/{/:Italic k}!,  {/:Italic k} ≤ {/:Italic K}",
