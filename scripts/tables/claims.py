@@ -15,7 +15,8 @@ PRINTED, RATIOS = "REPRODUCTION", "RATIOS"  # evidence that is no scene: pages b
 INTRODUCTION = """# Claims in prose
 
 Claims in the text of the sources that a computation can decide, one per row, reworded. The claim *holds* if the quantity of the \
-named scene lies in the claimed range; it is *not stated* if the text omits what is needed to decide. Numbers in tables are judged one \
+named scene lies in the claimed range; it is *not stated* if the text omits what is needed to decide. Formulas have the misprints of \
+[the errata](ERRATA.md) corrected unless a row says otherwise. Numbers in tables are judged one \
 by one in [Published beside reproduced](REPRODUCTION.md). Written by `make check` from `tables/claims.csv`.
 
 """

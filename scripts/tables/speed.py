@@ -15,8 +15,8 @@ with all numbers in registers. Written by `make bench`.
 """
 RATIOS = """# Ratios of run times
 
-The dissertation prints seconds of MATLAB on an unknown machine. Absolute times cannot be compared, but \
-ratios can. A ratio is the time of a row's method over that of the *reference* of its table: the series (Analytic-Cont) over as \
+The dissertation prints seconds of MATLAB on an unknown machine. Absolute times cannot be compared, but ratios can. A ratio is the \
+time of a row's method over that of the *reference* of its table: the series (Analytic-Cont) over as \
 many orbits in Tables 3.2 and 3.3, collocation with 35 nodes (RBF-Coll-2) in Tables 4.2, 4.4 and 4.6. Above 1 the reference, the \
 source's own method, is the faster one. Each run has the setting of its row and is the one whose error is in the table of that \
 name here; all run in one process and one thread, repeated in random order after a run that warms up. *Ours* is the ratio of medians; *from* \

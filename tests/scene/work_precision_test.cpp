@@ -120,6 +120,17 @@ TEST(WorkPrecision, RoundingIsALevelThatSaysWhatItIs) {
   EXPECT_FALSE(tests::holds(shown({}, one_problem()).figure->script, "rounding"));
 }
 
+TEST(WorkPrecision, TheTextOfTheLevelCoversNoPointAndNoLeader) {
+  const auto script = [](double rounding) {
+    return shown({.rounding = rounding}, one_problem()).figure->script;
+  };
+  EXPECT_TRUE(tests::holds(script(1e-12), "data' at graph 0.01, first 12 left offset 0,0.5"));
+  EXPECT_TRUE(tests::holds(script(1e-3), "data' at graph 0.99, first 3 right offset 0,0.5"))
+      << "a point at 3";
+  EXPECT_TRUE(tests::holds(script(2e-15), "data' at graph 0.01, first 14.699 left offset 0,-0.5"))
+      << "the leader of two is above it from left to right";
+}
+
 TEST(WorkPrecision, TheTableHasARowARunAndOneForWhatIsAbsent) {
   const std::string digits = shown({}, one_problem()).table->markdown();
   for (const char* row : {"| one | step 10 | non_finite |  | 1 | 0.9 | 2 | 3 |",

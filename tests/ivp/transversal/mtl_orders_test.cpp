@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <stdexcept>
 
 #include "nlmech/ivp/transversal/mtl.hpp"
 #include "nlmech/problems/texts.hpp"
@@ -54,6 +55,21 @@ TEST(Mtl, InterpoletsAreOfSecondOrder) {
     EXPECT_NEAR(std::log2(error_of(problem, exact, 12, coarse) / error_of(problem, exact, 12, fine)), 2,
                 0.02);
   }
+}
+
+// The sum of functions with a Gaussian factor is one to O((h/sigma)^4) for p = 3: fourth order for a sigma
+// fixed in time, none for a sigma of three steps.
+TEST(Mtl, OrderOfDistributedApproximatingFunctionals) {
+  const TextProblem problem("driven-duffing", {{"damping", 0.1}});
+  const State exact = testing::reference(problem, {1, 0}, 0, 12);
+  const auto error = [&](double h, double width) {
+    return error_of(problem, exact, 12, {.step = h, .basis = MtlBasis::daf, .width = width});
+  };
+  EXPECT_NEAR(std::log2(error(0.025, 1 / 0.025) / error(0.0125, 1 / 0.0125)), mtl_order(MtlBasis::daf, 3),
+              0.12);
+  EXPECT_NEAR(std::log2(error(0.025, 3) / error(0.0125, 3)), 0, 0.12);
+  EXPECT_THROW(check_options(Mtl{.width = 1.9}), std::invalid_argument);
+  EXPECT_THROW(check_options(Mtl{.width = NAN}), std::invalid_argument);
 }
 
 // With linear interpolation a step depends only on the step before, however many steps are solved together.

@@ -102,6 +102,28 @@ TEST(MtlBasis, InterpolatesAndSumsToOne) {
   }
 }
 
+// The definition: Lagrange polynomials times a Gaussian about the point, which is one for an infinite width.
+TEST(MtlBasis, DistributedApproximatingFunctionalsAreAsDefined) {
+  for (const double width : {2., 3., 10., HUGE_VAL}) {
+    for (int p = 1; p <= 8; ++p) {
+      const auto pieces = mtl_pieces(MtlBasis::daf, p, width);
+      for (int j = 0; j < p; ++j) {
+        const Eigen::MatrixXd& c = pieces[static_cast<std::size_t>(j)];
+        for (int k = 0; k <= p; ++k) {
+          for (const double s : {0., 0.3, 0.5, 1.}) {
+            double polynomial = 1, series = 0;
+            for (int i = 0; i <= p; ++i) polynomial *= i == k ? 1 : (j + s - i) / (k - i);
+            for (Eigen::Index m = c.cols() - 1; m >= 0; --m) series = series * s + c(k, m);
+            const double z = (j + s - k) / width;
+            EXPECT_NEAR(series, polynomial * std::exp(-z * z / 2), 1e-14)
+                << width << ' ' << p << ' ' << j << ' ' << k;
+          }
+        }
+      }
+    }
+  }
+}
+
 // Response from rest at t = 0.7 to a harmonic load: x'' + w^2 x = cos W t.
 TEST(MtlPropagator, AnswersHarmonicLoads) {
   const double w = 3, wf = 1.2, t0 = 0.7, tau = 2.5;

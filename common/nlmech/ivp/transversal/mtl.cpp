@@ -28,6 +28,9 @@ std::string_view to_string(MtlLinear linear) {
 void check_options(const Mtl& method) {
   require_step(Mtl::name, method.step);
   require_within(Mtl::name, "points", method.points, 1, 8);
+  if (!(method.width >= 2))
+    throw invalid_argument("mtl: the width of the basis functions must be 2 steps or more, not {}",
+                           method.width);
   if (!(method.error_tolerance >= 0) || !std::isfinite(method.error_tolerance))
     throw invalid_argument(
         "mtl: the error tolerance must be positive and finite, or 0 for no estimate, not {}",
@@ -74,7 +77,7 @@ class MtlStepper : public Stepper {
         method_(method),
         p_(method.points),
         a_(terms.a),
-        weights_(system.size(), columns(system), method.basis, method.points, terms.load),
+        weights_(system.size(), columns(system), method.basis, method.points, terms.load, method.width),
         unknowns_(p_ * system.size()),
         work_(p_ * system.size()),
         free_(system.size(), p_ + 1),

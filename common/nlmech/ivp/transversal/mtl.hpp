@@ -54,6 +54,7 @@ struct Mtl {
   double step = 0.1;                               ///< h, spacing of the points, positive
   int points = 3;                                  ///< p, from 1 to 8
   MtlBasis basis = MtlBasis::lagrange;             ///< phi_k
+  double width = 3;                                ///< sigma/h of MtlBasis::daf, 2 or more
   MtlLinear linear = MtlLinear::given;             ///< A
   /// The run ends with `wrong_branch` if the error estimate of a block, max |e_i|/(1 + |x_i|), is greater;
   /// the default rejects states without a correct digit. 0: no estimate, as in the source. The estimate, of

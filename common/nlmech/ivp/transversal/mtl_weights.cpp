@@ -1,5 +1,7 @@
 #include "nlmech/ivp/transversal/mtl_weights.hpp"
 
+#include <cmath>
+
 namespace nlmech::ivp {
 
 using Eigen::Index;
@@ -9,7 +11,41 @@ int mtl_order(MtlBasis basis, int points) {
   return points + (points % 2 == 1 ? 1 : 2);
 }
 
-std::vector<Eigen::MatrixXd> mtl_pieces(MtlBasis basis, int points) {
+namespace {
+
+/// Lagrange's polynomial phi_k = product over i of (j + s - i)/(k - i), expanded about s = 0.
+Eigen::VectorXd lagrange_piece(int points, int j, int k) {
+  Eigen::VectorXd c = Eigen::VectorXd::Unit(points + 1, 0);
+  for (int i = 0; i <= points; ++i) {
+    if (i == k) continue;
+    Eigen::VectorXd next = (j - i) * c;
+    next.tail(points) += c.head(points);
+    c = next / (k - i);
+  }
+  return c;
+}
+
+/// Taylor coefficients of exp(-(a + s)^2/(2 w^2)) about s = 0, from f' = -(a + s)/w^2 f. For w >= 2, |a| <= 8
+/// and s <= 1 the first one that is left out is below 2e-16.
+Eigen::VectorXd gaussian_piece(double a, double w) {
+  Eigen::VectorXd c(20);
+  c[0] = std::exp(-a * a / (2 * w * w));
+  c[1] = -a * c[0] / (w * w);
+  for (Index m = 1; m + 1 < c.size(); ++m)
+    c[m + 1] = -(a * c[m] + c[m - 1]) / (static_cast<double>(m + 1) * w * w);
+  return c;
+}
+
+/// Product of two polynomials.
+Eigen::VectorXd product(const Eigen::VectorXd& left, const Eigen::VectorXd& right) {
+  Eigen::VectorXd c = Eigen::VectorXd::Zero(left.size() + right.size() - 1);
+  for (Index i = 0; i < left.size(); ++i) c.segment(i, right.size()) += left[i] * right;
+  return c;
+}
+
+}  // namespace
+
+std::vector<Eigen::MatrixXd> mtl_pieces(MtlBasis basis, int points, double width) {
   std::vector<Eigen::MatrixXd> pieces;
   for (int j = 0; j < points; ++j) {
     if (basis == MtlBasis::interpolet) {
@@ -19,25 +55,21 @@ std::vector<Eigen::MatrixXd> mtl_pieces(MtlBasis basis, int points) {
       pieces.push_back(lines);
       continue;
     }
-    // phi_k = product over i of (j + s - i)/(k - i), expanded about s = 0.
-    Eigen::MatrixXd polynomials = Eigen::MatrixXd::Zero(points + 1, points + 1);
+    std::vector<Eigen::VectorXd> rows;
     for (int k = 0; k <= points; ++k) {
-      Eigen::VectorXd c = Eigen::VectorXd::Unit(points + 1, 0);
-      for (int i = 0; i <= points; ++i) {
-        if (i == k) continue;
-        Eigen::VectorXd next = (j - i) * c;
-        next.tail(points) += c.head(points);
-        c = next / (k - i);
-      }
-      polynomials.row(k) = c;
+      rows.push_back(lagrange_piece(points, j, k));
+      if (basis == MtlBasis::daf) rows.back() = product(rows.back(), gaussian_piece(j - k, width));
     }
+    Eigen::MatrixXd polynomials(points + 1, rows.front().size());
+    for (Index k = 0; k <= points; ++k) polynomials.row(k) = rows[static_cast<std::size_t>(k)];
     pieces.push_back(polynomials);
   }
   return pieces;
 }
 
-MtlWeights::MtlWeights(int size, int columns, MtlBasis basis, int points, std::span<const Harmonic> load)
-    : pieces_(mtl_pieces(basis, points)),
+MtlWeights::MtlWeights(int size, int columns, MtlBasis basis, int points, std::span<const Harmonic> load,
+                       double width)
+    : pieces_(mtl_pieces(basis, points, width)),
       flow_(size, columns, static_cast<int>(pieces_.front().cols()), load),
       partial_(flow_),
       weights_(Eigen::MatrixXd::Zero(Index{points} * size, Index{points + 1} * columns)),

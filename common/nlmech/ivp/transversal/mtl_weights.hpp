@@ -14,18 +14,22 @@ namespace nlmech::ivp {
 /// Basis functions phi_k with phi_k(t_i) = delta_ki that interpolate the nonlinear terms (Roy, Eq. 3). Their
 /// sum must be one everywhere; the printed condition, an integral of one, is wrong.
 enum class MtlBasis {
-  lagrange,   ///< Lagrange polynomials through all points, degree p: order p + 1 (odd p), p + 2 (even p)
-  interpolet  ///< the simplest interpolet of Saito and Beylkin: the autocorrelation of Haar's scaling
-              ///< function, the hat function on |x| < 1. Piecewise linear: order 2 for every p
+  lagrange,    ///< Lagrange polynomials through all points, degree p: order p + 1 (odd p), p + 2 (even p)
+  interpolet,  ///< the simplest interpolet of Saito and Beylkin: the autocorrelation of Haar's scaling
+               ///< function, the hat function on |x| < 1. Piecewise linear: order 2 for every p
+  daf          ///< distributed approximating functionals of Lagrange's kind: Lagrange polynomials times
+               ///< exp(-(t - t_k)^2/(2 sigma^2)). Their sum differs from one by O((h/sigma)^(p+1)): the order
+               ///< of lagrange if sigma is fixed in time, no convergence if it is a multiple of h
 };
 
-/// Order of convergence of the method with p points beyond the first.
+/// Order of convergence of the method with p points beyond the first; of daf for sigma fixed in time.
 [[nodiscard]] int mtl_order(MtlBasis basis, int points);
 
 /// Entry j: on the interval from point j to point j + 1, phi_k at the fraction s of it is sum over m of
-/// (k, m) s^m. p matrices of p + 1 rows.
-/// @param points p, 1 or more
-[[nodiscard]] std::vector<Eigen::MatrixXd> mtl_pieces(MtlBasis basis, int points);
+/// (k, m) s^m. p matrices of p + 1 rows. Those of daf are Taylor polynomials, to 1e-14.
+/// @param points p, from 1 to 8
+/// @param width sigma/h of daf, 2 or more
+[[nodiscard]] std::vector<Eigen::MatrixXd> mtl_pieces(MtlBasis basis, int points, double width = 3);
 
 /// For x' = A x + E sum over k of g_k phi_k(t) + load: the solution at the points l = 1..p is
 ///
@@ -36,8 +40,10 @@ enum class MtlBasis {
 /// phi_{m+1}(A h) E; exp(A h) propagates it to the following intervals.
 class MtlWeights {
  public:
-  /// Allocates the workspace; other members allocate nothing. @param columns as for MtlPropagator
-  MtlWeights(int size, int columns, MtlBasis basis, int points, std::span<const Harmonic> load);
+  /// Allocates the workspace; other members allocate nothing.
+  /// @param columns as for MtlPropagator @param width as for mtl_pieces()
+  MtlWeights(int size, int columns, MtlBasis basis, int points, std::span<const Harmonic> load,
+             double width = 3);
 
   /// Computes the weights for points of spacing @p h of either sign. @return success; `non_finite` if a
   /// weight overflows

@@ -156,30 +156,47 @@ void put_curves(const Diagram& d, const Axes& axes, Panel& panel) {
   if (empty) panel.also("NaN notitle");  // draws only the axes
 }
 
-/// Draws the names to the right of the axes, each joined to the end of its curve.
-void put_names(const Diagram& d, const Axes& axes, Panel& panel) {
-  const std::vector<MethodLine>& lines = d.problems[axes.problem].lines;
-  std::vector<const InColour*> named;
+/// Height of a line of small text in digits.
+double line_of_text(const Diagram& d, const Axes& axes) {
+  return 16 * (d.what.most_digits - d.what.least_digits) / (axes.bottom - axes.top);
+}
+
+constexpr double leader_end = 1.02;  // across the axes
+
+/// Dotted line from the end of a curve to its name at the right of the axes.
+struct Leader {
+  const InColour* line;
+  double time;      ///< at its left end
+  double from, to;  ///< digits at its ends
+};
+
+std::vector<Leader> leaders_of(const Diagram& d, const Axes& axes) {
+  std::vector<Leader> leaders;
   std::vector<double> ends;
   for (const InColour& c : d.chosen) {
-    const Attempt* best = lines[c.line].best();
+    const Attempt* best = d.problems[axes.problem].lines[c.line].best();
     if (best == nullptr) continue;
-    named.push_back(&c);
     ends.push_back(std::clamp(*best->digits(), d.what.least_digits, d.what.most_digits));
+    leaders.push_back({&c, best->time.median, ends.back(), 0});
   }
-  const double digit = (axes.bottom - axes.top) / (d.what.most_digits - d.what.least_digits);
-  const auto places = spread(ends, 16 / digit, d.what.least_digits, d.what.most_digits);
-  for (std::size_t k = 0; k < named.size(); ++k) {
-    const MethodLine& line = lines[named[k]->line];
-    const MethodStyle& style = method_styles[named[k]->colour];
+  const auto places = spread(ends, line_of_text(d, axes), d.what.least_digits, d.what.most_digits);
+  for (std::size_t k = 0; k < leaders.size(); ++k) leaders[k].to = places[k];
+  return leaders;
+}
+
+/// Draws the names to the right of the axes, each joined to the end of its curve.
+void put_names(const Diagram& d, const Axes& axes, Panel& panel) {
+  for (const Leader& leader : leaders_of(d, axes)) {
+    const MethodLine& line = d.problems[axes.problem].lines[leader.line->line];
+    const MethodStyle& style = method_styles[leader.line->colour];
     panel.set(
-        fmt::format("arrow from first {:.6g}, first {:.6g} to graph 1.02, first {:.6g} nohead linecolor rgb "
+        fmt::format("arrow from first {:.6g}, first {:.6g} to graph {}, first {:.6g} nohead linecolor rgb "
                     "'{}' linewidth 0.6 dashtype 3",
-                    line.best()->time.median, ends[k], places[k], style.colour));
+                    leader.time, leader.from, leader_end, leader.to, style.colour));
     panel.set(fmt::format(
         "label {} at graph 1.03, first {:.6g} left noenhanced {} textcolor rgb '{}' point "
         "linecolor rgb '{}' pointtype {} pointsize 0.65 offset 0.8,-0.15",
-        gnuplot_quoted(line.method), places[k], small_font, style.colour, style.colour, style.symbol));
+        gnuplot_quoted(line.method), leader.to, small_font, style.colour, style.colour, style.symbol));
   }
 }
 
@@ -209,20 +226,52 @@ void put_leads(const Diagram& d, const Axes& axes, const Layout& layout, Panel& 
   }
 }
 
-/// Draws the level of digits that one rounding of the data permits. Its text is above the left end or, if a
-/// point is there, above the right end.
-void put_rounding(const Diagram& d, const Axes& axes, double low, double high, Panel& panel) {
-  const double level = -std::log10(d.what.rounding), end = low * std::pow(high / low, 0.4);
-  const auto overlaps = [&](const std::vector<Cell>& row) {
-    const double x = number_in(row[axes.column]);
-    return x > 0 && x < end && std::abs(number_in(row[4]) - level - 0.4) < 0.6;
+/// Place of a text at a level.
+struct Corner {
+  bool right, below;
+};
+
+constexpr const char* rounding_text = "one rounding of the data";
+
+/// Number of points and leaders that the text of a level covers at a corner.
+/// @param low, high range of the abscissa
+std::ptrdiff_t covered(const Diagram& d, const Axes& axes, double low, double high, double level,
+                       Corner corner) {
+  const double width = 0.02 + letter * static_cast<double>(letters(rounding_text)) / (axes.right - axes.left);
+  const double left = corner.right ? 1 - width : 0, right = left + width;
+  const double height = line_of_text(d, axes), bottom = corner.below ? level - height : level,
+               top = bottom + height;
+  const auto across = [&](double time) { return std::log(time / low) / std::log(high / low); };
+  const auto within = [&](const Attempt& attempt) {
+    if (!attempt.digits()) return false;
+    const double u = across(attempt.time.median), digits = *attempt.digits(), margin = 0.3 * height;
+    return u >= left && u <= right && digits > bottom - margin && digits < top + margin;
   };
-  const bool right = std::ranges::any_of(d.data.rows(), overlaps);
+  const auto passes = [&](const Leader& leader) {
+    const double start = across(leader.time);
+    const auto at = [&](double u) {
+      return leader.from + (leader.to - leader.from) * (u - start) / (leader_end - start);
+    };
+    const auto [least, most] = std::minmax({at(std::max(left, start)), at(right)});
+    return start < right && most > bottom && least < top;
+  };
+  std::ptrdiff_t count = std::ranges::count_if(leaders_of(d, axes), passes);
+  for (const MethodLine& line : d.problems[axes.problem].lines)
+    count += std::ranges::count_if(line.attempts, within);
+  return count;
+}
+
+/// Draws the level of digits that one rounding of the data permits, with its text where it covers least.
+void put_rounding(const Diagram& d, const Axes& axes, double low, double high, Panel& panel) {
+  const double level = -std::log10(d.what.rounding);
   panel.level(level);
   if (!axes.named) return;
-  panel.set(fmt::format(
-      "label 'one rounding of the data' at graph {}, first {:.6g} {} offset 0,0.5 {} textcolor rgb soft_ink",
-      right ? 0.99 : 0.01, level, right ? "right" : "left", small_font));
+  constexpr Corner corners[] = {{false, false}, {true, false}, {false, true}, {true, true}};
+  const Corner corner =
+      *std::ranges::min_element(corners, {}, [&](Corner c) { return covered(d, axes, low, high, level, c); });
+  panel.set(fmt::format("label '{}' at graph {}, first {:.6g} {} offset 0,{} {} textcolor rgb soft_ink",
+                        rounding_text, corner.right ? 0.99 : 0.01, level, corner.right ? "right" : "left",
+                        corner.below ? -0.5 : 0.5, small_font));
 }
 
 /// Number of grey curves.
