@@ -276,7 +276,7 @@ Of a comparison
   $ compare rk4,magic
   integrators: --methods: there is no method 'magic'; choose one of euler, *, rbf-coll, *, odeint-dopri5, * (glob)
   $ compare rk4,
-  integrators: --methods: there is no method ''; there is euler, *, rbf-coll, *, odeint-dopri5, * (glob)
+  integrators: --methods: there is no method ''; choose one of euler, *, rbf-coll, *, odeint-dopri5, * (glob)
   $ compare rk4,radau-coll --absolute-tolerance 1e-9
   integrators: --absolute-tolerance 1e-09: none of the methods rk4,radau-coll has adaptive steps
   $ compare ode45,series --step 0.1 --tolerance 1e-6
@@ -322,7 +322,7 @@ Of a comparison
   $ sweep 1e-3 --methods ode45,ode45
   integrators: --methods: ode45 is given twice
   $ sweep 1e-3 --methods ode45,,rk4
-  integrators: --methods: there is no method ''; there is euler, *, rbf-coll, *, odeint-dopri5, * (glob)
+  integrators: --methods: there is no method ''; choose one of euler, *, rbf-coll, *, odeint-dopri5, * (glob)
   $ sweep 1e-3 --methods all,rk4
   integrators: --methods: there is no method 'all'; choose one of euler, *, rbf-coll, *, odeint-dopri5, * (glob)
 

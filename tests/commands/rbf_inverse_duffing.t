@@ -28,7 +28,7 @@ makes, 1e-5 of it; 1e-4 would be a third of the small bound:
   $ duffing --case fixed --final-time 2 --beta 0 --target 3e-4,0 --bound 3e-4 | paste -d, large.csv - |
   >   sed '1s/.*/cost,x,v,l,m,X,V,miss,COST,x,v,L,M,X,V,MISS/' | holds 'COST*1e8 = cost +- 1e-6*cost' 'M*1e4 = m +- 1e-4*abs(m)'
   $ duffing --case fixed --final-time 1 --bound 3
-  rbf_inverse: infeasible: tighten: * of the way to the bounds * no extremal follows (*); the bounds admit none near this one, or none at all: loosen them or start from another extremal (glob)
+  rbf_inverse: infeasible: tighten: no extremal is found at * of the path to the bounds (*); the bounds admit none near the last one, or none at all; loosen them or start from another extremal (glob)
   [1]
 
 The example of the page moves a cart by 1 in a second with f = 6 - 12 t, J = 6:

@@ -65,8 +65,8 @@ TEST(Mistake, IsPointedAt) {
       {"x' = if(x < 1, 2)", "E:1:6: if takes 3 arguments, not 2\n"},
       {"x' = if((x < 1 and t < 1, 2, 3)", "E:1:12: expected an operator or )\n"},
       {"x' = if(x < 1, x', 3)", "E:1:16: x' is in a function; a highest derivative must occur linearly\n"},
-      {"x' = floor(x)", "E:1:12: floor is known of numbers and of a t + b with numbers a and b alone; "},
-      {"x' = frac(sin(t))", "E:1:11: frac is known of numbers and of a t + b with numbers a and b alone; "},
+      {"x' = floor(x)", "E:1:12: floor takes a number, or a t + b with numbers a and b; "},
+      {"x' = frac(sin(t))", "E:1:11: frac takes a number, or a t + b with numbers a and b; "},
       {"x' = mod(t, x)", "E:1:13: the second argument of mod must be a number other than 0\n"},
       {"x' = mod(t, 1 - 1)", "E:1:13: the second argument of mod must be a number other than 0\n"},
       {"x' = table(\"a.csv\")", "E:1:6: tables are not supported here\n"},
@@ -94,8 +94,7 @@ TEST(Mistake, IsPointedAt) {
       {"x' = e^x", "E:1:6: e is not defined; write exp(1), or exp(x) for e^x\n"},
       {"x' = 1; x(0) = 1; x(0) = 2", "E:1:19: given twice\n"},
       {"x'' = 1; x(0) = 1; x'(1) = 2", "E:1:20: another initial value is given at time 0\n"},
-      {"x' = 1; x(0) = x",
-       "E:1:16: an initial value must be a number, or an expression of constants\n"},
+      {"x' = 1; x(0) = x", "E:1:16: an initial value must be a number, or an expression of constants\n"},
       {"x' = 1; x''(0) = 1", "E:1:9: no component of the state; these are x\n"},
       {"x' = y\ny' = 2 x +\nz' = 1", "E:3:4: an equation must have exactly one sign =\n"},
       {"x'' = \u2212x", "E:1:7: a minus sign is typed -\n  x'' = \u2212x\n        ^"},
@@ -122,7 +121,7 @@ TEST(Mistake, IsPointedAt) {
       {"x' = [x]", "E:1:6: only round brackets are allowed\n"},
       {"x' = x, y' = 1", "E:1:7: expected an operator or the end of the equation\n"},
       {"x'(1 + x') = 1", "E:1:4: the time of an initial value must be a number"},
-      {"x' x' = 1", "E:1:4: x' stands in a product with another one"},
+      {"x' x' = 1", "E:1:4: x' is in a product with another one"},
       {"x'' + 2^x'' = 0", "E:1:9: x'' is in an exponent; a highest derivative must occur linearly\n"},
       {"x'' = abs(x'')", "E:1:11: x'' is in a function; a highest derivative must occur linearly\n"},
       {"x(t) = 1; x' = 1", "E:1:3: the time of an initial value must be a number"},
@@ -163,7 +162,7 @@ TEST(Mistake, InColumns) {
                         {"x'' = 3", "C:1:1: x'' is already defined; take another name\n"},
                         {"2 x", "C:1:1: a column must be name = expression, or the name of a definition\n"},
                         {"E = x = 2", "C:1:7: expected an operator, = or the end of the column\n"},
-                        {";", "C:1:1: there is no column\n"}};
+                        {";", "C:1:1: no column is given\n"}};
   for (const Case& c : cases)
     EXPECT_EQ(refused(c.text).substr(0, std::string(c.message).size()), c.message) << refused(c.text);
 }

@@ -177,12 +177,12 @@ TEST(ManualPage, ListsCommandsWithTheirOptions) {
       page.starts_with(".TH ORBITER 1 \"\" \"nlmech 2.0.0\" \"nlmech\"\n.SH NAME\norbiter \\- Flies\n"));
   EXPECT_TRUE(tests::holds(page, ".SS fly [scenes...]\nLeaves, and says when it's there\n"));
   EXPECT_TRUE(tests::holds(
-      page, ".TP\n\\fB\\-\\-frame\\fR \\fITEXT\\fR\nof reference: fixed, turning; fixed without it\n"));
-  EXPECT_TRUE(tests::holds(page, "\nlength of a step; positive; 0.5 without it\n"));
+      page, ".TP\n\\fB\\-\\-frame\\fR \\fITEXT\\fR\nof reference: fixed, turning (default fixed)\n"));
+  EXPECT_TRUE(tests::holds(page, "\nlength of a step; positive (default 0.5)\n"));
   EXPECT_TRUE(tests::holds(page, ".TP\n\\fB\\-\\-quick\\fR\nnot all of it\n"));
   EXPECT_TRUE(tests::holds(page, "\n\\&.a begins with a dot, C:\\epath\n")) << "nothing typed is a request";
-  EXPECT_TRUE(tests::holds(page, "s; 60 without it")) << "the limit of every command";
-  EXPECT_TRUE(tests::holds(page, "s; no limit without it"));
+  EXPECT_TRUE(tests::holds(page, "s (default 60)")) << "the limit of every command";
+  EXPECT_TRUE(tests::holds(page, "s (default none)"));
   EXPECT_EQ(page, manual_page(declared(), "Flies", "2.0.0"));
 }
 
