@@ -130,7 +130,7 @@ void put(const std::vector<Attempt>& all, scene::Show& show) {
   show.at_most("error by the radius", error("the same by the radius"), 1e-11,
                "rounding, amplified 30 times to t = 1");
   show.at_most("error of van der Pol's oscillator, mu = 1000", error("van der Pol, mu = 1000, to t = 2000"),
-               1e-9, "tolerance 1e-12 in some hundred thousand steps; the attractor damps errors");
+               1e-9, "tolerance 1e-12 in some hundred thousand steps; the limit cycle damps errors");
   show.at_most("drift of the energy through the encounter",
                error("four bodies to t = 5000, through an encounter at 0.039"), 1e-11,
                "rounding, where velocity and attraction are a hundred times larger");

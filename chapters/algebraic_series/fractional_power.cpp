@@ -90,7 +90,7 @@ void draw(const std::vector<Sums>& all, scene::Show& show) {
     for (std::size_t k = 0; k < s.errors.size(); k = k < 100 ? k + 1 : k + 25)
       data.add({s.name, k + 1, std::max(s.errors[k], 1e-40)});
   }
-  show.plot("Fifth roots by series: the nearer the zero of f, the more terms are needed", "terms",
+  show.plot("Fifth roots by series: the nearer the zero of f, the more terms", "terms",
             "error at {/:Italic t} = 1")
       .log_x(1, 3000)
       .log_y(1e-40, 1e2)

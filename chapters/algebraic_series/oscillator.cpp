@@ -35,8 +35,8 @@ void put_time(const Motions& m, scene::Show& show) {
     data.add({t, x, m.euler[i].x[0]});
     if (i > 0 && t <= 28.14 && x * m.series[i - 1].x[0] < 0) ++crossings;
   }
-  show.plot("Displacement: forward Euler (h = 0.01 s) departs from the series before 30 s",
-            "{/:Italic t} (s)", "{/:Italic x}")
+  show.plot("Displacement: forward Euler (0.01 s) departs from the series before 30 s", "{/:Italic t} (s)",
+            "{/:Italic x}")
       .x_range(3, 43.2)
       .y_range(-0.8, 0.8)
       .key("below")

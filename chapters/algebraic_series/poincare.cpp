@@ -84,7 +84,7 @@ void put_islands(const States& all, scene::Show& show) {
   const States around =
       sections(ivp::System(problems::TextProblem("oscillator")), centre, std::numbers::pi, 32);
   show.between("rotation number", {rotation_number(all), "turns"}, 8.0 / 31 - 1e-9, 8.0 / 31 + 1e-9,
-               "8/31 exactly, on islands about an orbit of 31 periods; scatter of 20 000 sections");
+               "8/31 exactly, on islands about an orbit of 31 periods; the tolerance is a requirement");
   show.at_most("distance of the central orbit from itself after 31 periods", (around[31] - centre).norm(),
                1e-12,
                "its centre by tools/oracles/algebraic_series_motions.py, 15 digits, and rounding of 97 s");

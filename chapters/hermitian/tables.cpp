@@ -106,7 +106,7 @@ void put_duffing(const std::vector<Row>& rows, scene::Show& show) {
   // oracle: hermitian_peaks Duffing * h = 0.?, Duffing * h = 0.05
   constexpr Nine known = {0.538264556, 0.538265355, 0.537396,    0.538265258, 0.538265308,
                           0.538046,    0.538265302, 0.538265305, 0.538211};
-  put(rows, "First peak: the printed errors are of first order, the computed ones of 2 and 4",
+  put(rows, "First peak: printed errors of order 1, computed errors of order 2 and 4",
       {known, 2e-7, 2e-6, "tools/oracles/hermitian_peaks.py, nine digits"}, show);
   for (std::size_t k = 0; k < 3; ++k) {
     const double coarse = rows[k].printed, middle = rows[k + 3].printed, fine = rows[k + 6].printed;

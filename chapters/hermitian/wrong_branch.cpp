@@ -68,14 +68,13 @@ void draw(const Branches& b, scene::Show& show) {
   scene::Table data({{"run"}, {"t"}, {"x"}});
   for (const Point& p : b.right) data.add({"right", p.t, p.x});
   for (const Point& p : b.wrong) data.add({"wrong", p.t, p.x});
-  show.plot("Van der Pol: Newton's iteration converges at every step, but to a wrong branch", "time (s)",
-            "{/:Italic x}")
+  show.plot("Van der Pol: Newton's iteration converges, but to a wrong branch", "time (s)", "{/:Italic x}")
       .x_range(0, end)
       .set("bmargin 7")
       .key("at screen 0.55, screen 0.02 center bottom maxrows 2")
       .columns("Laier, adaptive steps, tolerance 10^{−8}", "t:(strcol('run') eq 'right' ? column('x') : NaN)",
                {"lines linewidth 3", 1})
-      .columns("Laier, fixed step of 0.0625 s, without an error estimate",
+      .columns("Laier, fixed step of 0.0625 s, without the branch check",
                "t:(strcol('run') eq 'wrong' ? column('x') : NaN)", {"lines dashtype 1", 5});
   show.figure().data(std::move(data));
 }

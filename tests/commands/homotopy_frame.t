@@ -223,7 +223,7 @@ Of load cases, displacements, imperfections and damping:
   $ refused homotopy frame frames/cases.toml
   homotopy: frames/cases.toml, [loads]: there are several cases; give --case with one of lift, twist, weight
   $ refused homotopy frame frames/cases.toml --case nothing
-  homotopy: frames/cases.toml, [loads]: there is no case nothing; there is lift, twist, weight
+  homotopy: frames/cases.toml, [loads]: there is no case nothing; the cases are lift, twist, weight
   $ refused homotopy frame frames/toggle.toml --case weight
   homotopy: frames/toggle.toml, [loads]: there is no case weight; the file has no cases
   $ other() { { sed 's/\[loads\]/[loads.down]/' beam.toml; printf "$1"; } > two.toml; refused homotopy frame two.toml --case down; }

@@ -16,8 +16,7 @@ namespace nlmech::chapters::homotopy {
 namespace {
 
 void declare(scene::Options& options, TypedToggle& toggle) {
-  declare_toggle(options, toggle,
-                 "one element does not bend sideways, and exits with 1 for heights above 0.75 in");
+  declare_toggle(options, toggle, "one element cannot bow, and exits with 1 for heights above 0.75 in");
 }
 
 frames::TogglePath path_of(const TypedToggle& typed) {

@@ -28,7 +28,7 @@ struct SolveOptions {
 };
 
 void declare(scene::Options& options, SolveOptions& typed) {
-  declare_toggle(options, typed.toggle, "one element does not bend sideways");
+  declare_toggle(options, typed.toggle, "one element cannot bow");
   options.add("--load", typed.load, "load W on the apex, downwards, pound").required();
   options.add("--solver", typed.solver, "name of the solver; an unknown name lists all");
   options

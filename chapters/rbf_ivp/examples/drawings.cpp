@@ -55,7 +55,7 @@ void draw_flow_chart(scene::Show& show) {
       {72, 52}, right,
       {"{/:Bold integrate} term by term", "β_r = (F_{r − 1} − F_{r + 1})/(2{/:Italic r}), β_0 from x_0"});
   chart.box({72, 33}, right, {"{/:Bold evaluate}", "x_j = Σ β_r {/:Italic T}_r(τ_j)"});
-  chart.decision({72, 11}, {18, 9}, {"do all x_j", "converged?"});
+  chart.decision({72, 11}, {18, 9}, {"have all x_j", "converged?"});
   chart.arrow({{22, 83}, {22, 75}});
   chart.arrow({{22, 61}, {22, 51}});
   chart.arrow({{42, 44}, {45.5, 44}, {45.5, 90}, {49, 90}});
