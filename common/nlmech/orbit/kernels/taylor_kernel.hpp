@@ -22,7 +22,7 @@ namespace nlmech::orbit::kernels {
 //
 // The terms with D_{n-1} are a matrix times D_{n-1}; its rows are, with c = 1/(r_0^2 (n - 1)),
 //
-//     R_1, -mu r_0 c  and  c, R_1 - eta c,
+//     R_1, -(mu/r_0)/(n - 1)  and  c, R_1 - eta c,
 //
 // so two multiply-adds lead from one order to the next. That chain limits the speed: all other terms are
 // summed before, the newest last. Orders n and n + 1, n even, share a register of four lanes: a product of
@@ -74,8 +74,8 @@ struct Taylor {
   Two value;                           ///< the latest G_n and H_n
   Two carry;                           ///< sum for the next even order
   Two of_ratio, second_ratio;          ///< (R_1, e), and R_2 twice
-  Four column[2], of_column[2];        ///< the matrix by columns, twice: column + of_column c
-  Four largest;                        ///< 1/r_0^2, the c of the second order
+  Four matrix;                         ///< (1/r_0^2, -mu/r_0), twice
+  double eta;
 
   [[gnu::always_inline]] Taylor(Series& of, double (&ratios)[most_unrolled + 1])
       : series(of), ratio(ratios) {}
@@ -97,8 +97,15 @@ struct Taylor {
       return {__builtin_shufflevector(x.v, y.v, 0, 1, 2, 3)};
     }
   }
-  [[gnu::always_inline]] static Four twice(double a, double b) {
-    return joined(Two::of(a, b), Two::of(a, b));
+  /// x_0, y_0, x_2, y_2, or x_1 in the place of x_0 and x_3 in that of x_2.
+  template <int first>
+  [[gnu::always_inline]] static Four mixed(Four x, Four y) {
+    if constexpr (Set::lanes < 4) {
+      return {Two{__builtin_shufflevector(x.a.v, y.a.v, first, 2)},
+              Two{__builtin_shufflevector(x.b.v, y.b.v, first, 2)}};
+    } else {
+      return {__builtin_shufflevector(x.v, y.v, first, 4, first + 2, 6)};
+    }
   }
 
   /// x/n in the first two lanes, x/(n + 1) in others.
@@ -128,11 +135,14 @@ struct Taylor {
     rates.store(series.rate[n / 2]);
   }
 
-  /// Both columns of the matrix for orders n and n + 1, in the lower and upper half.
+  /// Both columns of the matrix for orders n and n + 1, in the lower and upper half. Both quotients by n - 1
+  /// are rounded on their own: with the mu/r_0 of `second` they keep F G' - F' G of circles, of which every
+  /// step is alike.
   template <int n>
-  [[gnu::always_inline]] void columns(Four (&matrix)[2]) const {
-    const Four c = over(largest, n - 1);
-    for (int i = 0; i < 2; ++i) matrix[i] = multiply_add(c, of_column[i], column[i]);
+  [[gnu::always_inline]] void columns(Four& first, Four& second) const {
+    const Four x = over(matrix, n - 1), ratio_1 = Four::all(ratio[1]);
+    first = mixed<0>(ratio_1, x);
+    second = mixed<1>(x, subtract_product(Four::all(eta), x, ratio_1));
   }
   /// Order n > 3 from the sum over j = 3 to n - 2.
   template <int n>
@@ -147,17 +157,16 @@ struct Taylor {
   /// Everything up to order 3.
   [[gnu::always_inline]] void start(double mu, const Body& body) {
     const Four r = Four::load(body.position), v = Four::load(body.velocity);
-    const double eta = sum3<Set>(r * v), distance_square = sum3<Set>(r * r);
+    eta = sum3<Set>(r * v);
+    const double distance_square = sum3<Set>(r * r);
     const double distance = std::sqrt(distance_square), inverse_square = 1 / distance_square;
-    const double circular = mu * distance * inverse_square, first_ratio = -eta * inverse_square;
+    const double circular = mu / distance, first_ratio = -eta * inverse_square;
     // (l/r_0)^2 = v.v - (eta/r_0)^2
     const double transverse = Set::multiply_add(first_ratio, eta, sum3<Set>(v * v));
     v.store(series.first);
     (r * Four::all(-circular)).store(series.second);
     of_ratio = Two::of(first_ratio, circular - transverse);
-    column[0] = twice(first_ratio, 0), of_column[0] = twice(0, 1);
-    column[1] = twice(0, first_ratio), of_column[1] = twice(-mu * distance, -eta);
-    largest = Four::all(inverse_square);
+    matrix = joined(Two::of(inverse_square, -circular), Two::of(inverse_square, -circular));
 
     last = value = carry = Two::all(0);
     last_ratio = 0;
@@ -165,16 +174,16 @@ struct Taylor {
     last = Two::all(0);  // D_1: of G' - 1
     close<2>(Two::of(0.0, inverse_square));
     second_ratio = Two::all(last_ratio);
-    Four matrix[2];
-    columns<2>(matrix);
-    chain<3>(Two::all(0), high(matrix[0]), high(matrix[1]));
+    Four first, second;
+    columns<2>(first, second);
+    chain<3>(Two::all(0), high(first), high(second));
   }
 
   /// Orders n and n + 1, n even, and all others up to @p wanted.
   template <int n>
   [[gnu::always_inline]] void orders(int wanted) {
-    Four matrix[2];
-    columns<n>(matrix);
+    Four first, second;
+    columns<n>(first, second);
     // Products of stored pairs are read from memory: kept in registers, which are too few, they would be
     // copied.
     asm("" : "+m"(series.rate), "+m"(ratio));
@@ -200,10 +209,10 @@ struct Taylor {
       }
     }
     odd = multiply_add(joined(before, last), odd_ratio(3), odd);
-    order<n>(low(even) + carry, low(matrix[0]), low(matrix[1]));
+    order<n>(low(even) + carry, low(first), low(second));
     if (n == wanted) return store(n, joined(value, Two::all(0)), joined(last, Two::all(0)));
     if constexpr (n < most_unrolled) {
-      order<n + 1>(high(even) + low(odd), high(matrix[0]), high(matrix[1]));
+      order<n + 1>(high(even) + low(odd), high(first), high(second));
       if (n + 1 == wanted) return;
       carry = high(odd);
       orders<n + 2>(wanted);
