@@ -64,17 +64,15 @@ class Propagation : public BasicDenseOutput<State> {
   }
   /// Failure for a lost step: a collision if the body falls into the centre.
   [[nodiscard]] Status lost(double h) const;
-  /// |r_k|^2 of the latest series.
-  [[nodiscard]] double square_of(int k) const { return square(series_.row[k]); }
+  /// |k r_k|^2, the square of a coefficient of the velocity, of the latest series; k positive.
+  [[nodiscard]] double rate_square(int k) const;
   /// Square of the larger of |v| and the circular speed.
-  [[nodiscard]] double speed_square() const {
-    return std::max(square(body_.velocity), mu_ / std::sqrt(square(body_.position)));
-  }
+  [[nodiscard]] double speed_square() const { return speed_square_; }
+  /// |r|
+  [[nodiscard]] double distance() const { return distance_; }
   /// Is the body so fast that gravity hardly affects the series? Then the series does not show its
   /// convergence.
-  [[nodiscard]] bool is_fast() const {
-    return square(body_.velocity) > 1e3 * (mu_ / std::sqrt(square(body_.position)));
-  }
+  [[nodiscard]] bool is_fast() const { return speed_square_ > 1e3 * (mu_ / distance_); }
   /// Chooses new units if the last step size @p h is far from 1.
   void follow_units(double h) {
     if (!(std::abs(h) < most_drift && std::abs(h) > 1 / most_drift)) choose_units();
@@ -95,6 +93,12 @@ class Propagation : public BasicDenseOutput<State> {
 
   static double square(const double* x) { return x[0] * x[0] + x[1] * x[1] + x[2] * x[2]; }
   void choose_units();
+  /// high + low + change, exact to the rounding of low + change (Knuth's two-sum).
+  void add(double change, double& high, double& low) const {
+    const double b = low + change, sum = high + b, virtual_b = sum - high;
+    low = options_.compensated ? (high - (sum - virtual_b)) + (b - virtual_b) : 0;
+    high = sum;
+  }
   [[nodiscard]] bool unrolled(int order) const;
   [[nodiscard]] State user_state() const;
 
@@ -104,8 +108,10 @@ class Propagation : public BasicDenseOutput<State> {
   Gravity gravity_;  ///< in units of the user
   const kernels::Kernel* kernel_;
   kernels::Body body_{};
-  kernels::Coefficients series_{};
-  std::optional<Expansion<double>> expansion_;  ///< constructed at first use
+  kernels::Body origin_{};    ///< state about which the series was expanded
+  kernels::Series series_{};  ///< of the kernels
+  double distance_ = 0, speed_square_ = 0;
+  std::optional<Expansion<double>> expansion_;  ///< series of other cases; constructed at first use
   double t_, t_low_ = 0, t1_, t0_, start_radius_;
   int length_exponent_ = 0, time_exponent_ = 0;
   double length_unit_ = 1, time_unit_ = 1, mu_ = 1;
@@ -170,20 +176,18 @@ bool Propagation::unrolled(int order) const {
   return options_.kernel && order >= kernels::least_unrolled && order <= kernels::most_unrolled;
 }
 
-// Values for loops, the baseline kernel, and the kernels with fused multiply-add.
+// Measured for loops, the baseline kernel, and the kernels with fused multiply-add.
 double Propagation::cost_exponent() const {
   if (!options_.kernel) return 1.8;
-  return kernel_ == &kernels::baseline_kernel ? 1.4 : 1.0;
+  return kernel_ == &kernels::baseline_kernel ? 1.2 : 0.9;
 }
 
 void Propagation::expand(int order) {
   order_ = order;
-  if (unrolled(order)) {
-    std::copy_n(body_.position, 4, series_.row[0]);
-    std::copy_n(body_.velocity, 4, series_.row[1]);
-    kernel_->expand(mu_, order, series_);
-    return;
-  }
+  origin_ = body_;
+  distance_ = std::sqrt(square(body_.position));
+  speed_square_ = std::max(square(body_.velocity), mu_ / distance_);
+  if (unrolled(order)) return kernel_->expand(mu_, order, body_, series_);
   if (!expansion_) {
     Gravity scaled = gravity_;
     scaled.mu = mu_;
@@ -193,27 +197,30 @@ void Propagation::expand(int order) {
   expansion_->expand({{body_.position[0], body_.position[1], body_.position[2]},
                       {body_.velocity[0], body_.velocity[1], body_.velocity[2]}},
                      order);
-  for (int k = 0; k <= order; ++k) {
+}
+
+double Propagation::rate_square(int k) const {
+  double rate[3];
+  if (unrolled(order_)) {
+    const double* const d = series_.rate[k / 2] + 2 * (k % 2);
+    for (int i = 0; i < 3; ++i) rate[i] = d[0] * series_.first[i] + d[1] * series_.second[i];
+  } else {
     const Vector3<double> c = expansion_->coefficient(k);
-    for (int i = 0; i < 3; ++i) series_.row[k][i] = c[i];
-    series_.row[k][3] = 0;
+    for (int i = 0; i < 3; ++i) rate[i] = k * c[i];
   }
+  return square(rate);
 }
 
 void Propagation::advance(double h, int position_degree, int velocity_degree) {
   if (observer_) before_ = user_state();
   position_degree_ = position_degree;
   velocity_degree_ = velocity_degree;
-  if (velocity_degree == position_degree - 1) {
-    kernel_->advance(series_, position_degree, h, options_.compensated, body_);
-    return;
+  if (unrolled(order_)) return kernel_->advance(series_, order_, h, options_.compensated, body_);
+  const State change = expansion_->increments(h, position_degree, velocity_degree);
+  for (int i = 0; i < 3; ++i) {
+    add(change.position[i], body_.position[i], body_.position_low[i]);
+    add(change.velocity[i], body_.velocity[i], body_.velocity_low[i]);
   }
-  // Advance position and velocity separately, with their own degrees.
-  kernels::Body other = body_;
-  kernel_->advance(series_, position_degree, h, options_.compensated, body_);
-  kernel_->advance(series_, velocity_degree + 1, h, options_.compensated, other);
-  std::copy_n(other.velocity, 4, body_.velocity);
-  std::copy_n(other.velocity_low, 4, body_.velocity_low);
 }
 
 Status Propagation::finish(double h, bool last) {
@@ -284,13 +291,17 @@ State Propagation::user_state() const {
 
 void Propagation::at(double t, State& x) const {
   const double h = (t - step_begin_) / time_unit_;
-  double position[4], velocity[4], unused[4];
-  kernel_->increments(series_, position_degree_, h, position, velocity);
-  if (velocity_degree_ != position_degree_ - 1)
-    kernel_->increments(series_, velocity_degree_ + 1, h, unused, velocity);
+  State change;
+  if (unrolled(order_)) {
+    double position[4], velocity[4];
+    kernel_->increments(series_, order_, h, position, velocity);
+    change = {{position[0], position[1], position[2]}, {velocity[0], velocity[1], velocity[2]}};
+  } else {
+    change = expansion_->increments(h, position_degree_, velocity_degree_);
+  }
   for (int i = 0; i < 3; ++i) {
-    x.position[i] = std::ldexp(series_.row[0][i] + position[i], length_exponent_);
-    x.velocity[i] = std::ldexp(series_.row[1][i] + velocity[i], length_exponent_ - time_exponent_);
+    x.position[i] = std::ldexp(origin_.position[i] + change.position[i], length_exponent_);
+    x.velocity[i] = std::ldexp(origin_.velocity[i] + change.velocity[i], length_exponent_ - time_exponent_);
   }
 }
 
@@ -300,8 +311,8 @@ Solution Propagation::result(Status status) const {
     // Return the last good state, about which the series was expanded.
     c.t = step_begin_;
     for (int i = 0; i < 3; ++i) {
-      c.x.position[i] = std::ldexp(series_.row[0][i], length_exponent_);
-      c.x.velocity[i] = std::ldexp(series_.row[1][i], length_exponent_ - time_exponent_);
+      c.x.position[i] = std::ldexp(origin_.position[i], length_exponent_);
+      c.x.velocity[i] = std::ldexp(origin_.velocity[i], length_exponent_ - time_exponent_);
     }
   }
   c.statistics.seconds = watch_.seconds();
@@ -314,29 +325,22 @@ double rough_log2(double x) {
   const auto bits = std::bit_cast<std::uint64_t>(x);
   const auto exponent = static_cast<double>(static_cast<std::int64_t>(bits >> 52U & 0x7ffU) - 1023);
   const double m = std::bit_cast<double>((bits & 0xfffffffffffffULL) | 0x3ff0000000000000ULL) - 1;
-  return exponent + m * (1.4208 + m * (-0.5769 + m * 0.1561));
+  return (exponent + m * 1.4208) + (m * m) * (-0.5769 + m * 0.1561);
 }
 double rough_exp2(double x) {
-  const double bounded = std::clamp(x, -1000.0, 1000.0), whole = std::floor(bounded), m = bounded - whole;
-  const double fraction = 1 + m * (0.6953 + m * (0.2263 + m * 0.0784));
-  return fraction * std::bit_cast<double>(static_cast<std::int64_t>(whole + 1023) << 52U);
+  const double bounded = std::clamp(x, -1000.0, 1000.0);
+  const double shifted = bounded + 0x1.8p52;  // the nearest integer in the last bits
+  const double m = bounded - (shifted - 0x1.8p52);
+  const double fraction = (0.99992 + m * 0.69314) + (m * m) * (0.24264 + m * 0.05584);
+  return std::bit_cast<double>(std::bit_cast<std::uint64_t>(fraction) +
+                               (std::bit_cast<std::uint64_t>(shifted) << 52U));
 }
 
-/// log2 of the step size h for which k |r_k| h^(k-1) is the wanted change of the velocity, given as log2 of
-/// its square.
-struct StepOfTerm {
-  std::array<double, kernels::most + 1> twice_log2{}, half_power{};
-  StepOfTerm() {
-    for (int k = 2; k <= kernels::most; ++k) {
-      twice_log2[static_cast<std::size_t>(k)] = 2 * std::log2(k);
-      half_power[static_cast<std::size_t>(k)] = 0.5 / (k - 1);
-    }
-  }
-  [[nodiscard]] double operator()(double wanted, double square, int k) const {
-    const auto i = static_cast<std::size_t>(k);
-    return (wanted - rough_log2(square) - twice_log2[i]) * half_power[i];
-  }
-};
+/// log2 of the step size h for which k |r_k| h^(k-1) is the wanted change of the velocity; @p wanted is log2
+/// of its square, @p square that of k r_k.
+double step_of_term(double wanted, double square, int k) {
+  return (wanted - rough_log2(square)) * (0.5 / (k - 1));
+}
 
 /// Smallest adaptive order; lower ones do not pay for their overhead at any tolerance.
 constexpr int least_chosen = 12;
@@ -358,14 +362,13 @@ class Control {
   [[nodiscard]] int order() const { return order_; }
   /// Step size from the latest series; then chooses the order of the next.
   double step(const Propagation& motion) {
-    static const StepOfTerm of_term;
     const double speed_square = motion.speed_square(), wanted = wanted_ + rough_log2(speed_square);
-    const double last = of_term(wanted, motion.square_of(order_), order_);
-    const double before = of_term(wanted, motion.square_of(order_ - 1), order_ - 1);
+    const double last = step_of_term(wanted, motion.rate_square(order_), order_);
+    const double before = step_of_term(wanted, motion.rate_square(order_ - 1), order_ - 1);
     const int used = order_;
     if (chooses_) {
       // d ln(step)/d ln(order) against d ln(work)/d ln(order).
-      const double earlier = of_term(wanted, motion.square_of(order_ - 2), order_ - 2);
+      const double earlier = step_of_term(wanted, motion.rate_square(order_ - 2), order_ - 2);
       const double gain = 0.5 * std::log(2.0) * (last - earlier) * order_;
       if (gain > 1.1 * cost_exponent_) order_ = bounded(order_ + 1);
       if (gain < 0.9 * cost_exponent_) order_ = bounded(order_ - 1);
@@ -373,7 +376,7 @@ class Control {
     const double step = rough_exp2(std::min(last, before)),
                  // The series of a straight line is finite, but that of the motion converges only for h <
                  // |r|/|v|.
-        most = (motion.is_fast() ? 0.5 : most_) * std::sqrt(motion.square_of(0) / speed_square);
+        most = (motion.is_fast() ? 0.5 : most_) * motion.distance() / std::sqrt(speed_square);
     if (step <= most) return step;
     if (chooses_) order_ = bounded(used - 1);
     return most;
@@ -429,7 +432,8 @@ Solution propagate(const State& start, double t0, double t1, const Gravity& grav
   require_within(method.name, "velocity_degree", velocity_degree, 1, kernels::most - 1);
   const int order = std::max(method.order, velocity_degree + 1);
   Propagation motion(start, t0, t1, gravity,
-                     {method.name, order, method.compensated, gravity.degree() == 0 && method.true_division,
+                     {method.name, order, method.compensated,
+                      gravity.degree() == 0 && method.true_division && velocity_degree == method.order - 1,
                       method.true_division, method.instructions},
                      observer, limits);
   const double direction = t1 < t0 ? -1 : 1;

@@ -20,7 +20,7 @@ namespace nlmech::orbit {
 /// sqrt(mu/r) (which bounds the step of a body at rest), estimated from the last two terms; the last term of
 /// the position is K r/(v h) times smaller. The step size is also limited so that cancellation stays below
 /// the tolerance (circles). Steps are never rejected. After each step K changes by one if that gives a larger
-/// step for the same work; from 4 to 40 the sums are unrolled (see the page "Architecture").
+/// step for the same work; orders from 4 to 40 are unrolled (see the page "Architecture").
 ///
 /// Time and state use compensated summation, and quotients by integers are correctly rounded: with a
 /// tolerance of 1e-17 the energy performs a random walk over ten thousand orbits without drift. The
@@ -51,7 +51,8 @@ struct FixedContinuation {
   int velocity_degree = 0;    ///< degree of the velocity series, from 1 to 99; 0: order - 1
   bool compensated = false;   ///< compensated summation; not used in the dissertation
   bool true_division = true;  ///< false: rounded reciprocals -mu/((n+1)(n+2)), to show their error
-  /// Instruction set for a point mass and degrees from 4 to 40. Empty: the best of this processor.
+  /// Instruction set for a point mass, degrees from 4 to 40 and a velocity of degree order - 1; other cases use
+  /// portable code. Empty: the best of this processor.
   std::optional<InstructionSet> instructions = std::nullopt;
 };
 

@@ -10,25 +10,27 @@ namespace nlmech::orbit::kernels {
 /// Smallest and largest order with unrolled sums, and largest order.
 inline constexpr int least_unrolled = 4, most_unrolled = 40, most = 100;
 
-/// Taylor coefficients of the position, r(t + h) = sum over k of row[k] h^k; x, y, z and padding.
-struct alignas(64) Coefficients {
-  double row[most + 1][4];
-};
-
 /// A state and the rounding errors of its sums; x, y, z and padding.
 struct alignas(64) Body {
   double position[4], velocity[4], position_low[4], velocity_low[4];
 };
 
+/// Taylor series of a Kepler orbit: r(t + h) = r + G(h) first + H(h) second with first = v and second =
+/// -(mu/|r|) r. Row m has the coefficients 2 m and 2 m + 1: G_2m, H_2m, G_2m+1, H_2m+1.
+struct alignas(64) Series {
+  double value[most_unrolled / 2 + 1][4];  ///< of G and H
+  double rate[most_unrolled / 2 + 1][4];   ///< of G' and H': G_k and H_k times k
+  double first[4], second[4];              ///< x, y, z and padding
+};
+
 /// Kernel functions for the unperturbed problem r'' = -mu r / |r|^3.
 struct Kernel {
-  /// Computes rows 2 to @p order (from least_unrolled to most_unrolled) from rows 0 and 1.
-  void (*expand)(double mu, int order, Coefficients& c) noexcept;
-  /// Changes of position and velocity (x, y, z, padding) in the time @p h, from rows 1 to @p order; order 2
-  /// or more.
-  void (*increments)(const Coefficients& c, int order, double h, double* position, double* velocity) noexcept;
+  /// Computes the series about a state to @p order, from least_unrolled to most_unrolled.
+  void (*expand)(double mu, int order, const Body& body, Series& s) noexcept;
+  /// Changes of position and velocity (x, y, z, padding) in the time @p h, with the order of expand().
+  void (*increments)(const Series& s, int order, double h, double* position, double* velocity) noexcept;
   /// Adds these changes to a state.
-  void (*advance)(const Coefficients& c, int order, double h, bool compensated, Body& body) noexcept;
+  void (*advance)(const Series& s, int order, double h, bool compensated, Body& body) noexcept;
 };
 
 extern const Kernel baseline_kernel;
