@@ -14,6 +14,10 @@
 #include "nlmech/program/interval.hpp"
 #include "nlmech/program/value_of.hpp"
 
+namespace nlmech::machine_code {
+class ValueAssembler;
+}
+
 namespace nlmech::program {
 
 /// Evaluates several expressions at a time and a state. Each operation is done once, operations on numbers in
@@ -47,6 +51,7 @@ class Program {
 
  private:
   friend class ProgramCompiler;
+  friend class machine_code::ValueAssembler;
   /// An operation with the places of its operands; r is that of the result.
   struct Instruction {
     Operation operation;
