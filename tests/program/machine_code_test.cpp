@@ -17,6 +17,7 @@
 #include <cstdlib>
 #include <iterator>
 #include <limits>
+#include <memory>
 #include <random>
 #include <string>
 #include <thread>
@@ -34,6 +35,8 @@ using program::Equations;
 using program::Problem;
 using program::Program;
 using program::SourceText;
+
+constexpr int repays_after = program::CodeOnDemand<machine_code::Values>::repays_after;
 
 /// Every operation and function, with values that are needed more than once.
 constexpr const char* everything =
@@ -115,6 +118,34 @@ TEST_F(MachineCode, HasTheValuesOfPrograms) {
   }
 }
 
+/// Problem's right-hand side with partial derivatives, before and after it has code.
+TEST_F(MachineCode, HasThePartialDerivativesOfPrograms) {
+  using machine_code::Numbers;
+  for (const std::string& text : {std::string(everything), std::string(branches), crowded()}) {
+    const Equations all = equations(text);
+    const Program program(all.graph(), all.slopes());
+    const Problem problem(all);
+    ASSERT_TRUE(machine_code::partial_derivatives(program) != nullptr);
+    States states;
+    for (int trial = 0; trial < repays_after + 1000; ++trial) {
+      const std::vector<double> numbers = states(3 * 9 + 1);
+      Vector<Numbers, Eigen::Dynamic> x(3), values(3), expected(3);
+      for (int i = 0; i < 3; ++i) {
+        x[i] = numbers[static_cast<std::size_t>(9 * i)];
+        std::copy_n(numbers.begin() + 9 * i + 1, 8, x[i].partial.begin());
+      }
+      program.run(Numbers(numbers.back()), x, 0, 3, [&](int i, const Numbers& v) { expected[i] = v; });
+      problem(Numbers(numbers.back()), x, values);
+      for (int i = 0; i < 3; ++i) {
+        ASSERT_TRUE(same(values[i].value, expected[i].value)) << text;
+        for (std::size_t k = 0; k < 8; ++k)
+          ASSERT_TRUE(same(values[i].partial[k], expected[i].partial[k]))
+              << text << " " << trial << " " << i << " " << k;
+      }
+    }
+  }
+}
+
 TEST_F(MachineCode, IsNotMadeForTooManyValues) {
   EXPECT_TRUE(machine_code::values(Program(program::Graph(5000), {1}), 0, 1) == nullptr);
 }
@@ -125,7 +156,7 @@ TEST_F(MachineCode, TakesOverFromTheInterpreter) {
   const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(4, 0.3, 1.7), q = x.head(2), v = x.tail(2);
   Eigen::VectorXd f(4), first(4), a(2);
   problem(0.7, x, first);
-  for (int i = 0; i < program::RepeatedValues::repays_after + 10; ++i) {
+  for (int i = 0; i < repays_after + 10; ++i) {
     problem(0.7, x, f);
     ASSERT_EQ(f, first) << i;
     problem.acceleration(0.7, q, v, a);
@@ -134,6 +165,19 @@ TEST_F(MachineCode, TakesOverFromTheInterpreter) {
   Eigen::VectorXd in_place = x;  // as the interpreter, which reads the state before it writes
   problem(0.7, in_place, in_place);
   EXPECT_EQ(in_place, first);
+}
+
+TEST_F(MachineCode, IsMadeOnceWhenItRepaysItself) {
+  const Equations all = equations("x' = 2 x");
+  const Program program(all.graph(), all.slopes());
+  const program::CodeOnDemand<machine_code::Values> code, none;
+  int made = 0;
+  for (int i = 1; i <= repays_after + 10; ++i) {
+    const bool there = code([&] { return ++made, machine_code::values(program, 0, 1); }) != nullptr;
+    ASSERT_EQ(there, i >= repays_after) << i;
+    ASSERT_TRUE(none([&] { return ++made, std::shared_ptr<machine_code::Values>(); }) == nullptr);
+  }
+  EXPECT_EQ(made, 2);
 }
 
 TEST_F(MachineCode, IsSharedByThreads) {
@@ -146,7 +190,7 @@ TEST_F(MachineCode, IsSharedByThreads) {
   for (int& count : differ) {
     threads.emplace_back([&] {
       Eigen::VectorXd f(3);
-      for (int i = 0; i < 2 * program::RepeatedValues::repays_after; ++i) {
+      for (int i = 0; i < 2 * repays_after; ++i) {
         problem(0.2, x, f);
         if (f != first) ++count;
       }
@@ -275,7 +319,7 @@ TEST_F(MachineCode, LeavesItToTheInterpretersWithoutExecutableMemory) {
     const Problem problem(all);
     const Eigen::Vector2d start(0.3, 0.4);
     Eigen::VectorXd f(2), x = start;
-    for (int i = 0; i < 2 * program::RepeatedValues::repays_after; ++i) problem(0.1, x, f);
+    for (int i = 0; i < 2 * repays_after; ++i) problem(0.1, x, f);
     TapeExpansion expansion;
     expansion.load(Tape(all.graph(), all.slopes()), 12);
     for (int i = 0; i < 2 * TapeExpansion::repays_after; ++i) expansion.expand(0.1, x.data());

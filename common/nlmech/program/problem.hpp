@@ -109,7 +109,7 @@ class Problem {
   /// dx/dt.
   template <class T>
   void operator()(const T& t, const Vector<T, Eigen::Dynamic>& x, Vector<T, Eigen::Dynamic>& dxdt) const {
-    if constexpr (std::is_same_v<T, double>)
+    if constexpr (std::is_same_v<T, double> || std::is_same_v<T, machine_code::Numbers>)
       program_->slopes(t, x, dxdt);
     else
       program_->run(t, x, 0, static_cast<std::size_t>(size_),

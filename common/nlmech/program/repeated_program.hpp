@@ -1,5 +1,5 @@
 /// @file
-/// A program whose values in double are computed many times.
+/// A program whose values and partial derivatives are computed many times.
 #pragma once
 
 #include <algorithm>
@@ -15,61 +15,68 @@
 
 namespace nlmech::program {
 
-/// Outputs @p first to @p last - 1 of a program in double: by the interpreter, and after many evaluations by
-/// machine code with the same results. Threads may share an object.
-class RepeatedValues {
+/// A function in machine code that is made when it has been asked for often enough. Threads may share an
+/// object.
+template <class Function>
+class CodeOnDemand {
  public:
-  /// Evaluations after which machine code is made: it repays its making, some 10 us and 0.2 us an
-  /// instruction, within about as many.
+  /// Requests after which the code is made. Making it takes some 10 us and 0.2 us an instruction, which it
+  /// repays within about as many.
   static constexpr int repays_after = 1000;
 
-  /// @param program outlives this object
-  RepeatedValues(const Program& program, std::size_t first, std::size_t last)
-      : program_(program), first_(first), last_(last) {}
-
-  /// The machine code, to be called with separate memory for state and values; null: use the interpreter.
-  [[nodiscard]] machine_code::Values* code() const {
-    if (machine_code::Values* const made = ready_.load(std::memory_order_acquire)) return made;
+  /// The code; null as long as the interpreter is to be used.
+  /// @param make returns the code, or null if there is none; it is called once
+  template <class Make>
+  [[nodiscard]] Function* operator()(const Make& make) const {
+    if (Function* const made = ready_.load(std::memory_order_acquire)) return made;
     // Threads may lose counts, which delays the code.
     const int left = left_.load(std::memory_order_relaxed);
     if (left == 0) return nullptr;
     left_.store(left - 1, std::memory_order_relaxed);
-    return left == 1 ? make() : nullptr;
+    if (left > 1) return nullptr;
+    std::call_once(once_, [&] {
+      owner_ = make();
+      ready_.store(owner_.get(), std::memory_order_release);
+    });
+    return owner_.get();
   }
 
  private:
-  [[nodiscard]] machine_code::Values* make() const;
-
-  const Program& program_;
-  std::size_t first_, last_;
   mutable std::atomic<int> left_ = repays_after;
-  mutable std::atomic<machine_code::Values*> ready_ = nullptr;
-  mutable std::shared_ptr<machine_code::Values> owner_;
+  mutable std::atomic<Function*> ready_ = nullptr;
+  mutable std::shared_ptr<Function> owner_;
   mutable std::once_flag once_;
 };
 
-/// A right-hand side: the first outputs are the slopes of the state.
+/// A right-hand side, computed by the interpreter, and after many evaluations by machine code with the same
+/// results.
 class RepeatedProgram : public Program {
  public:
   /// @param outputs the slopes of the state of @p graph, then any others
   RepeatedProgram(const Graph& graph, const std::vector<NodeId>& outputs)
-      : Program(graph, outputs),
-        size_(graph.size()),
-        slopes_(*this, 0, index(size_)),
-        accelerations_(*this, index(size_) / 2, index(size_)) {}
+      : Program(graph, outputs), size_(graph.size()) {}
 
   /// dx/dt in double.
   template <class State>
   void slopes(double t, const State& x, State& dxdt) const {
-    machine_code::Values* const code = slopes_.code();
+    auto* const code = slopes_([this] { return machine_code::values(*this, 0, index(size_)); });
     if (code != nullptr && x.data() != dxdt.data()) return code(t, x.data(), dxdt.data());
     run(t, x, 0, index(size_), [&](int i, double value) { dxdt[i] = value; });
+  }
+  /// dx/dt with partial derivatives.
+  template <class State>
+  void slopes(const machine_code::Numbers& t, const State& x, State& dxdt) const {
+    const auto put = [&](int i, const machine_code::Numbers& value) { dxdt[i] = value; };
+    if (auto* const code = partial_derivatives_([this] { return machine_code::partial_derivatives(*this); }))
+      run_by(*code, t, x, 0, index(size_), put);
+    else
+      run(t, x, 0, index(size_), put);
   }
   /// The slopes of the second half of the state, @p v.
   template <class Half>
   void accelerations(double t, const Half& q, const Half& v, Half& a) const {
     const int half = size_ / 2;
-    machine_code::Values* const code = accelerations_.code();
+    auto* const code = accelerations_([&] { return machine_code::values(*this, index(half), index(size_)); });
     if (code != nullptr && size_ <= most_copied) {
       std::array<double, most_copied> state;
       std::copy_n(v.data(), half, std::copy_n(q.data(), half, state.data()));
@@ -89,7 +96,8 @@ class RepeatedProgram : public Program {
   };
 
   int size_;
-  RepeatedValues slopes_, accelerations_;
+  CodeOnDemand<machine_code::Values> slopes_, accelerations_;
+  CodeOnDemand<machine_code::PartialDerivatives> partial_derivatives_;
 };
 
 }  // namespace nlmech::program
