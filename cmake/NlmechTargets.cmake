@@ -47,7 +47,7 @@ function(nlmech_component name)
     install(TARGETS nlmech_${name} EXPORT nlmech)
     set_property(GLOBAL APPEND PROPERTY NLMECH_INSTALLED ${name})
     install(DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/nlmech/${name}
-            FILES_MATCHING PATTERN "*.hpp" PATTERN "kernels" EXCLUDE)
+            FILES_MATCHING PATTERN "*.hpp" PATTERN "kernels" EXCLUDE PATTERN "assembler.hpp" EXCLUDE)
   endif()
 endfunction()
 

@@ -4,10 +4,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <string>
 
 #include "nlmech/ivp/system.hpp"
+#include "nlmech/program/machine_code/machine_code.hpp"
 #include "nlmech/program/problem.hpp"
 #include "tests/randomised/expression_tree.hpp"
 #include "tests/randomised/mutation.hpp"
@@ -174,6 +179,45 @@ TEST(RandomisedEquations, ValuesAndDerivatives) {
       }
       return worst;
     });
+  });
+}
+
+// The same bits, but that all NaN are alike.
+bool same(double a, double b) {
+  return (std::isnan(a) && std::isnan(b)) ||
+         std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
+
+double special(Draw& draw) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  return draw.chance(0.1) ? draw.one_of({infinity, -infinity, std::nan("")}) : draw.any_finite();
+}
+
+TEST(RandomisedEquations, MachineCodeHasTheBitsOfTheInterpreter) {
+  const program::Program nothing(program::Graph(1), {});
+  if (machine_code::values(nothing, 0, 0) == nullptr) GTEST_SKIP() << "no machine code here";
+  randomised_test({.quick = 300, .full = 100'000, .least_right = 0.5}, [](Draw& draw) {
+    const Trial trial(draw);
+    try {
+      const Equations equations(SourceText("E", trial.text));
+      const program::Program program(equations.graph(), equations.slopes());
+      const auto code = machine_code::values(program, 0, 2);
+      if (code == nullptr) return Case::wrong(trial.where() + " has no code");
+      for (int i = 0; i < 20; ++i) {
+        const bool any = draw.chance(0.3);
+        const double t = any ? special(draw) : draw.uniform(-3, 3);
+        const std::array<double, 2> x = {any ? special(draw) : draw.uniform(-3, 3),
+                                         any ? special(draw) : draw.uniform(-3, 3)};
+        std::array<double, 2> got{}, expected{};
+        program.run(t, x, 0, 2, [&](int k, double v) { expected[static_cast<std::size_t>(k)] = v; });
+        (*code)(t, x.data(), got.data());
+        if (!same(got[0], expected[0]) || !same(got[1], expected[1]))
+          return Case::wrong(fmt::format("{} at {:.17g}, {:.17g}, {:.17g}", trial.text, t, x[0], x[1]));
+      }
+      return Case::judged(0, 1, {});
+    } catch (const InputError&) {
+      return Case::refused();
+    }
   });
 }
 

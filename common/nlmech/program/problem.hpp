@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <memory>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 #include "nlmech/program/equations.hpp"
 #include "nlmech/program/linear_terms.hpp"
 #include "nlmech/program/program.hpp"
+#include "nlmech/program/repeated_program.hpp"
 #include "nlmech/program/switches.hpp"
 #include "nlmech/program/time_features.hpp"
 #include "nlmech/program/vector.hpp"
@@ -24,7 +26,7 @@ class Problem {
 
   /// Problem of @p equations.
   explicit Problem(const Equations& equations)
-      : program_(std::make_shared<const Program>(equations.graph(), equations.slopes())),
+      : program_(std::make_shared<const RepeatedProgram>(equations.graph(), equations.slopes())),
         switches_(std::make_shared<const Switches>(equations.graph(), equations.slopes())),
         features_(std::make_shared<const TimeFeatures>(equations.graph(), equations.slopes())),
         stated_(std::make_shared<const Stated>(equations)),
@@ -37,7 +39,7 @@ class Problem {
   /// The same problem with the derivatives @p slopes, nodes of @p graph.
   [[nodiscard]] Problem with_slopes(const Graph& graph, const std::vector<NodeId>& slopes) const {
     Problem other = *this;
-    other.program_ = std::make_shared<const Program>(graph, slopes);
+    other.program_ = std::make_shared<const RepeatedProgram>(graph, slopes);
     other.switches_ = std::make_shared<const Switches>(graph, slopes);
     other.linear_ = std::make_shared<const LinearTerms>(program::linear_terms(graph, slopes));
     other.smooth_ = other.switches_->count() == 0;
@@ -107,11 +109,16 @@ class Problem {
   /// dx/dt.
   template <class T>
   void operator()(const T& t, const Vector<T, Eigen::Dynamic>& x, Vector<T, Eigen::Dynamic>& dxdt) const {
-    program_->run(t, x, 0, static_cast<std::size_t>(size_), [&](int i, const T& value) { dxdt[i] = value; });
+    if constexpr (std::is_same_v<T, double> || std::is_same_v<T, machine_code::Numbers>)
+      program_->slopes(t, x, dxdt);
+    else
+      program_->run(t, x, 0, static_cast<std::size_t>(size_),
+                    [&](int i, const T& value) { dxdt[i] = value; });
   }
   /// The accelerations of second-order equations at positions @p q and velocities @p v.
   template <class T, int m>
   void acceleration(const T& t, const Vector<T, m>& q, const Vector<T, m>& v, Vector<T, m>& a) const {
+    if constexpr (std::is_same_v<T, double>) return program_->accelerations(t, q, v, a);
     const int half = size_ / 2;
     const auto state = [&](int i) -> const T& { return i < half ? q[i] : v[i - half]; };
     program_->run(t, Halves<decltype(state)>{state}, static_cast<std::size_t>(half),
@@ -137,7 +144,7 @@ class Problem {
     std::vector<double> lower, upper;
   };
 
-  std::shared_ptr<const Program> program_;
+  std::shared_ptr<const RepeatedProgram> program_;
   std::shared_ptr<const Switches> switches_;
   std::shared_ptr<const TimeFeatures> features_;
   std::shared_ptr<const Stated> stated_;

@@ -209,10 +209,10 @@ std::vector<NodeId> Switches::resolved(const Mode& mode, Graph& graph) const {
   return ids;
 }
 
-std::shared_ptr<const Program> Switches::in_mode(const Mode& mode) const {
+std::shared_ptr<const RepeatedProgram> Switches::in_mode(const Mode& mode) const {
   const std::scoped_lock lock(mutex_);
   if (known_.size() > most_known) known_.clear();
-  std::shared_ptr<const Program>& program = known_[mode];
+  std::shared_ptr<const RepeatedProgram>& program = known_[mode];
   if (program) return program;
 
   Graph graph = graph_;
@@ -241,7 +241,7 @@ std::shared_ptr<const Program> Switches::in_mode(const Mode& mode) const {
   std::vector<NodeId> outputs = slopes;
   outputs.insert(outputs.end(), watched.begin(), watched.end());
   outputs.insert(outputs.end(), along.begin(), along.end());
-  return program = std::make_shared<const Program>(graph, outputs);
+  return program = std::make_shared<const RepeatedProgram>(graph, outputs);
 }
 
 }  // namespace nlmech::program

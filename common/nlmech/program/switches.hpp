@@ -10,6 +10,7 @@
 
 #include "nlmech/program/graph.hpp"
 #include "nlmech/program/program.hpp"
+#include "nlmech/program/repeated_program.hpp"
 
 namespace nlmech::program {
 
@@ -44,7 +45,7 @@ class Switches {
   /// The equations of a mode. Outputs: the slopes; for each function its value, or the share of the upper
   /// side if the motion stays on its surface; then the derivatives of all functions along the slopes.
   /// Undetermined shares are NaN. Thread-safe.
-  [[nodiscard]] std::shared_ptr<const Program> in_mode(const Mode& mode) const;
+  [[nodiscard]] std::shared_ptr<const RepeatedProgram> in_mode(const Mode& mode) const;
 
  private:
   [[nodiscard]] std::vector<NodeId> resolved(const Mode& mode, Graph& graph) const;
@@ -59,7 +60,7 @@ class Switches {
   std::vector<NodeId> timed_;  // other switching or rounded nodes of time only; operands come first
   Program timed_values_;
   mutable std::mutex mutex_;
-  mutable std::map<Mode, std::shared_ptr<const Program>> known_;
+  mutable std::map<Mode, std::shared_ptr<const RepeatedProgram>> known_;
 };
 
 }  // namespace nlmech::program

@@ -19,6 +19,8 @@ class Tape {
   /// @throws std::invalid_argument if they depend on a choice
   Tape(const program::Graph& graph, const std::vector<program::NodeId>& outputs);
 
+  /// Have both the same operations and numbers?
+  bool operator==(const Tape&) const = default;
   /// Components of the state.
   [[nodiscard]] int size() const { return static_cast<int>(outputs_.size()); }
   /// Number of series of a replay: the time, the state, and one or two per instruction.

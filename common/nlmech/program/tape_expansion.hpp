@@ -3,8 +3,10 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <vector>
 
+#include "nlmech/program/machine_code/machine_code.hpp"
 #include "nlmech/program/tape.hpp"
 #include "nlmech/support/instruction_set.hpp"
 
@@ -28,6 +30,9 @@ class TapeExpansion {
   /// @throws std::invalid_argument if the processor does not have @p set
   explicit TapeExpansion(InstructionSet set = replay_instruction_set());
 
+  /// Expansions after which machine code with the same results replaces the kernel: its making takes about as long.
+  static constexpr int repays_after = 300;
+
   /// Loads a tape for series of order @p order >= 1. Allocates if more memory is needed than before.
   void load(Tape tape, int order);
 
@@ -50,6 +55,8 @@ class TapeExpansion {
   int order_ = 0;
   std::ptrdiff_t stride_ = 0;
   std::vector<double> memory_, reciprocals_;
+  int expansions_ = 0;
+  std::shared_ptr<machine_code::Coefficients> code_;
 };
 
 }  // namespace nlmech

@@ -30,7 +30,7 @@ bool alike(const Instruction& a, const Instruction& b) {
 
 }  // namespace
 
-TapeLanes::TapeLanes(InstructionSet set) : kernel_(&lane_kernel(set)), lanes_(kernel_->lanes) {}
+TapeLanes::TapeLanes(InstructionSet set) : kernel_(&lane_kernel(set)), lanes_(kernel_->lanes), set_(set) {}
 
 TapeLanes::Numbers TapeLanes::zeros(std::ptrdiff_t count) {
   const auto size = static_cast<std::size_t>(count);
@@ -42,6 +42,8 @@ TapeLanes::Numbers TapeLanes::zeros(std::ptrdiff_t count) {
 void TapeLanes::load(Tape tape, int order) {
   tape_ = std::move(tape);
   order_ = order;
+  expansions_ = 0;
+  code_ = nullptr;
   const tape::Program program = tape_.program();
   const auto rows = [this](int count) { return zeros(std::ptrdiff_t{count} * lanes_); };
   memory_ = zeros(std::ptrdiff_t{tape_.series()} * (order + 1) * lanes_);
@@ -85,9 +87,13 @@ void TapeLanes::set(int lane, double t, const double* x, double scale) {
 }
 
 void TapeLanes::expand() {
+  const std::ptrdiff_t stride = (order_ + 1) * lanes_;
+  if (expansions_ < repays_after && ++expansions_ == repays_after)
+    code_ = machine_code::lane_coefficients(tape_.program(), stride, order_, set_);
+  if (code_ != nullptr) return (*code_)(memory_.get(), constants_.get(), scales_.get());
   first_pass();
-  kernel_->replay(tape_.program(), constants_.get(), memory_.get(), std::ptrdiff_t{order_ + 1} * lanes_,
-                  order_, scales_.get(), reciprocals_.data());
+  kernel_->replay(tape_.program(), constants_.get(), memory_.get(), stride, order_, scales_.get(),
+                  reciprocals_.data());
 }
 
 void TapeLanes::add_up() {

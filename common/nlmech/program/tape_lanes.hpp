@@ -7,6 +7,7 @@
 #include <new>
 #include <vector>
 
+#include "nlmech/program/machine_code/machine_code.hpp"
 #include "nlmech/program/tape.hpp"
 #include "nlmech/support/instruction_set.hpp"
 
@@ -19,6 +20,8 @@ namespace nlmech {
 class TapeLanes {
  public:
   static constexpr int most_lanes = 16;  ///< largest number of lanes
+  /// Expansions of all lanes after which machine code with the same results replaces the kernel.
+  static constexpr int repays_after = 400;
 
   /// @throws std::invalid_argument if the processor does not have @p set
   explicit TapeLanes(InstructionSet set = best_instruction_set());
@@ -72,6 +75,9 @@ class TapeLanes {
   Tape tape_;
   Numbers memory_, constants_, scales_, arguments_, sums_;
   std::vector<double> reciprocals_;
+  InstructionSet set_;
+  int expansions_ = 0;
+  std::shared_ptr<machine_code::Coefficients> code_;
 };
 
 }  // namespace nlmech

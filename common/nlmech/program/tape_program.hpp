@@ -45,18 +45,27 @@ struct Instruction {
   double factor;        ///< a number, see Operation
   double divisor;       ///< a number, see Operation
   double shift;         ///< a number, see Operation
+
+  /// Are all members equal?
+  bool operator==(const Instruction&) const = default;
 };
 
 /// A term of a linear combination.
 struct Term {
   double factor;  ///< number
   int series;     ///< series that it multiplies
+
+  /// Are all members equal?
+  bool operator==(const Term&) const = default;
 };
 
 /// A component of the right-hand side.
 struct Output {
   int series;       ///< series of the component; -1: a constant
   double constant;  ///< value of the constant
+
+  /// Are all members equal?
+  bool operator==(const Output&) const = default;
 };
 
 /// A tape. Series 0 is the time, 1 to size are the state, then follow the results of the instructions.
