@@ -42,7 +42,6 @@ class Assembler : private Heap, public Xbyak::CodeGenerator {
   /// Returns from the function. @return the function in executable memory; null if the system refuses it
   template <class Function>
   [[nodiscard]] std::shared_ptr<Function> finish() {
-    vzeroupper();
     ret();
     align(64);
     for (auto& [bits, label] : table_) {

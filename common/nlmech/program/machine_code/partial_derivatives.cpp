@@ -18,6 +18,7 @@ class DualAssembler : private Assembler {
     push(rbx);
     mov(rbx, rdi);
     for (const Instruction& i : program_.instructions_) emit(i);
+    vzeroupper();
     pop(rbx);
     return finish<PartialDerivatives>();
   }

@@ -48,6 +48,7 @@ class SeriesAssembler : private Assembler {
     mov(r13, rdx);
     first_pass();
     for (k_ = 1; k_ < order_; ++k_) pass();
+    vzeroupper();
     for (const auto& saved : {r13, r12, rbx}) pop(saved);
     return finish<Coefficients>();
   }

@@ -36,21 +36,26 @@ class ValueAssembler : private Assembler {
   [[nodiscard]] static std::size_t places(const program::Program& program) { return program.places_; }
   [[nodiscard]] std::shared_ptr<Values> make() {
     find_uses();
-    const auto frame = static_cast<std::uint32_t>((places_.size() + 2) / 2 * 16 - 8);
-    push(rbx);
-    push(r12);
-    sub(rsp, frame);
-    mov(rbx, rdi);
-    mov(r12, rsi);
+    if (calls_) {
+      push(rbx);
+      push(r12);
+      mov(rbx, rdi);
+      mov(r12, rsi);
+    }
+    const bool saves = calls_ || places_.size() > registers;
+    const auto frame = static_cast<std::uint32_t>((places_.size() + 2) / 2 * 16 - 8);  // aligns calls
+    if (saves) sub(rsp, frame);
     for (std::size_t i = 0; i < program_.size_; ++i) places_[i + 1].saved = true;
     hold(0, 0);
     for (std::size_t i = 0; i < uses_.size(); ++i) {
       if (uses_[i].needed) emit(program_.instructions_[i], uses_[i]);
     }
     for (std::size_t i = first_; i < last_; ++i) put_output(i);
-    add(rsp, frame);
-    pop(r12);
-    pop(rbx);
+    if (saves) add(rsp, frame);
+    if (calls_) {
+      pop(r12);
+      pop(rbx);
+    }
     return finish<Values>();
   }
 
@@ -83,6 +88,7 @@ class ValueAssembler : private Assembler {
       live[step.r] = false;
       uses_[i].needed = true;
       if (step.operation == Operation::number) continue;
+      calls_ = calls_ || !is_arithmetic(step);
       uses_[i].last_a = !live[step.a];
       uses_[i].last_b = has_b(step) && !live[step.b];
       live[step.a] = true;
@@ -91,8 +97,9 @@ class ValueAssembler : private Assembler {
     }
   }
 
+  [[nodiscard]] const Xbyak::Reg64& state() const { return calls_ ? rbx : rdi; }
   [[nodiscard]] Xbyak::Address home(std::uint32_t place) const {
-    return is_input(place) ? ptr[rbx + 8 * (place - 1)] : ptr[rsp + 8 * place];
+    return is_input(place) ? ptr[state() + 8 * (place - 1)] : ptr[rsp + 8 * place];
   }
   void hold(std::uint32_t place, int in) {
     places_[place].in = in;
@@ -245,7 +252,7 @@ class ValueAssembler : private Assembler {
       vmovsd(value, constant(output.c));
     else
       value = load(output.place);
-    vmovsd(ptr[r12 + 8 * (i - first_)], value);
+    vmovsd(ptr[(calls_ ? r12 : rsi) + 8 * (i - first_)], value);
   }
 
   const program::Program& program_;
@@ -254,6 +261,7 @@ class ValueAssembler : private Assembler {
   std::vector<Uses> uses_;
   std::array<int, registers> held_ = filled();
   int now_ = 0;
+  bool calls_ = false;
 
   static std::array<int, registers> filled() {
     std::array<int, registers> all{};
