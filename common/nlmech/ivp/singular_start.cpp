@@ -46,7 +46,10 @@ Status examine(const System& system, const State& x0, double t0, double way) {
   if (!near.f.allFinite() || !near.j.allFinite() || !far.j.allFinite())
     return refused(t0, "the equations are not finite beside it either");
   if (near.j.norm() > 3 * std::max(far.j.norm(), 1.0))
-    return refused(t0, "it is no regular singular point, so no power series begins there; start beside it");
+    return refused(
+        t0,
+        "the equations of first order grow faster than the reciprocal of the distance from it, for "
+        "which there is no series here; start beside it");
   const double size = std::max(x0.norm(), 1e-300);
   if (near.f.norm() > 1e-6 * size && near.f.norm() > 0.5 * far.f.norm())
     return refused(
