@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -18,12 +19,10 @@ struct Printed {
 };
 
 /// @param every time between rows
-Printed printed(const std::string& equation, const std::string& until, const std::string& every) {
+Printed printed(const comparison::UserProblem& problem, const std::string& until, const std::string& every) {
   comparison::TypedOptions options;
-  options.equation = equation;
   options.until = until;
   options.every = every;
-  const comparison::UserProblem problem = comparison::problem_of(options)({});
   const comparison::RunOptions run =
       comparison::run_options(options, problem, problem.initial_state(options.initial));
   const comparison::Trajectory found =
@@ -38,6 +37,12 @@ Printed printed(const std::string& equation, const std::string& until, const std
     all.events.push_back(cells.back());
   }
   return all;
+}
+
+Printed printed(const std::string& equation, const std::string& until, const std::string& every) {
+  comparison::TypedOptions options;
+  options.equation = equation;
+  return printed(comparison::problem_of(options)({}), until, every);
 }
 
 /// The time of the last event of the given name.
@@ -79,14 +84,61 @@ void put(const Runs& all, scene::Show& show) {
                "closed form: a geometric series");
 }
 
+/// The load of a crane: two columns of a file.
+const program::Table& crane_load() {
+  static const program::Table table{.times = {0, 2, 5, 6, 9, 10, 20}, .values = {0, 4, 4, -2, -2, 0, 0}};
+  return table;
+}
+
+Printed loaded_run() {
+  const program::SourceText text("load.ode",
+                                 R"(x'' + 0.4 x' + 4 x = table("load.csv"); x(0) = 0; x'(0) = 0)");
+  return printed(
+      comparison::typed_problem(text, {}, "the equation", [](const std::string&) { return crane_load(); }),
+      "20", "0.05");
+}
+
+/// x(t) of x'' + 0.4 x' + 4 x = s, x(0) = x'(0) = 0, for s = t where t > 0, else 0.
+double after_ramp(double t) {
+  constexpr double w = 2, damping = 0.1;  // frequency; ratio to critical damping
+  if (t <= 0) return 0;
+  const double decay = std::exp(-damping * w * t), turn = std::sqrt(1 - damping * damping) * w;
+  return t / (w * w) - 2 * damping / (w * w * w) +
+         decay * (2 * damping / (w * w * w) * std::cos(turn * t) +
+                  (2 * damping * damping - 1) / (w * w * turn) * std::sin(turn * t));
+}
+
+void put_load(const Printed& run, scene::Show& show) {
+  const program::Table& load = crane_load();
+  scene::Plot& plot = show.plots("A table as load: an oscillator swings after each row");
+  plot.stacked({0.35, 0.65}).size(900, 500);
+  plot.panel("time, s", "load, N").y_range(-3, 5).curve("", load.times, load.values);
+  plot.panel("time, s", "displacement, m").curve("", run.t, run.x);
+
+  double worst = 0;
+  for (std::size_t k = 0; k < run.t.size(); ++k) {
+    double x = 0, before = 0;  // a sum of ramps, one for each change of the slope
+    for (std::size_t i = 0; i < load.times.size(); ++i) {
+      const double slope = i + 1 < load.times.size() ? load.slope(i) : 0;
+      x += (slope - before) * after_ramp(run.t[k] - load.times[i]);
+      before = slope;
+    }
+    worst = std::max(worst, std::abs(run.x[k] - x));
+  }
+  show.at_most("largest error of the displacement", worst, 1e-7, "closed form: a sum of responses to ramps");
+}
+
 }  // namespace
 
 std::vector<scene::Scene> scenes() {
   const scene::Result result("events", "typed equations with events and switches, tolerance 1e-9",
                              [](bool) { return runs(); });
+  const scene::Result loaded("table load", "a typed equation with a table as load, tolerance 1e-9",
+                             [](bool) { return loaded_run(); });
   return {{.name = "events",
            .title = "Events that change the state, and switches of time",
-           .content = scene::Content(put, result)}};
+           .content = scene::Content(put, result)},
+          {.name = "table-load", .title = "A table as load", .content = scene::Content(put_load, loaded)}};
 }
 
 }  // namespace nlmech::chapters::integrators::everyday

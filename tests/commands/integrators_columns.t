@@ -25,6 +25,17 @@ With --states they have the parameters of each row:
   row,t,x,x',E,input_E,status
   $ holds --each 'E = [1/2, 1/2, 2, 2] +- 1e-8' < rows.csv
 
+While a motion stays on a surface of the equations, columns have the values that keep it there: sign(x) is 0.3 where x' = 0.3 - sign(x) is 0, from
+t = 5/7 on. A mass on a belt of speed 1 sticks until the spring is as strong as the friction: -x = 2 sign(x' - 1):
+
+  $ for method in "dop853" "series" "ode45 --tolerance 1e-4" "rk4 --step 0.01"; do
+  >   integrate "x' = 0.3 - sign(x)" --initial x=0.5 --until 3 --every 0.5 --columns "s = sign(x); x'; two = 2 abs(x) + s" --method $method |
+  >     holds --each 's = (1 if t < 0.7 else 0.3) +- 1e-7' "x' = (-0.7 if t < 0.7 else 0) +- 1e-7" 'two = s + 2*abs(x) +- 1e-7'
+  >   integrate "x'' = -x - 2 sign(x' - 1)" --initial "x=0, x'=1" --until 3 --every 0.25 --columns "friction = -2 sign(x' - 1); x''" --method $method > belt.csv
+  >   awk -F, 'NR == 1 || $1 < 2' belt.csv | holds --each 'friction = x +- 1e-7' "x'' = 0 +- 1e-7" 'x = t +- 1e-7'
+  >   holds 'friction = 2 +- 1e-7' < belt.csv
+  > done
+
 The order of the columns
 ------------------------
 

@@ -26,7 +26,7 @@ sqrt(1 - t) ends at t = 1, and the first trial step at this tolerance crosses it
   > done
   integrators: outside_validity: a denominator of the equations becomes zero at t = 1.00*: the solution ends there; end the run before (glob)
   exit code 1
-  integrators: outside_validity: a denominator of the equations becomes zero at t = 0.99*: the solution ends there; end the run before (glob)
+  integrators: outside_validity: a denominator of the equations becomes zero at t = 1.00 +- 0.0?: the solution ends there; end the run before (glob)
   exit code 1
 
 Discontinuities

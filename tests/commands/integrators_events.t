@@ -32,6 +32,16 @@ is 1 at 3 pi/2 + 1:
   $ swing "atan2(x,x')=1" > angle.csv
   $ holds --where "event=atan2(x,x')=1" 't = [3*pi/2 + 1] +- 1e-8' < angle.csv
 
+So it is for functions of the state, and for those that jump between two zeros, here from 2 to -2:
+
+  $ steady() { integrate "x' = 1" --initial x=0 --until 10 --event "$1"; }
+  $ steady 'tan(x)=0' | holds --where 'event=tan(x)=0' 't = [pi, 2*pi, 3*pi] +- 1e-12'
+  $ steady 'if(x < 3, x - 1, x - 5)=0' > jump.csv
+  $ holds --where 'event=if(x < 3, x - 1, x - 5)=0' 't = [1, 5] +- 1e-12' < jump.csv
+  $ steady 'mod(t, 1)=0.25' | holds --where 'event=mod(t, 1)=0.25' 't = i + 0.25 +- 1e-12' 'n = 10'
+  $ steady 'floor(t)=3' > rows.csv
+  integrators: floor(t)=3 cannot be told from zero between t = 3 and 4: rows may be missing
+
 A section shows its own rows alone:
 
   $ integrate "x'' = -x" --initial "x=0, x'=1" --until 20 --section "x=0 rising" --tolerance 1e-13 |

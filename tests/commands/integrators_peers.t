@@ -19,7 +19,7 @@ An event, friction and an end before the end as by methods of nlmech (integrator
   $ friction --until 1 | holds 'x = 0.5 +- 1e-11' "x' = 0.5 +- 1e-11"
   $ friction --until 3 | holds 'x = 0.6 + 0.5*sin(3 - 1.2) +- 1e-8'
   $ integrators integrate --equation "y' = -1/(2 y)" --initial 1 --until 2 --tolerance 1e-3 --method cvode-bdf
-  integrators: outside_validity: a denominator of the equations becomes zero at t = 0.98*: the solution ends there; end the run before (glob)
+  integrators: outside_validity: a denominator of the equations becomes zero at t = 0.99 +- 0.02: the solution ends there; end the run before
   [1]
 
 Runs that end with success and are far off: multistep formulas and extrapolation that underrate the errors of their steps. The right ends: the

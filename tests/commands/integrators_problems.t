@@ -207,7 +207,7 @@ They end with 1, print nothing, and say the method, where it stopped and what to
   integrators: wrong_branch: laier: Newton's iteration of the step of 0.125 from t = 807* converged, but the error estimate is * of the displacement: its root need not continue the solution; take a smaller step, or a tolerance instead (glob)
   [1]
   $ mtl van-der-pol --set mu=1000 --until 10 --step 1
-  integrators: non_finite: mtl: the exponential of the linear part overflows over the block of 3 from t = 0; take a smaller step or tolerance (a program can choose another linear part)
+  integrators: non_finite: mtl: the exponential of the linear part overflows over 3 steps of 1 from t = 0; take a smaller step or tolerance (a program can choose another linear part)
   [1]
   $ series forced-duffing --until 100 --step 0.7 --order 80
   integrators: non_finite: series: the Taylor coefficients to order 80 at t = * are not finite; the solution may be singular there, else take a lower order, or a smaller step or tolerance (glob)

@@ -13,6 +13,9 @@ has to be, although the time at its start is rounded: 8000 s at 1 m/s.
   $ late --equation "x'' = -x" --initial 1,0 --until 10000000000000010 --step 1.5
   integrators: step_underflow: rk4: at t = 10000000000000000 times are rounded by a noticeable part of the step of 1.5; take a step of at least 1024, or count the time from the start
   [1]
+  $ integrators integrate --method mtl --from 1e16 --equation "x'' = -x" --initial 1,0 --until 10000000000000010 --step 1.5
+  integrators: step_underflow: mtl: at t = 10000000000000000 times are rounded by a noticeable part of the step of 1.5; take a step of at least 341.333, or count the time from the start
+  [1]
   $ late --equation "x' = 1" --initial 0 --until 10000000000008000 --step 1501 | holds 'x = 8000 +- 1e-11'
 
 Where the concentration that drives the others has become smaller than the absolute tolerance a run may leave the physical states, as

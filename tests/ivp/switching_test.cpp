@@ -10,6 +10,7 @@
 
 #include "nlmech/ivp/integrate.hpp"
 #include "nlmech/ivp/named/named_methods.hpp"
+#include "nlmech/program/switches.hpp"
 #include "tests/ivp/typed.hpp"
 
 namespace nlmech::tests::switching_test {
@@ -51,6 +52,24 @@ TEST(Switching, DryFrictionComesToRest) {
     EXPECT_NEAR(rest.x[0], -0.1, 1e-7);
     EXPECT_NEAR(rest.x[1], 0, 1e-9);
   }
+}
+
+// Both sides of x = 0 lead to it: 0.3 - 1 from above, 0.3 + 1 from below. The share of the upper side is
+// 0.65, for which a further expression sign(x) is 0.3. For x' = 2 - sign(x) they do not.
+TEST(Switching, TheModeAtAPoint) {
+  const State zero{0}, errors{1e-9};
+  const ivp::System sliding = ivp::testing::typed("x' = 0.3 - sign(x)");
+  EXPECT_EQ(ivp::mode_at(sliding, 0, zero, errors), ivp::Mode({0}));
+  EXPECT_EQ(ivp::mode_at(sliding, 0, State{-1e-10}, errors), ivp::Mode({0}));
+  EXPECT_EQ(ivp::mode_at(sliding, 0, State{-1e-8}, errors), ivp::Mode({-1}));
+  EXPECT_EQ(ivp::mode_at(sliding, 0, State{1}, errors), ivp::Mode({1}));
+  EXPECT_EQ(ivp::mode_at(ivp::testing::typed("x' = 2 - sign(x)"), 0, zero, errors), ivp::Mode({1}));
+  program::Equations equations({"test", "x' = 0.3 - sign(x)"});
+  const program::NodeId sign = equations.expression("column", "sign(x)");
+  const program::Switches switches(equations.graph(), equations.slopes(), {sign});
+  double value = 0;
+  switches.in_mode({0})->run(0., zero, 3, 4, [&value](int, double v) { value = v; });
+  EXPECT_NEAR(value, 0.3, 1e-15);
 }
 
 // Arcs of parabolas with period 4 sqrt(2 q0); the observer receives whole steps between the corners.

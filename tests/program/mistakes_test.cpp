@@ -99,6 +99,7 @@ TEST(Mistake, IsPointedAt) {
       {"x' = y\ny' = 2 x +\nz' = 1", "E:3:4: an equation must have exactly one sign =\n"},
       {"x'' = \u2212x", "E:1:7: a minus sign is typed -\n  x'' = \u2212x\n        ^"},
       {"x'' = x\u00b2", "E:1:8: a square is typed ^2\n  x'' = x\u00b2\n         ^"},
+      {"x'' = |x|", "E:1:7: an absolute value is typed abs(...)\n"},
       {"x'' = 30\u00b0", "E:1:9: angles are in radians: write a degree as pi/180\n"},
       {"x\u2032 = 1", "E:1:2: a derivative is typed with a straight prime, x'\n"},
       {"x' = x \xff", "E:1:8: \\xff has no meaning here\n  x' = x \\xff\n         ^^^^"},

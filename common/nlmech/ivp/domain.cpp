@@ -1,9 +1,12 @@
 #include "nlmech/ivp/domain.hpp"
 
+#include <fmt/format.h>
+
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 #include <utility>
 
 #include "nlmech/ivp/singular_start.hpp"
@@ -18,11 +21,7 @@ namespace {
 
 using program::Interval;
 
-/// Placeholder state for functions of time only.
-template <class T>
-struct NoState {
-  T operator[](int) const { return T(0); }
-};
+constexpr double tolerances_of_a_run = 10;  // allowance for the accumulated errors of all steps
 
 /// Bounds at a point for states with errors up to error.absolute + error.relative |x_i|.
 Enclosure at_point(const Event& g, double t, const State& x, StateAccuracy error) {
@@ -68,7 +67,7 @@ State moved_to(const Event& g, double t, State x, double value) {
 }
 
 /// Do the equations lead away from the zero of an argument at @p x, with a rate per distance that grows
-/// towards it?
+/// towards it? @param near distance of g from zero, on the side of its sign
 bool repels(const Event& g, double t, const State& x, double near, int direction) {
   const auto slope = [&](double distance) {
     return direction * (rate_at(g, t, moved_to(g, t, x, distance)) - rate_at(g, t, x)) / distance;
@@ -77,56 +76,27 @@ bool repels(const Event& g, double t, const State& x, double near, int direction
   return far > 0 && slope(near / 1e4) > 3 * far;
 }
 
-/// Zeros of a function of time only.
-class ZerosOfTime {
- public:
-  explicit ZerosOfTime(const Event& g) : g_(g) {}
+/// May a solution stay at the zero of the argument of max or abs under a root at @p x, or leave it?
+bool stays_or_leaves(const Event& g, double t, const State& x, double near, int direction) {
+  return rate_at(g, t, x) == 0 && (repels(g, t, x, near, direction) || repels(g, t, x, -near, direction));
+}
 
-  /// The first zero from @p from to @p to (either order); none if there is no zero.
-  [[nodiscard]] std::optional<double> first(double from, double to) {
-    left_ = 10'000;
-    return search(from, to, 0);
-  }
-
- private:
-  [[nodiscard]] double value(double t) const { return g_.value(t, {}); }
-  [[nodiscard]] std::optional<double> search(double a, double b, int depth) {
-    if (--left_ < 0) return {};
-    const Enclosure g = g_.bounds({std::min(a, b), std::max(a, b)}, {});
-    if (!g.value.has(0)) return {};
-    const double middle = a + (b - a) / 2;
-    constexpr int most_halvings = 50;
-    if (!g.rate.has(0)) {
-      const double at_a = value(a), at_b = value(b);
-      if (at_a == 0) return a;
-      if (at_b != 0 && (at_a > 0) == (at_b > 0)) return {};
-      return bisect(a, b, at_a > 0);
-    }
-    if (depth == most_halvings || middle == a || middle == b) return middle;
-    if (const std::optional<double> zero = search(a, middle, depth + 1)) return zero;
-    return search(middle, b, depth + 1);
-  }
-  // The first double at which the sign has changed.
-  [[nodiscard]] double bisect(double a, double b, bool positive) const {
-    for (;;) {
-      const double middle = a + (b - a) / 2;
-      if (middle == a || middle == b) return b;
-      ((value(middle) > 0) == positive && value(middle) != 0 ? a : b) = middle;
-    }
-  }
-
-  const Event& g_;
-  int left_ = 0;
-};
+/// "1.52 +- 0.02": a time with the digits that its uncertainty leaves.
+std::string with_digits(double t, double uncertainty) {
+  const double size = std::pow(10, std::floor(std::log10(uncertainty)));
+  if (!(uncertainty > 1e-9 * std::abs(t))) return fmt::format("{:.9g}", t);
+  const int decimals = std::clamp(-static_cast<int>(std::log10(size)), 0, 17);
+  return fmt::format("{:.{}f} +- {:.1g}", t, decimals, std::ceil(uncertainty / size) * size);
+}
 
 /// Are @p t and @p of equal to 8 roundings?
 bool is_near(double t, double of) {
   return std::abs(t - of) <= 8 * eps * std::max(std::abs(t), std::abs(of));
 }
 
-bool is_zero_at(const Event& g, double t) {
-  const Enclosure there = g.bounds(Interval(t), {});
-  return std::abs(g.value(t, {})) <= 8 * eps * std::abs(t) * there.rate.magnitude();
+/// Is a function of the time zero at @p t?
+bool is_zero_at(const Event& g, double t, const State& x) {
+  return std::abs(g.value(t, x)) <= 8 * eps * std::abs(t) * at_point(g, t, x, {}).rate.magnitude();
 }
 
 /// One integration that checks the domain of its equations.
@@ -143,10 +113,12 @@ class Guarded {
         t1_(t1),
         direction_(t1 > t0 ? 1 : -1),
         observer_(observer),
-        limits_(limits) {}
+        limits_(limits),
+        boundaries_(domain.arguments.size()) {}
 
   Solution from(const State& x0) {
     all_ = {t0_, x0, {}, {}};
+    x0_ = x0;
     if (t0_ == t1_ || !x0.allFinite()) return run_(system_, x0, t0_, t1_, observer_, limits_);
     begin();
     constexpr int most_parts = 10'000;
@@ -158,7 +130,7 @@ class Guarded {
       else
         part();
     }
-    if (!all_.status.ok()) name_denominator();
+    if (!all_.status.ok()) name_end();
     all_.statistics.seconds = watch_.seconds();
     return all_;
   }
@@ -166,11 +138,11 @@ class Guarded {
  private:
   // Handles a singular point or a zero argument at the start.
   void begin() {
-    const auto is_singular = [this](const Event& g) { return is_zero_at(g, t0_); };
+    const auto is_singular = [this](const Event& g) { return is_zero_at(g, t0_, all_.x); };
     if (std::ranges::any_of(domain_.timed, is_singular)) return begin_series();
     for (std::size_t i = 0; i < domain_.arguments.size(); ++i) {
       const double value = domain_.arguments[i].value(all_.t, all_.x);
-      const bool is_zero = value == 0 || (value < 0 && value >= -margin_of(i));
+      const bool is_zero = value == 0 || (i < domain_.corners && value < 0 && value >= -margin_of(i));
       if (is_zero && direction_ * rate_at(domain_.beyond_arguments[i], all_.t, all_.x) <= 0) rest(i);
     }
   }
@@ -192,12 +164,14 @@ class Guarded {
     all_.status = failed_with(Outcome::interrupted, "the observer stopped the run at t = {:.17g}", all_.t);
   }
 
+  [[nodiscard]] bool rests() const { return std::ranges::any_of(boundaries_, &Boundary::rests); }
+
   // Integrates to the next zero of an argument, or to the end of the rest at one.
   void part() {
     stop_.reset();
     finder_.emplace(watched(),
                     accuracy_);  // dense output: a run that ends at a singular point is inaccurate
-    const System& system = rests_ ? *domain_.beyond : system_;
+    const System& system = rests() ? *domain_.beyond : system_;
     const Observer observer = domain_.watches()
                                   ? Observer([this, &system](const Step& step) { return see(system, step); })
                                   : observer_;
@@ -214,42 +188,46 @@ class Guarded {
     if (!stop_) return rest_at_failure();
     all_.status = stop_->status;
     if (!all_.status.ok()) return;
-    if (!rests_) {
-      rest(stop_->event);
-    } else if (stop_->event % 2 == 0) {
-      rests_ = false;
-    } else {
-      leave(stop_->event / 2);
-    }
+    const std::size_t i = stop_->event / 2;
+    if (!boundaries_[i].rests)
+      rest(i);
+    else if (stop_->event % 2 == 0)
+      boundaries_[i].rests = false;
+    else
+      leave(i);
   }
   // Trial steps beyond the zero of an argument are not finite, so the last accepted step may end before it.
   void rest_at_failure() {
     const Outcome outcome = all_.status.outcome();
-    if (rests_ || (outcome != Outcome::non_finite && outcome != Outcome::step_underflow)) return;
+    if (outcome != Outcome::non_finite && outcome != Outcome::step_underflow) return;
     for (std::size_t i = 0; i < domain_.arguments.size(); ++i) {
-      const bool is_known = is_passed_ && i == passed_;
-      if (is_known || !(std::abs(domain_.arguments[i].value(all_.t, all_.x)) <= margin_of(i))) continue;
-      rest(i);
-      if (!rests_) continue;
+      if (boundaries_[i].rests || boundaries_[i].is_passed) continue;
+      if (!(std::abs(domain_.arguments[i].value(all_.t, all_.x)) <= margin_of(i))) continue;
+      const Status failed = all_.status;
       all_.status = {};
-      return;
+      rest(i);
+      if (boundaries_[i].rests || !all_.status.ok()) return;
+      all_.status = failed;
     }
   }
-  // Events: arguments that become zero. While an argument rests at zero: its departure to either side.
+  // Two events for each argument: its zero, or its departure from a rest at zero to either side.
   [[nodiscard]] std::vector<Event> watched() const {
     std::vector<Event> events;
-    for (std::size_t i = 0; i < domain_.arguments.size(); ++i) {
-      if (!rests_) {
-        events.push_back(domain_.arguments[i]);
-        events.back().ends = 1;
-        if (is_passed_ && i == passed_) events.back() = never();
+    const bool is_beyond = rests();
+    for (std::size_t i = 0; i < boundaries_.size(); ++i) {
+      const Boundary& at = boundaries_[i];
+      if (at.rests) {
+        events.push_back(shifted(i, -at.margin, Crossing::rising));
+        events.push_back(shifted(i, at.margin, Crossing::falling));
         continue;
       }
-      const bool is_this = i == resting_;
-      events.push_back(is_this ? shifted(i, -margin_, Crossing::rising) : never());
-      events.push_back(shifted(i, is_this ? margin_ : margin_of(i), Crossing::falling));
+      events.push_back(at.is_passed ? never()
+                                    : (is_beyond ? domain_.beyond_arguments : domain_.arguments)[i]);
+      events.back().ends = i < domain_.corners ? 1 : 0;  // see() ends at corners that are touched
+      events.push_back(never());
     }
     events.insert(events.end(), domain_.crossings.begin(), domain_.crossings.end());
+    events.insert(events.end(), domain_.timed.begin(), domain_.timed.end());
     return events;
   }
   static Event never() {
@@ -274,57 +252,96 @@ class Guarded {
     event.ends = 1;
     return event;
   }
+  // Bounds of g at (t, x) for accumulated errors of all steps.
+  [[nodiscard]] Interval bounds_of(const Event& g, double t, const State& x) const {
+    return at_point(g, t, x,
+                    {tolerances_of_a_run * accuracy_.relative, tolerances_of_a_run * accuracy_.absolute})
+        .value;
+  }
   // Error of an argument due to the errors of the states.
   [[nodiscard]] double margin_of(std::size_t i) const {
-    constexpr double many_tolerances = 10;  // allowance for the accumulated errors of all steps
-    const StateAccuracy errors{many_tolerances * accuracy_.relative, many_tolerances * accuracy_.absolute};
-    const Interval there = at_point(domain_.arguments[i], all_.t, all_.x, errors).value;
+    const Interval there = bounds_of(domain_.arguments[i], all_.t, all_.x);
     const double size = at_point(domain_.arguments[i], t0_, all_.x, {1, 0}).value.magnitude();
     const double wide = std::isfinite(there.width()) ? there.width() : 0;
     return std::max(5 * wide, 1e-12 * (std::isfinite(size) ? size : 1)) + std::numeric_limits<double>::min();
+  }
+  // The time @p t of a zero of g at a state x close to it, as text: with the digits that the tolerances
+  // leave, or three of a method without a tolerance.
+  [[nodiscard]] std::string time_of_zero(const Event& g, double t, const State& x, double rate) const {
+    if (accuracy_.absolute == 0 && accuracy_.relative == 0) return fmt::format("{:.3g}", t);
+    const double wide = bounds_of(g, t, x).width() / std::abs(rate);
+    return with_digits(t, tolerances_of_a_run * accuracy_.relative * std::abs(t - t0_) +
+                              (std::isfinite(wide) ? wide / 2 : 0));
   }
 
   // Continues with the equations `beyond` from the zero of argument i.
   void rest(std::size_t i) {
     const Event& g = domain_.arguments[i];
-    resting_ = i;
-    margin_ = margin_of(i);
     const State at = moved_to(g, all_.t, all_.x, 0);
-    is_passed_ = all_.t != t0_ && repels(g, all_.t, at, margin_, direction_);
-    passed_ = i;
-    if (is_passed_) return;
-    rests_ = true;
-    if (has_rested_ != nullptr) *has_rested_ = true;
-    rests_from_ = all_.t;
-    all_.x = at;
+    for (Boundary& other : boundaries_) other.is_passed = false;
+    Boundary& here = boundaries_[i];
+    here = {.rests = true, .is_passed = false, .margin = margin_of(i), .from = all_.t};
+    if (all_.t != t0_ && i >= domain_.corners && !is_near(all_.t, t1_) &&
+        stays_or_leaves(g, all_.t, at, here.margin, direction_)) {
+      here.rests = false;
+      all_.status =
+          failed_with(Outcome::outside_validity,
+                      "the argument of a root becomes zero at t = {}: the solution beyond is not unique; "
+                      "end the run before",
+                      time_of_zero(g, all_.t, at, rate_beside(g, at)));
+    } else if (all_.t != t0_ && !may_rest(i, at)) {
+      here.rests = false;
+      here.is_passed = true;
+    } else {
+      if (has_rested_ != nullptr) *has_rested_ = true;
+      all_.x = at;
+    }
   }
+  // May a solution stay at the zero of argument i? Not where the equations lead away or are infinite.
+  [[nodiscard]] bool may_rest(std::size_t i, const State& at) const {
+    State f(at.size());
+    domain_.beyond->rhs(all_.t, at, f);
+    const bool is_steep =
+        i < domain_.corners && repels(domain_.arguments[i], all_.t, at, boundaries_[i].margin, direction_);
+    return f.allFinite() && !is_steep;
+  }
+  // The greater rate of g at a distance from its zero that the errors of the states make: at the zero it may
+  // vanish.
+  [[nodiscard]] double rate_beside(const Event& g, const State& at) const {
+    const double near = bounds_of(g, all_.t, at).width() / 2;
+    return std::max(std::abs(rate_at(g, all_.t, moved_to(g, all_.t, at, near))),
+                    std::abs(rate_at(g, all_.t, moved_to(g, all_.t, at, -near))));
+  }
+  // The solution leaves the domain of argument i, unless the equations are defined there too: sqrt(max(h,
+  // 0)).
   void leave(std::size_t i) {
-    const double rate = std::abs(rate_at(domain_.beyond_arguments[i], all_.t, all_.x));
-    const double since = std::abs(all_.t - rests_from_);
-    const double left = all_.t - direction_ * std::min(since, rate > 0 ? 2 * margin_ / rate : 0.);
+    State f(all_.x.size());
+    system_.rhs(all_.t, all_.x, f);
+    boundaries_[i].rests = false;
+    if (f.allFinite()) return;
+    const Boundary& here = boundaries_[i];
+    const Event& g = domain_.beyond_arguments[i];
+    const double rate = std::abs(rate_at(g, all_.t, all_.x)), since = std::abs(all_.t - here.from);
+    const double back = rate > 0 ? std::min(since, 2 * here.margin / rate) : 0;
     all_.status = failed_with(Outcome::outside_validity,
                               "the argument of a square root, a power with a fraction or an arc becomes "
-                              "negative at t = {:.9g}, and "
+                              "negative at t = {}, and "
                               "the equations do not define the solution beyond; end the run before",
-                              left);
+                              time_of_zero(g, all_.t - direction_ * back, all_.x, rate));
   }
 
   bool see(const System& system, const Step& step) {
     const std::size_t known = finder_->hits().size();
     const bool continues = finder_->see(system, step, limits_);
-    std::optional<double> zero = singular_time(system, step);
-    for (std::size_t k = known; k < finder_->hits().size() && !zero; ++k) {
+    for (std::size_t k = known; k < finder_->hits().size(); ++k) {
       const Hit& hit = finder_->hits()[k];
-      const bool is_denominator = hit.event >= finder_->events() - domain_.crossings.size();
-      if (is_denominator && !is_end(hit.t) && is_singular(system, hit.t, step)) zero = hit.t;
-    }
-    if (zero) {
-      stop_at(*zero, step.at(*zero), 0, step);
-      stop_->status =
-          failed_with(Outcome::outside_validity,
-                      "a denominator of the equations becomes zero at t = {:.9g}: {}; end the run before",
-                      *zero, is_infinite_ ? "the solution ends there" : "the solution beyond is not unique");
-      return false;
+      const bool is_denominator = hit.event >= 2 * boundaries_.size();
+      if (is_touched_corner(hit)) {
+        stop_at(hit.t, hit.x, hit.event, step);
+        return false;
+      }
+      if (is_denominator && !is_near(hit.t, t0_) && !is_near(hit.t, t1_) && is_singular(system, hit.t, step))
+        return end_at(hit, step);
     }
     if (continues) return !observer_ || observer_(step) || stop_by_observer();
     if (finder_->ended()) {
@@ -333,7 +350,28 @@ class Guarded {
     }
     return false;
   }
-  [[nodiscard]] bool is_end(double t) const { return is_near(t, t0_) || is_near(t, t1_); }
+  // Is it the zero of max(g, 0) or abs(g) under a root, at which g does not change? A method passes others.
+  [[nodiscard]] bool is_touched_corner(const Hit& hit) const {
+    const std::size_t i = hit.event / 2;
+    if (i < domain_.corners || i >= boundaries_.size() || boundaries_[i].rests) return false;
+    return rate_at(domain_.arguments[i], hit.t, moved_to(domain_.arguments[i], hit.t, hit.x, 0)) == 0;
+  }
+  // Ends the run at the zero of a denominator.
+  bool end_at(const Hit& hit, const Step& step) {
+    const std::size_t i = hit.event - 2 * boundaries_.size();
+    std::string time = fmt::format("{:.9g}", hit.t);
+    if (i < domain_.crossings.size()) {
+      const Event& g = domain_.crossings[i];
+      const double rate = (g.value(step.t1, step.x1) - g.value(step.t0, step.x0)) / (step.t1 - step.t0);
+      time = time_of_zero(g, hit.t, hit.x, rate);
+    }
+    stop_at(hit.t, hit.x, 0, step);
+    stop_->status =
+        failed_with(Outcome::outside_validity,
+                    "a denominator of the equations becomes zero at t = {}: {}; end the run before", time,
+                    is_infinite_ ? "the solution ends there" : "the solution beyond is not unique");
+    return false;
+  }
   bool stop_by_observer() {
     is_stopped_ = true;
     return false;
@@ -347,22 +385,6 @@ class Guarded {
       stop_by_observer();
   }
 
-  // First zero of a time-only denominator within a step beyond which the solution is infinite or not unique.
-  // Zeros at t0 and t1 do not count.
-  std::optional<double> singular_time(const System& system, const Step& step) {
-    for (const Event& g : domain_.timed) {
-      double from = step.t0;
-      constexpr int most = 100;
-      for (int k = 0; k < most && from != step.t1; ++k) {
-        const std::optional<double> zero = ZerosOfTime(g).first(from, step.t1);
-        if (!zero) break;
-        if (!is_end(*zero) && is_singular(system, *zero, step)) return zero;
-        from = *zero + (step.t1 - *zero) * 1e-6;
-        if (from == *zero) break;
-      }
-    }
-    return {};
-  }
   // Is the solution infinite or not unique at @p zero, where f or its derivatives are infinite?
   bool is_singular(const System& system, double zero, const Step& step) {
     const double before = zero - step.t0, after = step.t1 - zero,
@@ -374,6 +396,8 @@ class Guarded {
     for (int k = 0; k < 2; ++k) {
       const double t = zero + distances[k] * room;
       step.dense.at(t, x);
+      // Dense output with further stages may evaluate one of them at the zero.
+      if (!x.allFinite()) x = step.x0 + (t - step.t0) / (step.t1 - step.t0) * (step.x1 - step.x0);
       system.rhs(t, x, f);
       system.jacobian(t, x, j);
       j *= t - zero;
@@ -384,26 +408,42 @@ class Guarded {
     return is_infinite_ || j.eigenvalues().real().maxCoeff() > 1e-2;
   }
 
-  // Names the denominator in the message of a run that fails close to a zero of it.
-  void name_denominator() {
+  // The time of the zero of g beside which the run has failed; none if it has failed elsewhere.
+  [[nodiscard]] std::optional<double> zero_beside(const Event& g) const {
+    const double value = g.value(all_.t, all_.x), start = g.value(t0_, x0_);
+    if (!(std::abs(value) < 1e-3 * std::abs(start))) return {};  // a solution that grows without end
+    const double away = value / rate_at(g, all_.t, all_.x);      // NaN beyond the zero of a logarithm
+    if (std::abs(away) <= 1e-6 * std::abs(all_.t - t0_)) return all_.t - away;
+    const bool is_beyond = value * start <= 0 && std::abs(value) < 1e-6 * std::abs(start);
+    return is_beyond ? std::optional(all_.t) : std::nullopt;
+  }
+  // A run that fails close to the zero of a denominator, or of the argument of a logarithm, ends there.
+  void name_end() {
     const Outcome outcome = all_.status.outcome();
     if (outcome != Outcome::step_underflow && outcome != Outcome::non_finite) return;
-    std::vector<const Event*> all;
-    for (const Event& g : domain_.denominators) all.push_back(&g);
-    for (const Event& g : domain_.timed) all.push_back(&g);
-    for (const Event* g : all) {
-      const double value = g->value(all_.t, all_.x), rate = rate_at(*g, all_.t, all_.x);
-      const double away = direction_ * -value / rate;
-      if (!(away >= 0 && away <= 1e-6 * std::abs(all_.t - t0_))) continue;
-      const std::string sentence(all_.status.sentence());
-      all_.status = failed_with(outcome,
-                                "{}: a denominator of the equations becomes zero at t = {:.9g}, where the "
-                                "solution ends; end the run before",
-                                sentence.substr(0, sentence.find(':')), all_.t + direction_ * away);
-      return;
+    std::string time;
+    for (const Event& g : domain_.timed) {
+      if (const std::optional<double> t = zero_beside(g)) time = fmt::format("{:.9g}", *t);
     }
+    for (const Event& g : domain_.ends) {
+      if (const std::optional<double> t = zero_beside(g))
+        time = time_of_zero(g, *t, all_.x, rate_at(g, all_.t, all_.x));
+    }
+    if (time.empty()) return;
+    all_.status = failed_with(
+        Outcome::outside_validity,
+        "a denominator of the equations, or the argument of a logarithm, becomes zero at t = {}, where the "
+        "solution ends; end the run before",
+        time);
   }
 
+  // What has become of the zero of an argument.
+  struct Boundary {
+    bool rests = false;      // the solution is there
+    bool is_passed = false;  // the solution went on from there
+    double margin = 0;       // the solution has left when the argument exceeds this
+    double from = 0;         // time since when it rests
+  };
   struct Stop {
     std::size_t event;
     double t;
@@ -417,42 +457,25 @@ class Guarded {
   bool* has_rested_;  // may be null
   const System& system_;
   double t0_, t1_;
+  State x0_;
   int direction_;
   const Observer& observer_;
   const Limits& limits_;
   Solution all_;
   std::optional<EventFinder> finder_;
   std::optional<Stop> stop_;
-  bool rests_ = false, is_passed_ = false, is_stopped_ = false, is_infinite_ = false;
-  std::size_t resting_ = 0, passed_ = 0;
-  double margin_ = 0, rests_from_ = 0;
+  std::vector<Boundary> boundaries_;  // one per argument
+  bool is_stopped_ = false, is_infinite_ = false;
   Stopwatch watch_;
 };
-
-/// event_of() for an expression of time only; it does not read the state.
-Event timed_event_of(program::Graph graph, program::NodeId node) {
-  const program::NodeId rate = program::rates(graph, {node}, {}).front();
-  const auto program = std::make_shared<const program::Program>(graph, std::vector{node, rate});
-  Event event;
-  event.value = [program](double t, const State&) {
-    double value = 0;
-    program->run(t, NoState<double>{}, 0, 1, [&value](int, double v) { value = v; });
-    return value;
-  };
-  event.bounds = [program](const Interval& t, std::span<const Interval>) {
-    Enclosure g;
-    program->run(t, NoState<Interval>{}, 0, 2,
-                 [&g](int i, const Interval& v) { (i == 0 ? g.value : g.rate) = v; });
-    return g;
-  };
-  return event;
-}
 
 }  // namespace
 
 Event event_of(program::Graph graph, program::NodeId node, const std::vector<program::NodeId>& slopes) {
-  const program::NodeId rate = program::rates(graph, {node}, slopes).front();
-  const auto program = std::make_shared<const program::Program>(graph, std::vector{node, rate});
+  const std::vector<program::NodeId> jumps = program::jumps_of(graph, node);
+  std::vector<program::NodeId> outputs = {node, program::rates(graph, {node}, slopes).front()};
+  outputs.insert(outputs.end(), jumps.begin(), jumps.end());
+  const auto program = std::make_shared<const program::Program>(graph, outputs);
   Event event;
   event.value = [program](double t, const State& x) {
     double value = 0;
@@ -461,7 +484,12 @@ Event event_of(program::Graph graph, program::NodeId node, const std::vector<pro
   };
   event.bounds = [program](const Interval& t, std::span<const Interval> x) {
     Enclosure g;
-    program->run(t, x, 0, 2, [&g](int i, const Interval& v) { (i == 0 ? g.value : g.rate) = v; });
+    program->run(t, x, 0, program->outputs(), [&g](int i, const Interval& v) {
+      if (i < 2)
+        (i == 0 ? g.value : g.rate) = v;
+      else if (v.has(0))
+        g.rate = {};  // a jump has no bound on its rate
+    });
     return g;
   };
   event.slopes = [all = std::make_shared<const program::Program>(graph, slopes)](
@@ -475,16 +503,20 @@ Event event_of(program::Graph graph, program::NodeId node, const std::vector<pro
 Domain::Domain(const program::Equations& equations) {
   const program::Domain domain(equations);
   const std::vector<program::NodeId>& slopes = equations.slopes();
-  for (const program::NodeId id : domain.arguments) {
-    arguments.push_back(event_of(domain.graph, id, slopes));
-    beyond_arguments.push_back(event_of(domain.graph, id, domain.beyond));
+  corners = domain.arguments.size();
+  for (const std::vector<program::NodeId>& ids : {domain.arguments, domain.corners}) {
+    for (const program::NodeId id : ids) {
+      arguments.push_back(event_of(domain.graph, id, slopes));
+      beyond_arguments.push_back(event_of(domain.graph, id, domain.beyond));
+    }
   }
   const std::vector<Interval> anywhere(static_cast<std::size_t>(equations.size()));
   for (const program::NodeId id : domain.denominators) {
-    denominators.push_back(event_of(domain.graph, id, slopes));
-    if (denominators.back().bounds({}, anywhere).value.low < 0) crossings.push_back(denominators.back());
+    ends.push_back(event_of(domain.graph, id, slopes));
+    if (ends.back().bounds({}, anywhere).value.low < 0) crossings.push_back(ends.back());
   }
-  for (const program::NodeId id : domain.timed) timed.push_back(timed_event_of(domain.graph, id));
+  for (const program::NodeId id : domain.logarithms) ends.push_back(event_of(domain.graph, id, slopes));
+  for (const program::NodeId id : domain.timed) timed.push_back(event_of(domain.graph, id, slopes));
   if (!arguments.empty())
     beyond.emplace(program::Problem(equations).with_slopes(domain.graph, domain.beyond));
 }
@@ -503,8 +535,10 @@ bool several_begin(const Domain& domain, double t, const State& x, int direction
   for (std::size_t i = 0; i < domain.arguments.size(); ++i) {
     const Event& g = domain.arguments[i];
     const double near = 1e-6 * std::max(x.norm(), 1.);
-    if (g.value(t, x) == 0 && direction * rate_at(domain.beyond_arguments[i], t, x) <= 0 &&
-        repels(g, t, x, near, direction))
+    if (g.value(t, x) != 0) continue;
+    const bool may_rest = direction * rate_at(domain.beyond_arguments[i], t, x) <= 0;
+    if (i < domain.corners ? may_rest && repels(g, t, x, near, direction)
+                           : stays_or_leaves(g, t, x, near, direction))
       return true;
   }
   return false;

@@ -5,15 +5,20 @@
 ///  - Arguments of square roots, powers with a fraction and arcs that reach zero along the solution: an empty
 ///    tank, h' = -sqrt(h). From there the equations with max(g, 0) in place of the argument g are integrated.
 ///    If their solution stays at g = 0, or comes back from there, it is the solution (the tank stays empty);
-///    if g becomes negative, the run ends with `outside_validity` and the time at which it left. A zero that
-///    repels the solution (x' = sqrt(x) near x = 0) is ignored.
+///    if g becomes negative, the run ends with `outside_validity` and the time at which it left, unless the
+///    equations are defined there, as those with sqrt(max(h, 0)). A zero that repels the solution (x' =
+///    sqrt(x) near x = 0) is ignored.
 ///  - Denominators that depend on time only and become zero between t0 and t1: the run ends with
 ///    `outside_validity` if the solution becomes infinite there or many solutions continue from there, as
 ///    those of sin(t) x' = cos(t) x beyond pi; it continues where the quotient stays regular, as sin(t)/t
 ///    does. If such a denominator is zero at the start, the first part of the solution is a power series
 ///    (singular_start.hpp).
-///  - Denominators that depend on the state: the same where they change sign; the message of a run that fails
-///    close to a zero of one names the denominator.
+///  - Factors of denominators that depend on the state: the same where they change sign (x of 1/x^2). A run
+///  that
+///    fails close to a zero of one, or of the argument of a logarithm, ends with `outside_validity` and the
+///    time of that zero.
+///
+/// The times in messages have the digits that the accuracy of the states leaves.
 #pragma once
 
 #include <memory>
@@ -38,17 +43,19 @@ struct Domain {
   /// Domain of @p equations.
   explicit Domain(const program::Equations& equations);
 
-  std::vector<Event> arguments;         ///< expressions that must not be negative
+  std::vector<Event>
+      arguments;            ///< arguments g of roots, powers and arcs; then g of roots of max(g, 0), abs(g)
+  std::size_t corners = 0;  ///< index of the first g of a root of max(g, 0) or abs(g)
   std::vector<Event> beyond_arguments;  ///< the same, with the rates of the equations `beyond`
   std::optional<System> beyond;  ///< the equations with max(g, 0) for each argument g; none without arguments
-  std::vector<Event> denominators;  ///< denominators that depend on the state
-  std::vector<Event> crossings;     ///< state-dependent denominators that may become negative
-  std::vector<Event> timed;         ///< denominators that depend on time only
+  std::vector<Event> ends;       ///< state-dependent factors of denominators, and arguments of logarithms
+  std::vector<Event> crossings;  ///< those factors that may become negative
+  std::vector<Event> timed;      ///< factors of denominators that depend on time only
 
   /// Must every step be checked?
   [[nodiscard]] bool watches() const { return !arguments.empty() || !crossings.empty() || !timed.empty(); }
   /// Are there no events?
-  [[nodiscard]] bool empty() const { return arguments.empty() && denominators.empty() && timed.empty(); }
+  [[nodiscard]] bool empty() const { return arguments.empty() && ends.empty() && timed.empty(); }
 };
 
 /// Wraps @p run so that it respects the domain of its equations; returns @p run itself if the domain is
@@ -61,7 +68,7 @@ struct Domain {
                                       StateAccuracy accuracy, bool* rests = nullptr);
 
 /// Do several solutions start at (t, x)? They do if an argument is zero there and the solution may rest there
-/// or leave, as for x' = sqrt(x) from 0.
+/// or leave, as for x' = sqrt(x) and x' = sqrt(abs(x)) from 0.
 /// @param direction of integration, 1 or -1
 [[nodiscard]] bool several_begin(const Domain& domain, double t, const State& x, int direction);
 

@@ -200,7 +200,8 @@ class EventFinder::Scan {
       const Interval t(std::min(a, b), std::max(a, b));
       Enclosure g = event().bounds(t, f_.box_);
       if (!g.value.has(0)) return without(g.value);
-      if (!g.rate.has(0)) return monotone(a, b, sign_of(g.rate.low) * direction_);
+      const bool has_pole = !std::isfinite(g.value.width());  // a function with a pole is not monotone
+      if (!g.rate.has(0) && !has_pole) return monotone(a, b, sign_of(g.rate.low) * direction_);
       const Enclosure there = at_point(middle, 1);
       const Interval tight = there.value + g.rate * Interval(-t.width() / 2, t.width() / 2);
       if (!tight.has(0)) return without(tight);
@@ -241,7 +242,13 @@ class EventFinder::Scan {
     sign = after;
     if (before == 0 || after == before || !f_.status_.ok()) return;
     const double t = first_of(a, b, [&](double at) { return sign_at(at) != before; });
-    if (counts(-before) && f_.status_.ok() && is_zero(t, a, b)) add(t, -before);
+    if (!f_.status_.ok()) return;
+    if (!is_zero(t, a, b)) {
+      if (value_at(t) == 0)  // it jumps to zero and stays there for some time
+        f_.add_open(event_, t, first_of(t, b, [&](double at) { return sign_at(at) == after; }));
+    } else if (counts(-before)) {
+      add(t, -before);
+    }
   }
   // The first double at which a condition holds that holds at b.
   template <class Condition>
@@ -420,7 +427,12 @@ bool EventFinder::stops_at(Hit& hit) {
     hit.after = hit.x;
     event.change(hit.t, hit.after);
     changed_ = !ended_;
-    if (!hit.after.allFinite()) status_ = event_undefined(hit.t);
+    if (!hit.after.allFinite())
+      status_ =
+          failed_with(Outcome::non_finite,
+                      "event: the state after its change at t = {:.17g} is not finite; give a change that "
+                      "is defined there",
+                      hit.t);
   }
   return ended_ || changed_;
 }

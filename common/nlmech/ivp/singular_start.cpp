@@ -47,7 +47,9 @@ Status examine(const System& system, const State& x0, double t0, double span) {
     return refused(t0, "the equations are not finite near it");
   if (near.j.norm() > 3 * std::max(far.j.norm(), 1.0))
     return refused(
-        t0, "it is not a regular singular point, so that no power series exists; start at another time");
+        t0,
+        "the equations of first order grow faster than the reciprocal of the distance from it, for "
+        "which no power series is implemented; start at another time");
   const double size = std::max(x0.norm(), 1e-300);
   if (near.f.norm() > 1e-6 * size && near.f.norm() > 0.5 * far.f.norm())
     return refused(t0,

@@ -386,4 +386,37 @@ Solution integrate_switching(const System& system, const State& x0, double t0, d
   return Walk(system, t0, t1, run, observer, limits).from(t0, x0);
 }
 
+Mode mode_at(const System& system, double t, const State& x, const State& errors) {
+  const auto count = static_cast<std::size_t>(system.switches());
+  std::vector<double> values(count), moved(count), rates(count), spread(count);
+  Mode mode(count, 1);
+  const System any = system.in_mode(mode);
+  any.surfaces(t, x, values, rates);
+  State beside = x;
+  for (Eigen::Index j = 0; j < x.size(); ++j) {
+    beside[j] = x[j] + errors[j];
+    any.surfaces(t, beside, moved, rates);
+    for (std::size_t i = 0; i < count; ++i) spread[i] += std::abs(moved[i] - values[i]);
+    beside[j] = x[j];
+  }
+  for (std::size_t i = 0; i < count; ++i) mode[i] = values[i] < 0 ? -1 : 1;
+  const auto rate = [&](std::size_t i, std::int8_t side) {
+    Mode on = mode;
+    on[i] = side;
+    system.in_mode(on).surfaces(t, x, moved, rates);
+    return rates[i];
+  };
+  // Whether both sides of a surface lead to it depends on the other surfaces.
+  Mode last;
+  for (std::size_t k = 0; k <= count && mode != last; ++k) {
+    last = mode;
+    for (std::size_t i = 0; i < count; ++i) {
+      if (!(std::abs(values[i]) <= spread[i])) continue;
+      const bool stays = rate(i, 1) < 0 && rate(i, -1) > 0;
+      mode[i] = static_cast<std::int8_t>(stays ? 0 : values[i] < 0 ? -1 : 1);
+    }
+  }
+  return mode;
+}
+
 }  // namespace nlmech::ivp

@@ -30,4 +30,10 @@ using SmoothRun = std::function<Solution(const System&, const State& x0, double 
                                            const SmoothRun& run, const Observer& observer,
                                            const Limits& limits);
 
+/// The mode of a solution through (t, x) that is integrated forwards: for each switching function 1 where it
+/// is positive or zero, -1 where it is negative, and 0 where it is zero to within the errors of the state and
+/// both sides lead to its surface.
+/// @param errors bound on the error of each component of @p x
+[[nodiscard]] Mode mode_at(const System& system, double t, const State& x, const State& errors);
+
 }  // namespace nlmech::ivp

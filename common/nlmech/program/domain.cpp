@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "nlmech/program/program.hpp"
-#include "nlmech/program/time_features.hpp"
 
 namespace nlmech::program {
 namespace {
@@ -23,13 +23,29 @@ Interval bounds_of(const Graph& graph, NodeId id) {
   return bounds;
 }
 
-/// The denominator of a node, if there is one.
-std::optional<NodeId> denominator_of(const Node& n) {
+/// The denominator of a node, if there is one. May add a node to the graph.
+std::optional<NodeId> denominator_of(Graph& graph, const Node& n) {
   switch (n.operation) {
     case Operation::quotient: return n.b;
     case Operation::reciprocal: return n.a;
     case Operation::power: return n.c < 0 ? std::optional(n.a) : std::nullopt;
+    case Operation::function:
+      return n.function == Function::tan ? std::optional(graph.call(Function::cos, n.a, n.a)) : std::nullopt;
     default: return {};
+  }
+}
+
+/// Adds the factors of a denominator. A power and abs(a) touch zero where their base changes its sign.
+void add_factors(const Graph& graph, NodeId id, std::vector<NodeId>& factors) {
+  const Node& n = graph[id];
+  const bool is_root = n.operation == Operation::function && n.function == Function::sqrt;
+  const bool is_abs = n.operation == Operation::choice && n.a == n.decides && is_never_negative(graph, id);
+  if (n.operation == Operation::product || n.operation == Operation::scaled ||
+      n.operation == Operation::divided || n.operation == Operation::power || is_root || is_abs) {
+    add_factors(graph, n.a, factors);
+    if (n.operation == Operation::product && n.b != n.a) add_factors(graph, n.b, factors);
+  } else {
+    factors.push_back(id);
   }
 }
 
@@ -72,6 +88,25 @@ std::vector<NodeId> continued(Graph& graph, const std::vector<NodeId>& ids,
   return all;
 }
 
+/// Is a choice the same on both sides of its surface, as in abs, min and max: is the difference of its
+/// operands a multiple of the switching function? Tried at a few states; else it may jump.
+bool is_continuous(const Graph& graph, const Node& n) {
+  struct SomeState {
+    int k;
+    double operator[](int i) const { return 0.3 + std::fmod(0.6180339887498949 * (3 * i + k), 1.); }
+  };
+  const Program all(graph, {n.a, n.b, n.decides});
+  double first = 0;
+  for (int k = 1; k <= 3; ++k) {
+    double values[3] = {};
+    all.run(0.7 * k, SomeState{k}, 0, 3, [&](int i, double v) { values[i] = v; });
+    const double ratio = (values[0] - values[1]) / values[2];
+    if (k == 1) first = ratio;
+    if (!(std::abs(ratio - first) <= 1e-9 * std::abs(first))) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 std::optional<NodeId> needs_positive(Graph& graph, const Node& n) {
@@ -91,19 +126,51 @@ bool is_never_negative(const Graph& graph, NodeId argument) {
   return is_opposite || (other.operation == Operation::number && other.c >= 0);
 }
 
-Domain::Domain(const Equations& equations) : graph(equations.graph()) {
-  const std::vector<bool> part = parts_of(graph, equations.slopes()), by_time = of_time_alone(graph);
+std::vector<NodeId> jumps_of(Graph& graph, NodeId id) {
+  const std::vector<bool> part = parts_of(graph, {id});
+  std::vector<NodeId> jumps;
   for (std::size_t i = 0; i < part.size(); ++i) {
     if (!part[i]) continue;
-    const Node node = graph[static_cast<NodeId>(i)];
-    const std::optional<NodeId> argument = needs_positive(graph, node), below = denominator_of(node);
-    if (argument && depends_on_state(graph, *argument) && !is_never_negative(graph, *argument) &&
-        bounds_of(graph, *argument).low < 0)
-      add_once(arguments, *argument);
-    if (below && !graph.is_number(*below) && bounds_of(graph, *below).has(0))
-      add_once(by_time[index(*below)] ? timed : denominators, *below);
+    const Node n = graph[static_cast<NodeId>(i)];
+    if (n.operation == Operation::choice && !is_continuous(graph, n)) add_once(jumps, n.decides);
+    if (n.operation == Operation::atan2) add_once(jumps, graph.choice(n.b, graph.number(1), n.a));
+    if (n.operation == Operation::floor) {
+      const NodeId turns = graph.product(graph.number(std::numbers::pi), n.a);
+      add_once(jumps, graph.call(Function::sin, turns, turns));
+    }
+    const bool is_stepped =
+        n.operation == Operation::table && graph.tables()[static_cast<std::size_t>(n.c)]->stepped;
+    if (is_stepped) add_once(jumps, graph.number(0));
   }
-  if (!arguments.empty()) beyond = continued(graph, equations.slopes(), arguments);
+  return jumps;
+}
+
+Domain::Domain(const Equations& equations) : graph(equations.graph()) {
+  const std::vector<bool> part = parts_of(graph, equations.slopes());
+  for (std::size_t i = 0; i < part.size(); ++i) {
+    if (part[i]) add_conditions(static_cast<NodeId>(i));
+  }
+  if (!arguments.empty() || !corners.empty()) beyond = continued(graph, equations.slopes(), arguments);
+}
+
+void Domain::add_conditions(NodeId id) {
+  const Node node = graph[id];
+  const auto may_be_zero = [this](NodeId a) { return !graph.is_number(a) && bounds_of(graph, a).has(0); };
+  if (const std::optional<NodeId> argument = needs_positive(graph, node)) {
+    const bool is_corner = is_never_negative(graph, *argument);
+    const NodeId a = is_corner ? graph[*argument].decides : *argument;
+    if (depends_on_state(graph, a) && bounds_of(graph, a).low < 0)
+      add_once(is_corner ? corners : arguments, a);
+  }
+  if (const std::optional<NodeId> below = denominator_of(graph, node)) {
+    std::vector<NodeId> factors;
+    add_factors(graph, *below, factors);
+    for (const NodeId factor : factors) {
+      if (may_be_zero(factor)) add_once(depends_on_state(graph, factor) ? denominators : timed, factor);
+    }
+  }
+  const bool is_logarithm = node.operation == Operation::function && node.function == Function::log;
+  if (is_logarithm && may_be_zero(node.a)) add_once(logarithms, node.a);
 }
 
 }  // namespace nlmech::program

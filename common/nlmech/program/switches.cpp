@@ -16,20 +16,21 @@ namespace {
 /// Sliding motion on surfaces: the shares of the jumps that keep all functions zero.
 class Sliding {
  public:
-  /// @param slopes of the lower side of each surface @param deciding the functions
-  Sliding(Graph& graph, std::vector<NodeId> slopes, std::vector<NodeId> deciding)
+  /// @param values of the lower side of each surface: the slopes, then further expressions
+  /// @param deciding the functions
+  Sliding(Graph& graph, std::vector<NodeId> values, std::vector<NodeId> deciding)
       : graph_(graph),
-        slopes_(std::move(slopes)),
+        values_(std::move(values)),
         deciding_(std::move(deciding)),
-        fall_(rates(graph_, deciding_, slopes_)) {}
+        fall_(rates(graph_, deciding_, slopes_of(values_))) {}
 
-  /// Adds a surface with the slopes of its upper side.
+  /// Adds a surface with the values of its upper side.
   void add(std::size_t surface, const std::vector<NodeId>& upper) {
     surfaces_.push_back(surface);
-    rises_.push_back(rates(graph_, deciding_, upper));
+    rises_.push_back(rates(graph_, deciding_, slopes_of(upper)));
     jumps_.emplace_back();
     for (std::size_t i = 0; i < upper.size(); ++i)
-      jumps_.back().push_back(graph_.difference(upper[i], slopes_[i]));
+      jumps_.back().push_back(graph_.difference(upper[i], values_[i]));
   }
   /// The share of each surface.
   std::vector<NodeId> shares() {
@@ -48,18 +49,22 @@ class Sliding {
       return std::vector<NodeId>(surfaces_.size(), graph_.number(std::nan("")));
     }
   }
-  /// The slopes with these shares.
-  std::vector<NodeId> slopes(const std::vector<NodeId>& shares) {
+  /// The values with these shares.
+  std::vector<NodeId> values(const std::vector<NodeId>& shares) {
     for (std::size_t k = 0; k < shares.size(); ++k) {
-      for (std::size_t i = 0; i < slopes_.size(); ++i)
-        slopes_[i] = graph_.sum(slopes_[i], graph_.product(shares[k], jumps_[k][i]));
+      for (std::size_t i = 0; i < values_.size(); ++i)
+        values_[i] = graph_.sum(values_[i], graph_.product(shares[k], jumps_[k][i]));
     }
-    return slopes_;
+    return values_;
   }
 
  private:
+  [[nodiscard]] std::vector<NodeId> slopes_of(const std::vector<NodeId>& values) const {
+    return {values.begin(), values.begin() + graph_.size()};
+  }
+
   Graph& graph_;
-  std::vector<NodeId> slopes_, deciding_, fall_;
+  std::vector<NodeId> values_, deciding_, fall_;
   std::vector<std::size_t> surfaces_;
   std::vector<std::vector<NodeId>> rises_, jumps_;
 };
@@ -87,7 +92,8 @@ std::vector<bool> constant_between_choices(const Graph& graph) {
 
 }  // namespace
 
-Switches::Switches(const Graph& graph, const std::vector<NodeId>& slopes) : graph_(graph), slopes_(slopes) {
+Switches::Switches(const Graph& graph, const std::vector<NodeId>& slopes, const std::vector<NodeId>& further)
+    : graph_(graph), slopes_(slopes), further_(further) {
   const std::vector<bool> part = parts_of(graph_, slopes_), constant = constant_between_choices(graph_);
   for (NodeId i = 0; i < graph_.nodes(); ++i) {
     if (!part[index(i)]) continue;
@@ -175,9 +181,10 @@ bool Switches::is_root_of_size(const Node& n) const {
          std::find(deciding_.begin(), deciding_.end(), graph_[n.a].decides) != deciding_.end();
 }
 
-// The slopes, then the functions, without choices, for a mode without zeros.
+// The slopes, the further expressions, and then the functions, without choices, for a mode without zeros.
 std::vector<NodeId> Switches::resolved(const Mode& mode, Graph& graph) const {
   std::vector<NodeId> ids = slopes_;
+  ids.insert(ids.end(), further_.begin(), further_.end());
   ids.insert(ids.end(), deciding_.begin(), deciding_.end());
   const std::vector<bool> part = parts_of(graph_, ids);
   std::vector<NodeId> made(part.size());
@@ -219,28 +226,30 @@ std::shared_ptr<const RepeatedProgram> Switches::in_mode(const Mode& mode) const
   Mode below = mode;
   std::replace(below.begin(), below.end(), std::int8_t{0}, std::int8_t{-1});
   const std::vector<NodeId> all = resolved(below, graph);
-  const auto middle = all.begin() + static_cast<std::ptrdiff_t>(slopes_.size());
-  std::vector<NodeId> slopes(all.begin(), middle), deciding(middle, all.end()), watched = deciding;
+  const auto middle = all.end() - static_cast<std::ptrdiff_t>(deciding_.size());
+  std::vector<NodeId> values(all.begin(), middle), deciding(middle, all.end()), watched = deciding;
   if (below != mode) {
-    Sliding sliding(graph, slopes, deciding);
+    Sliding sliding(graph, values, deciding);
     for (std::size_t i = 0; i < mode.size(); ++i) {
       if (mode[i] != 0) continue;
       Mode above = below;
       above[i] = 1;
       std::vector<NodeId> upper = resolved(above, graph);
-      upper.resize(slopes_.size());
+      upper.resize(values.size());
       sliding.add(i, upper);
     }
     const std::vector<NodeId> shares = sliding.shares();
-    slopes = sliding.slopes(shares);
+    values = sliding.values(shares);
     for (std::size_t i = 0, k = 0; i < mode.size(); ++i) {
       if (mode[i] == 0) watched[i] = shares[k++];
     }
   }
-  const std::vector<NodeId> along = rates(graph, deciding, slopes);
-  std::vector<NodeId> outputs = slopes;
+  const auto further = values.begin() + static_cast<std::ptrdiff_t>(slopes_.size());
+  std::vector<NodeId> outputs(values.begin(), further);
+  const std::vector<NodeId> along = rates(graph, deciding, outputs);
   outputs.insert(outputs.end(), watched.begin(), watched.end());
   outputs.insert(outputs.end(), along.begin(), along.end());
+  outputs.insert(outputs.end(), further, values.end());
   return program = std::make_shared<const RepeatedProgram>(graph, outputs);
 }
 

@@ -31,7 +31,8 @@ using Mode = std::vector<std::int8_t>;
 class Switches {
  public:
   /// Switches of the slopes @p slopes of a state. @param graph is copied
-  Switches(const Graph& graph, const std::vector<NodeId>& slopes);
+  /// @param further expressions of @p graph that in_mode() evaluates too
+  Switches(const Graph& graph, const std::vector<NodeId>& slopes, const std::vector<NodeId>& further = {});
 
   /// The times between @p from and @p to > from at which the equations change by time only, ascending: the
   /// first doubles on the later side.
@@ -43,7 +44,8 @@ class Switches {
   /// Number of switching functions.
   [[nodiscard]] int count() const { return static_cast<int>(deciding_.size()); }
   /// The equations of a mode. Outputs: the slopes; for each function its value, or the share of the upper
-  /// side if the motion stays on its surface; then the derivatives of all functions along the slopes.
+  /// side if the motion stays on its surface; then the derivatives of all functions along the slopes; then
+  /// the further expressions, on a surface with the same shares of the values on both sides as the slopes.
   /// Undetermined shares are NaN. Thread-safe.
   [[nodiscard]] std::shared_ptr<const RepeatedProgram> in_mode(const Mode& mode) const;
 
@@ -55,7 +57,7 @@ class Switches {
 
   static constexpr std::size_t most_known = 256;  // largest number of cached modes
   Graph graph_;
-  std::vector<NodeId> slopes_, deciding_;
+  std::vector<NodeId> slopes_, further_, deciding_;
   std::vector<double> times_;  // c of functions t - c, rows of tables, ascending
   std::vector<NodeId> timed_;  // other switching or rounded nodes of time only; operands come first
   Program timed_values_;

@@ -19,7 +19,7 @@ bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 
 /// Printed signs, with messages that give the typed ones.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 19> printed = {{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 20> printed = {{
     {"\u2264", "this is typed <="},
     {"\u2265", "this is typed >="},
     {"\u2212", "a minus sign is typed -"},
@@ -33,6 +33,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 19> printed 
     {"\u00b0", "angles are in radians: write a degree as pi/180"},
     {"\u03c0", "this number is typed pi"},
     {"\u221a", "a root is typed sqrt(...)"},
+    {"|", "an absolute value is typed abs(...)"},
     {"\u2032", "a derivative is typed with a straight prime, x'"},
     {"\u2019", "a derivative is typed with a straight prime, x'"},
     {"\u2033", "a second derivative is typed with two straight primes, x''"},

@@ -37,7 +37,7 @@ class Asked:
         self.rising, self.falling, self.touching = [], [], []
         self.by_state = lambda state: 0.0  # of the time alone
         self.by_rounding = 0.0
-        getattr(self, draw.one_of(["level", "product", "square", "wave", "pulse", "polynomial", "touch", "peak"]))(draw, motion)
+        getattr(self, draw.one_of(["level", "product", "square", "wave", "pulse", "polynomial", "touch", "peak", "pole", "jump"]))(draw, motion)
 
     def times(self):
         return self.rising + self.falling + self.touching
@@ -106,6 +106,19 @@ class Asked:
             self.text = ["x^2 = 0", "abs(x) = 0"][which - 1]
             self.touching = m.angles([math.pi / 2, -math.pi / 2])
             self.passing(m, 1)
+
+    def pole(self, draw, m):
+        """tan has a pole at pi/2 and one at -pi/2, which x passes."""
+        self.text = f"tan({draw.uniform(1.7, 3) / m.size!r} x) = 0"
+        self.crossings(m, [-math.pi / 2], [math.pi / 2])
+        self.passing(m, 1)
+
+    def jump(self, draw, m):
+        """From above zero to below it where x = 0."""
+        low, high = draw.uniform(-0.9, -0.1), draw.uniform(0.1, 0.9)
+        self.text, angles = f"if(x < 0, x - ({low * m.size!r}), x - {high * m.size!r}) = 0", [math.acos(low), math.acos(high)]
+        self.crossings(m, [-a for a in angles], angles)
+        self.passing(m, min(math.sin(a) for a in angles))
 
     def peak(self, draw, m):
         """At the greatest x, which the run has to within its error: A (w t)^2/2 below it."""

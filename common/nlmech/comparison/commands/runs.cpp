@@ -156,11 +156,13 @@ class Run {
     auto out = std::back_inserter(found_.rows);
     fmt::format_to(out, "{:.17g}", t);
     for (const int i : options_.order) fmt::format_to(out, ",{:.17g}", x[i]);
-    options_.columns.values.run(t, x, 0, options_.columns.names.size(),
-                                [&](int, double value) { fmt::format_to(out, ",{:.17g}", value); });
+    for (const double value : columns_at(t, x)) fmt::format_to(out, ",{:.17g}", value);
     if (!options_.events.empty()) fmt::format_to(out, ",{}", scene::csv_field(event));
     found_.rows += '\n';
   }
+  /// Values of the columns after the components; while a motion stays on a surface of the equations, with the
+  /// shares of both sides that the equations take.
+  [[nodiscard]] std::vector<double> columns_at(double t, const ivp::State& x) const;
   /// Prints a row and keeps it for the verification.
   void add(double t, const ivp::State& x) {
     if (!options_.section) print(t, x, "");
@@ -211,6 +213,27 @@ class Run {
   ivp::State largest_ = options_.x0.cwiseAbs();
   std::vector<Kept> kept_;  // rows for the verification; the last one is always the latest row
 };
+
+std::vector<double> Run::columns_at(double t, const ivp::State& x) const {
+  const Columns& columns = options_.columns;
+  const std::size_t count = columns.names.size();
+  std::vector<double> all;
+  all.reserve(count);
+  const auto add = [&all](int, double value) { all.push_back(value); };
+  if (columns.switches && t1_ > options_.t0) {
+    constexpr double many = 10, least = 1e-10;  // tolerances; share of the largest state, without a tolerance
+    const ivp::State errors =
+        many * (accuracy_.absolute + accuracy_.relative * x.array().abs()) + least * largest_.array();
+    const ivp::Mode mode = ivp::mode_at(problem_.system, t, x, errors);
+    if (std::ranges::find(mode, 0) != mode.end()) {
+      const auto before = static_cast<std::size_t>(x.size()) + 2 * mode.size();
+      columns.switches->in_mode(mode)->run(t, x, before, before + count, add);
+      return all;
+    }
+  }
+  columns.values.run(t, x, 0, count, add);
+  return all;
+}
 
 bool Run::see(const ivp::Step& step) {
   largest_ = largest_.cwiseMax(step.x0.cwiseAbs());

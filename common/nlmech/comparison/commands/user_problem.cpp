@@ -93,6 +93,8 @@ Columns UserProblem::columns(const std::vector<std::string>& typed) const {
     nodes.push_back(column.node);
   }
   made.values = program::Program(names.graph(), nodes);
+  if (system.switches() > 0)
+    made.switches = std::make_shared<const program::Switches>(names.graph(), names.slopes(), nodes);
   return made;
 }
 

@@ -17,6 +17,7 @@
 #include "nlmech/ivp/events.hpp"
 #include "nlmech/program/equations.hpp"
 #include "nlmech/program/program.hpp"
+#include "nlmech/program/switches.hpp"
 
 namespace nlmech::comparison {
 
@@ -33,6 +34,8 @@ struct EventLine {
 struct Columns {
   std::vector<std::string> names;  ///< "E", "x''"
   program::Program values;         ///< their values, in this order, as functions of time and state
+  /// The switches of equations that switch, with the columns as further expressions; else null.
+  std::shared_ptr<const program::Switches> switches = {};
 };
 
 /// Equations with the values of their parameters.

@@ -87,6 +87,12 @@ struct Comparison {
     (void)(error.array() / unit.array()).maxCoeff(&row, &column);
     return at(verdict, row, column);
   }
+  /// The place at which the uncertainty is the greatest share of @p bound.
+  [[nodiscard]] Verification least_known(const Eigen::MatrixXd& bound) const {
+    Eigen::Index row = 0, column = 0;
+    (void)(uncertainty.array() / bound.array()).maxCoeff(&row, &column);
+    return at(Verdict::unknown, row, column);
+  }
   /// Verification at the fewest digits, of the places where the error may exceed most_tolerances.
   [[nodiscard]] Verification fewest_digits() const {
     const Eigen::ArrayXXd most = (error + uncertainty).array();
@@ -147,9 +153,12 @@ Verification with_condition(const Comparison& all, const Reference& reference, c
   }
   if (least_error > allowed) return v;
   if (all.within(bound)) return all.fewest_digits();
-  return {.reason = fmt::format(
-              "{}, which is less than the tolerance requires; the run differs from them by at most {:.2g}",
-              reference.text(), v.error)};
+  const Verification least = all.least_known(bound);
+  return {
+      .reason = fmt::format(
+          "{} and {}, the two references that agree best, differ by {:.2g} at t = {:.9g}, which is more than "
+          "the tolerance allows; the run differs from them by at most {:.2g}",
+          reference.first.name, reference.second.name, least.uncertainty, least.t, v.error)};
 }
 
 /// "take --tolerance 1e-12 or another method", with a tolerance that should suffice if there is one.

@@ -77,16 +77,17 @@ class StepperOf : public DenseOutputOf<S> {
 using Stepper = StepperOf<System>;
 
 /// Integrates from problem.t0 to problem.t1 with steps of size @p h > 0.
+/// @param parts number of equal parts of a step, whose size is the one that the user gives: for messages
 template <SystemLike S, class MethodStepper>
 [[nodiscard]] SolutionOf<S> integrate_fixed_steps(const InitialValueProblemOf<S>& problem, double h,
-                                                  MethodStepper& stepper) {
+                                                  MethodStepper& stepper, int parts = 1) {
   const std::string_view name = stepper.name();
   SolutionOf<S> now{problem.t0, problem.x0, {}, {}};
   typename S::State next = problem.x0;
   std::vector<double> ends = problem.system.discontinuities(problem.t0, problem.t1);
   ends.push_back(problem.t1);
   if (const double shortest = shortest_fixed_step(problem.t0, problem.t1); h < shortest) {
-    now.status = time_too_coarse(name, now.t, h, shortest);
+    now.status = time_too_coarse(name, now.t, h / parts, shortest / parts);
     return now;
   }
   const Stopwatch watch;

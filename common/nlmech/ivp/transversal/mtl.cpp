@@ -39,19 +39,19 @@ void check_options(const Mtl& method) {
 
 namespace {
 
-Status mtl_overflow(double t, double block) {
+Status mtl_overflow(double t, double h, Eigen::Index steps) {
   return failed_with(Outcome::non_finite,
-                     "mtl: the exponential of the linear part overflows over the block of {:.6g} from t = "
+                     "mtl: the exponential of the linear part overflows over {} steps of {:.6g} from t = "
                      "{:.17g}; take a smaller step or tolerance (a program can choose another linear part)",
-                     block, t);
+                     steps, h, t);
 }
 
-Status mtl_wrong_branch(double t, double block, double estimate, double allowed) {
+Status mtl_wrong_branch(double t, double h, Eigen::Index steps, double estimate, double allowed) {
   return failed_with(Outcome::wrong_branch,
-                     "mtl: the equations of the block of {:.6g} from t = {:.17g} were solved, but between "
-                     "its points the error is estimated as {:.2g}, above {:.2g}: the states may lie on "
+                     "mtl: the equations of {} steps of {:.6g} from t = {:.17g} were solved, but between "
+                     "them the error is estimated as {:.2g}, above {:.2g}: the states may lie on "
                      "another branch; take a smaller step, or a tolerance instead",
-                     block, t, estimate, allowed);
+                     steps, h, t, estimate, allowed);
 }
 
 // The linear part A and the harmonic loads.
@@ -105,7 +105,7 @@ class MtlStepper : public Stepper {
   Status step(double t, double block, const State& x0, State& x1, Statistics& statistics) {
     const double h = block / static_cast<double>(p_);
     if (Outcome outcome = prepare(t, h, x0, statistics); outcome != Outcome::success)
-      return mtl_overflow(t, block);
+      return mtl_overflow(t, h, p_);
     const std::int64_t before = statistics.newton_iterations;
     Outcome outcome = solve(true, statistics);
     if (outcome != Outcome::success) {
@@ -113,14 +113,14 @@ class MtlStepper : public Stepper {
       outcome = solve(false, statistics);
     }
     if (outcome != Outcome::success)
-      return step_not_solved(Mtl::name, outcome, t, block,
+      return step_not_solved(Mtl::name, outcome, t, h,
                              static_cast<int>(statistics.newton_iterations - before));
     // Updates the nonlinear terms to first order for the last change of the states.
     for (Eigen::Index k = 1; k <= p_; ++k)
       g_.col(k).noalias() -= slope(k) * work_.update.segment((k - 1) * size(), size());
     this->states_ = Eigen::Map<const Nodes>(unknowns_.data(), size(), p_);
     x1 = this->states_.col(p_ - 1);
-    return method_.error_tolerance > 0 ? judge(t, block, statistics) : Status();
+    return method_.error_tolerance > 0 ? judge(t, statistics) : Status();
   }
 
   /// Dense output: the linearised solution.
@@ -223,9 +223,9 @@ class MtlStepper : public Stepper {
   }
 
   // Checks the error estimate against Mtl::error_tolerance.
-  Status judge(double t, double block, Statistics& statistics) {
+  Status judge(double t, Statistics& statistics) {
     double worst = 0;
-    if (weights_.prepare_between(a_, h_ / 2) != Outcome::success) return mtl_overflow(t, block);
+    if (weights_.prepare_between(a_, h_ / 2) != Outcome::success) return mtl_overflow(t, h_, p_);
     for (Eigen::Index j = 0; j < p_; ++j) {
       weights_.between(j, g_, point(j), phases_.col(j), node_);
       const double middle = segment_(time(j) + h_ / 2);
@@ -251,7 +251,7 @@ class MtlStepper : public Stepper {
       if (!(error <= worst)) worst = error;
     }
     if (worst <= method_.error_tolerance) return {};
-    return mtl_wrong_branch(t, block, worst, method_.error_tolerance);
+    return mtl_wrong_branch(t, h_, p_, worst, method_.error_tolerance);
   }
 
   const System& system_;
@@ -278,7 +278,7 @@ class MtlStepper : public Stepper {
 Solution run(const InitialValueProblem& problem, const Mtl& method) {
   check_options(method);
   MtlStepper stepper(problem.system, method);
-  return integrate_fixed_steps(problem, method.step * method.points, stepper);
+  return integrate_fixed_steps(problem, method.step * method.points, stepper, method.points);
 }
 
 }  // namespace nlmech::ivp
