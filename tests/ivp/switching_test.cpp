@@ -143,7 +143,8 @@ TEST(Switching, RunsBackwardsWhereItHasAPast) {
   const auto rest = ivp::named_integrator("series", {.tolerance = 1e-9})(
       Corners{.stiffness = 1, .friction = 0.5}.system(), {0.1, 0}, 5, 0, {}, {});
   EXPECT_EQ(rest.status.outcome(), Outcome::outside_validity);
-  EXPECT_NE(rest.status.text().find("cannot be integrated backwards"), std::string::npos) << rest.status.text();
+  EXPECT_NE(rest.status.text().find("cannot be integrated backwards"), std::string::npos)
+      << rest.status.text();
 }
 
 // Each return to q = 0 is slower by a constant factor: infinitely many switches before t = 3.5. Steps shrink
