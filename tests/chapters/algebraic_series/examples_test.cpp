@@ -8,6 +8,7 @@
 #include "chapters/algebraic_series/examples.hpp"
 #include "chapters/algebraic_series/sections.hpp"
 #include "nlmech/problems/reference_trajectory.hpp"
+#include "nlmech/problems/texts.hpp"
 #include "nlmech/support/extended_real.hpp"
 
 namespace nlmech::chapters::algebraic_series::examples_test {
@@ -76,11 +77,11 @@ TEST(IslandRadius, LooksAtEvery31stSection) {
 }
 
 TEST(Departure, FindsTheFirstTime) {
-  const Departure departure{"success", {1, 2, 3}, {0.1, 2, 0.3}};
-  EXPECT_EQ(departure.first_above(1), 2);
-  EXPECT_EQ(departure.first_above(3), std::nullopt);
-  EXPECT_EQ(departure.greatest(1.5), 0.1);
-  EXPECT_EQ(departure.greatest(10), 2);
+  const Departure found{"success", {1, 2, 3}, {0.1, 2, 0.3}};
+  EXPECT_EQ(found.first_above(1), 2);
+  EXPECT_EQ(found.first_above(3), std::nullopt);
+  EXPECT_EQ(found.greatest(1.5), 0.1);
+  EXPECT_EQ(found.greatest(10), 2);
 }
 
 TEST(Samples, AreAtEqualTimesUpToTheEnd) {
