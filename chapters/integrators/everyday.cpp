@@ -112,7 +112,7 @@ void put_load(const Printed& run, scene::Show& show) {
   const program::Table& load = crane_load();
   scene::Plot& plot = show.plots("A table as load: an oscillator swings after each row");
   plot.stacked({0.35, 0.65}).size(900, 500);
-  plot.panel("time, s", "load, N").y_range(-3, 5).curve("", load.times, load.values);
+  plot.panel("time, s", "load, N").y_range(-3, 5).set("ytics 2").curve("", load.times, load.values);
   plot.panel("time, s", "displacement, m").curve("", run.t, run.x);
 
   double worst = 0;

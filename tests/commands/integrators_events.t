@@ -163,6 +163,9 @@ Mistakes
     z
     ^
   [2]
+  $ decay --event "a: x=0.5" --set-at "a: x=log(-x)"
+  integrators: non_finite: event: the state after its change at t = 0.69314718* is not finite; give a change that is defined there (glob)
+  [1]
   $ integrate "x' = -x; x(0) = 1" --until -2 --event "a: x=0.5" --set-at "a: x=2"
   integrators: --until -2: is before the start, 0; events that change the state need a later end
   [2]
