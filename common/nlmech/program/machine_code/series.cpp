@@ -202,18 +202,21 @@ class SeriesAssembler : private Assembler {
     } else {
       vpermpd(ymm1, coefficient(b, last - 3), 0x1b);
     }
+    const auto add_to_sum = [&](const Operand& ascending) {
+      if (j == 0)
+        vmulpd(ymm2, ymm1, ascending);
+      else
+        vfmadd231pd(j % 2 == 1 ? ymm3 : ymm2, ymm1, ascending);
+    };
     if (gathers_ && first + 3 == k_ - 1) {
       vmovsd(xmm5, coefficient(a, first + 2));
       vmovhpd(xmm5, xmm5, coefficient(a, first + 3));
       vmovupd(xmm4, coefficient(a, first));
       vinsertf128(ymm4, ymm4, xmm5, 1);
+      add_to_sum(ymm4);
     } else {
-      vmovupd(ymm4, coefficient(a, first));
+      add_to_sum(coefficient(a, first));
     }
-    if (j == 0)
-      vmulpd(ymm2, ymm1, ymm4);
-    else
-      vfmadd231pd(j % 2 == 1 ? ymm3 : ymm2, ymm1, ymm4);
   }
 
   // The following functions have the names and rules of tape::Replayer.
