@@ -55,9 +55,9 @@ TEST(Verify, CountsTolerances) {
 }
 
 TEST(Verify, EnoughAreHalfOfTheDigitsAndThree) {
-  EXPECT_NEAR(enough_digits(1e-12), 6, 1e-12);
-  EXPECT_EQ(enough_digits(1e-3), 3);
-  EXPECT_EQ(enough_digits(10), 3);
+  EXPECT_NEAR(required_digits(1e-12), 6, 1e-12);
+  EXPECT_EQ(required_digits(1e-3), 3);
+  EXPECT_EQ(required_digits(10), 3);
 }
 
 // The component decays from 1 to 8e-7: an error of 200 absolute tolerances is small relative to the initial
@@ -109,8 +109,8 @@ TEST(Verify, AllowsWhatTheProblemMakesOfErrors) {
   EXPECT_GT(v.tolerances, 1000);
   EXPECT_NEAR(v.growth / std::exp(8.0), 1, 2);  // weights decrease by about half over the interval
   EXPECT_EQ(verdict(saddle(), {1, -1}, 8, 3e6 * 1e-12, tolerance).verdict, Verdict::wrong);
-  // At t = 14 an initial error of 1e-9 has grown to 1e-3: few digits are acceptable.
-  EXPECT_EQ(verdict(saddle(), {1, -1}, 14, 1e-3, {1e-9, 1e-9}).verdict, Verdict::inexact);
+  // At t = 14 an initial error of 1e-9 has grown to 1e-3, a thousand times the solution: no digit is left.
+  EXPECT_EQ(verdict(saddle(), {1, -1}, 14, 1e-3, {1e-9, 1e-9}).verdict, Verdict::undetermined);
 }
 
 TEST(Verify, SaysThatNothingIsDetermined) {
@@ -201,7 +201,11 @@ TEST(Remark, NamesWhatToChange) {
   EXPECT_EQ(text_of().find("--tolerance"), std::string::npos) << "1e-17 does not help: " << text_of();
   v.verdict = Verdict::undetermined;
   v.growth = 1e12;
-  EXPECT_NE(text_of().find("nothing determines x1 at t = 20"), std::string::npos) << text_of();
+  v.digits = 0;
+  EXPECT_NE(text_of().find("no digit of x1 at t = 20 is certain, where 4.5 are required"), std::string::npos)
+      << text_of();
+  v.digits = 2.66;
+  EXPECT_NE(text_of().find("2.6 digits of x1 at t = 20 are certain"), std::string::npos) << text_of();
   v.verdict = Verdict::unknown;
   v.reason = "no reference";
   EXPECT_EQ(text_of(), "not verified: no reference");

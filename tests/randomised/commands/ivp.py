@@ -12,7 +12,7 @@ from taylor import Cosine, Exponential, Power
 
 # Error that a run by a tolerance may have, as the commands' page says: 100 tolerances, or, if it says its digits, those, or where there are none ten
 # times what one of them at any earlier time causes.
-MOST_TOLERANCES, MOST_AMPLIFIED = 100, 10
+MOST_TOLERANCES = 100
 
 
 @dataclasses.dataclass

@@ -139,8 +139,9 @@ Eigen::MatrixXd scales(const StatesAt& states, const Eigen::VectorXd& size, cons
   return all;
 }
 
-/// Verdict on a run with fewer than enough_digits(), or with a reference that may be too inaccurate.
-Verification with_condition(const Comparison& all, const Reference& reference, const Eigen::VectorXd& size) {
+/// Verdict on a run with fewer than required_digits(), or with a reference that may be too inaccurate.
+Verification with_condition(const Comparison& all, const Reference& reference, const Eigen::VectorXd& size,
+                            double required) {
   const Eigen::MatrixXd bound = (most_tolerances * all.weight).cwiseMax(most_amplified * all.moved);
   Verification v = all.worst(Verdict::wrong, bound);
   const double extent = size[v.component] > 0 ? size[v.component] : 1;
@@ -152,7 +153,11 @@ Verification with_condition(const Comparison& all, const Reference& reference, c
     return v;
   }
   if (least_error > allowed) return v;
-  if (all.within(bound)) return all.fewest_digits();
+  if (all.within(bound)) {
+    Verification found = all.fewest_digits();
+    if (found.digits < required) found.verdict = Verdict::undetermined;
+    return found;
+  }
   const Verification least = all.least_known(bound);
   return {
       .reason = fmt::format(
@@ -160,6 +165,9 @@ Verification with_condition(const Comparison& all, const Reference& reference, c
           "the tolerance allows; the run differs from them by at most {:.2g}",
           reference.first.name, reference.second.name, least.uncertainty, least.t, v.error)};
 }
+
+/// Digits to one decimal.
+double rounded_down(double digits) { return std::floor(10 * std::max(digits, 0.0)) / 10; }
 
 /// "take --tolerance 1e-12 or another method", with a tolerance that should suffice if there is one.
 std::string advice(const Verification& found, double tolerance) {
@@ -230,7 +238,7 @@ Verification verify(const ivp::System& system, const ivp::State& x0, double t0, 
     if (v.digits >= required_digits(run.tolerance.relative)) return v;
     if (!status.ok()) return all.worst(Verdict::wrong, all.weight);
   }
-  if (status.ok()) return with_condition(all, reference, size);
+  if (status.ok()) return with_condition(all, reference, size, required_digits(run.tolerance.relative));
   return {.reason = "the problem's condition could not be computed: " + status.sentence()};
 }
 
@@ -267,9 +275,12 @@ std::string remark(const Verification& found, const Reference& reference, const 
   if (found.verdict == Verdict::undetermined)
     throw Failure(failed_with(
         Outcome::outside_validity,
-        "{}: no digit of {} is certain: up to there the problem multiplies an error of the tolerance {:.6g} "
-        "by {:.2g}; take a smaller tolerance or an earlier end (--no-verify prints the unverified run)",
-        method.name, place, tolerance, found.growth));
+        "{}: {} of {} certain, where {:.1f} are required: up to there the problem multiplies an error of the "
+        "tolerance {:.6g} by {:.2g}; take a smaller tolerance or an earlier end (--no-verify prints the "
+        "unverified run)",
+        method.name,
+        found.digits >= 0.1 ? fmt::format("{:.1f} digits", rounded_down(found.digits)) : "no digit",
+        place + (found.digits >= 0.1 ? " are" : " is"), required_digits(tolerance), tolerance, found.growth));
   if (found.verdict == Verdict::wrong)
     throw Failure(failed_with(Outcome::not_converged,
                               "{}: verified by integration, {} is off by {:.2g}: {:.3g} times the tolerance "
@@ -280,10 +291,10 @@ std::string remark(const Verification& found, const Reference& reference, const 
                               required_digits(tolerance), tolerance_meaning, advice(found, tolerance),
                               reference.text()));
   if (found.verdict == Verdict::right) return "";
-  const double digits = std::floor(10 * std::max(found.digits, 0.0)) / 10;  // rounded down
   const std::string growth =
       found.growth > 0 ? fmt::format("; the problem multiplies errors by up to {:.3g}", found.growth) : "";
-  return fmt::format("verified: {:.1f} digits at {}; {} is off by {:.2g} there, {:.3g} tolerances{}", digits,
+  return fmt::format("verified: {:.1f} digits at {}; {} is off by {:.2g} there, {:.3g} tolerances{}",
+                     rounded_down(found.digits),
                      found.t == t1 ? "the end" : fmt::format("t = {:.9g}", found.t), name, found.error,
                      found.tolerances, growth);
 }

@@ -22,22 +22,22 @@ namespace nlmech::comparison {
 /// some ten periods of an oscillator good methods stay below 20 and multistep methods below 100; methods
 /// whose error estimates are too small do not (tests/comparison).
 inline constexpr double most_tolerances = 100;
-/// Accepted error of a run with fewer than enough_digits(), in units of the effect of one error of one
-/// tolerance made at any earlier time.
+/// Error in units of the effect of one error of one tolerance made at any earlier time, up to which the
+/// problem's condition explains that a run has fewer than required_digits().
 inline constexpr double most_amplified = 10;
 
 /// Digits that suffice whatever the conditioning: half of those of the relative tolerance, at least three.
-[[nodiscard]] double enough_digits(double tolerance);
+[[nodiscard]] double required_digits(double tolerance);
 
 /// Result of a verification.
 struct Verification {
   /// Verdict on the run.
   enum class Verdict {
     right,    ///< error within most_tolerances
-    inexact,  ///< error beyond them, but with enough_digits() or within most_amplified times the effect of
-              ///< one tolerance
-    wrong,    ///< none of these
-    undetermined,  ///< an error of one tolerance grows to the size of the solution: no digit is determined
+    inexact,  ///< error beyond them, but with required_digits()
+    undetermined,  ///< fewer digits, because of the problem's condition: within most_amplified times the
+                   ///< effect of one tolerance
+    wrong,         ///< none of these
     ended,         ///< the solution seems to end before t1 and the run to step across its end: see reason
     unknown        ///< no sufficiently accurate reference: see reason
   };
