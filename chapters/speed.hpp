@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "nlmech/scene/evidence/ratios.hpp"
+#include "nlmech/support/instruction_set.hpp"
 #include "nlmech/support/stopwatch.hpp"
 
 namespace nlmech::chapters {
@@ -223,12 +224,13 @@ int run_bench(const std::string& program, int argc, char** argv, const char* lea
   }
 }
 
-/// The body of main() of the program `<name>_bench`. @param rows adds work and claims
+/// The body of main() of the program `<name>_bench`; writes results/bench/<name>-<instruction set>.json.
+/// @param rows adds work and claims
 inline int speed_main(const std::string& name, void (*rows)(Speed&), int argc, char** argv,
                       const char* least_time = "0.02") {
   return run_bench(name + "_bench", argc, argv, least_time, [&](Speed& speed) {
     rows(speed);
-    return speed.judge(name);
+    return speed.judge(fmt::format("{}-{}", name, to_string(best_instruction_set())));
   });
 }
 

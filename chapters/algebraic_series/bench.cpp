@@ -1,8 +1,7 @@
 /// @file
 /// `algebraic_series_bench`: Taylor series against the fastest classical formula of high order in its own
 /// library loop, both compiled with the problem; overhead of the nlmech step loop for that formula, and of
-/// the tape for the series; by Google Benchmark. Writes results/bench/algebraic_series.json under the current
-/// folder; exit code 1 if a claim does not hold.
+/// the tape for the series; by Google Benchmark. Exit code 1 if a claim does not hold.
 #include <algorithm>
 #include <cmath>
 #include <functional>

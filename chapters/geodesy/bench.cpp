@@ -1,6 +1,6 @@
 /// @file
-/// `geodesy_bench`: times of all timed_methods by Google Benchmark, and the claims about them. Writes
-/// results/bench/geodesy.json under the current folder; exit code 1 if a claim does not hold.
+/// `geodesy_bench`: times of all timed_methods by Google Benchmark, and the claims about them. Exit code 1 if
+/// a claim does not hold.
 #include <memory>
 #include <string>
 

@@ -1,7 +1,6 @@
 /// @file
 /// `integrators_ensemble_bench`: Lorenz equations for many initial states by Series, in SIMD registers
-/// against one by one; by Google Benchmark. Writes results/bench/integrators_ensemble.json under the current
-/// folder; exit code 1 if a claim does not hold.
+/// against one by one; by Google Benchmark. Exit code 1 if a claim does not hold.
 #include <span>
 #include <string>
 #include <utility>

@@ -1,7 +1,6 @@
 /// @file
 /// `gss_control_bench`: theta/u and y(x)/u at one frequency, exact, by ten assumed modes dense and
-/// diagonalised and by finite elements, by Google Benchmark. Writes results/bench/gss_control.json under the
-/// current folder; exit code 1 if a claim fails.
+/// diagonalised and by finite elements, by Google Benchmark. Exit code 1 if a claim fails.
 #include <cmath>
 #include <memory>
 #include <string>

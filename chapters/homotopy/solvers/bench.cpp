@@ -1,7 +1,7 @@
 /// @file
 /// `homotopy_bench`: energy trust region against KINSOL's line search and against path following on toggles
-/// of many elements, and a path of 1000 elements through its limit points, by Google Benchmark. Writes
-/// results/bench/homotopy.json under the current folder; exit code 1 if a claim does not hold.
+/// of many elements, and a path of 1000 elements through its limit points, by Google Benchmark. Exit code 1
+/// if a claim does not hold.
 #include <string>
 #include <utility>
 #include <vector>

@@ -1,8 +1,7 @@
 /// @file
 /// `rbf_inverse_bench`: nine digits of the initial co-states of the Duffing cases by refined intervals, by
 /// one polynomial and by multiple shooting with CVODE, and a direct start by nlmech's descent and by Ipopt,
-/// by Google Benchmark. Writes results/bench/rbf_inverse.json under the current folder; exit code 1 if a
-/// claim fails.
+/// by Google Benchmark. Exit code 1 if a claim fails.
 #include <algorithm>
 #include <cmath>
 #include <string>

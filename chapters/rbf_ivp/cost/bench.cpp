@@ -1,8 +1,7 @@
 /// @file
 /// `rbf_ivp_bench`: collocation of the dissertation and adaptive-collocation against the fastest peer library
 /// in its own loop, at equal achieved error, and the overhead of the nlmech step loop for peers; by Google
-/// Benchmark. Writes results/bench/rbf_ivp.json under the current folder; exit code 1 if a claim does not
-/// hold.
+/// Benchmark. Exit code 1 if a claim does not hold.
 #include <algorithm>
 #include <functional>
 #include <optional>

@@ -1,7 +1,7 @@
 /// @file
 /// `two_body_series_bench`: analytic continuation against RKN12(10) and Odeint's fehlberg78 in its own loop,
-/// at equal achieved error, and the overhead of the nlmech step loop for Odeint; by Google Benchmark. Writes
-/// results/bench/two_body_series.json under the current folder; exit code 1 if a claim does not hold.
+/// at equal achieved error, and the overhead of the nlmech step loop for Odeint; by Google Benchmark. Exit
+/// code 1 if a claim does not hold.
 #include <algorithm>
 #include <array>
 #include <functional>
