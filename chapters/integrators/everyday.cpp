@@ -138,7 +138,7 @@ std::vector<scene::Scene> scenes() {
   return {{.name = "events",
            .title = "Events that change the state, and switches of time",
            .content = scene::Content(put, result)},
-          {.name = "table-load", .title = "A table as load", .content = scene::Content(put_load, loaded)}};
+          {.name = "tabulated-load", .title = "A table as load", .content = scene::Content(put_load, loaded)}};
 }
 
 }  // namespace nlmech::chapters::integrators::everyday

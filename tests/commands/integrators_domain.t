@@ -155,7 +155,7 @@ Starts with several solutions
   1,0
 
   $ integrate "x' = 3 abs(x)^(2/3)" --initial x=0 --until 1 2>&1 | head -1
-  integrators: several solutions begin at t = 0: the argument of a root is zero there, and may stay so or not; the run takes the one for which it stays zero
+  integrators: the solution from t = 0 is not unique: the argument of a root is zero there and may stay zero or not; this run takes the solution for which it stays zero
 
 A run that comes to such a point later ends there, here at 2:
 

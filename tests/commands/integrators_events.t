@@ -40,7 +40,7 @@ So it is for functions of the state, and for those that jump between two zeros, 
   $ holds --where 'event=if(x < 3, x - 1, x - 5)=0' 't = [1, 5] +- 1e-12' < jump.csv
   $ steady 'mod(t, 1)=0.25' | holds --where 'event=mod(t, 1)=0.25' 't = i + 0.25 +- 1e-12' 'n = 10'
   $ steady 'floor(t)=3' > rows.csv
-  integrators: floor(t)=3 cannot be told from zero between t = 3 and 4: rows may be missing
+  integrators: floor(t)=3 cannot be distinguished from zero between t = 3 and 4: rows may be missing
 
 A section shows its own rows alone:
 
