@@ -124,13 +124,13 @@ TEST(NamedMethods, SettingsThatCannotBeMeantAreNamed) {
   };
   says("rk4", {.step = 0.1, .tolerance = 1e-3}, "not both");
   says("rk4", {}, "give a step");
-  says("rk4", {.tolerance = 1e-3}, "a method that chooses its steps");
+  says("rk4", {.tolerance = 1e-3}, "a method with adaptive steps");
   says("rk4", {.step = 0.0}, "step must be positive and finite, not 0");
   says("rk4", {.tolerance = -1.0}, "tolerance must be positive and finite, not -1");
   says("rk4", {.tolerance = NAN}, "nan");
-  says("rk4", {.nodes = 7}, "no nodes");
-  says("lgl-coll", {.shape = 1.0}, "no shape");
-  says("rk4", {.points = 3}, "no points");
+  says("rk4", {.nodes = 7}, "no setting nodes");
+  says("lgl-coll", {.shape = 1.0}, "no setting shape");
+  says("rk4", {.points = 3}, "no setting points");
   says("mtl", {.points = 9}, "from 1 to 8, not 9");
   says("rbf-coll", {.shape = -1.0}, "shape must be positive");
   says("rbf-coll", {.nodes = 1}, "from 2 to 200, not 1");
