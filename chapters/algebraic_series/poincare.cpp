@@ -26,7 +26,7 @@ void put_printed(const States& all, scene::Show& show) {
   const std::string time = "filipich-rosales/fig-6b/Poincare map/time of experiment";
   const auto count = static_cast<std::size_t>(show.printed(time) / std::numbers::pi) + 1;
   const auto printed = all | std::views::take(count);
-  show.plot("Poincare sections: 239 points in 31 clusters, nearly a period of 31", "{/:Italic x}",
+  show.plot("Poincare sections: 239 points in 31 clusters, near a period of 31", "{/:Italic x}",
             "d{/:Italic x}/d{/:Italic t} (1/s)")
       .x_range(-0.6, 0.6)
       .y_range(-0.4, 0.4)

@@ -68,9 +68,9 @@ Runs runs() {
 
 void put(const Runs& all, scene::Show& show) {
   scene::Plot& plot = show.plots("Events and switches: a bouncing ball, doses, a rectifier");
-  plot.panel("time, s", "height, m").y_range(0, 1).curve("", all.ball.t, all.ball.x);
-  plot.panel("time, h", "amount, mg").curve("", all.dose.t, all.dose.x);
-  plot.panel("time, s", "voltage, V").curve("", all.rectifier.t, all.rectifier.x);
+  plot.panel("time (s)", "height (m)").y_range(0, 1).curve("", all.ball.t, all.ball.x);
+  plot.panel("time (h)", "amount (mg)").curve("", all.dose.t, all.dose.x);
+  plot.panel("time (s)", "voltage (V)").curve("", all.rectifier.t, all.rectifier.x);
   plot.size(1100, 450);
 
   const double first = std::sqrt(2 / gravity);
@@ -112,8 +112,8 @@ void put_load(const Printed& run, scene::Show& show) {
   const program::Table& load = crane_load();
   scene::Plot& plot = show.plots("A table as load: an oscillator swings after each row");
   plot.stacked({0.35, 0.65}).size(900, 500);
-  plot.panel("time, s", "load, N").y_range(-3, 5).set("ytics 2").curve("", load.times, load.values);
-  plot.panel("time, s", "displacement, m").curve("", run.t, run.x);
+  plot.panel("time (s)", "load (N)").y_range(-3, 5).set("ytics 2").curve("", load.times, load.values);
+  plot.panel("time (s)", "displacement (m)").curve("", run.t, run.x);
 
   double worst = 0;
   for (std::size_t k = 0; k < run.t.size(); ++k) {

@@ -101,7 +101,7 @@ void double_pendulum(const ExampleRun& c, scene::Show& show) {
     x.push_back(std::sin(a[i]) + std::sin(b[i]));
     y.push_back(-std::cos(a[i]) - std::cos(b[i]));
   }
-  show.plot("A double pendulum: where the lower bob goes in 10 s", "to the side, m", "above the pivot, m")
+  show.plot("A double pendulum: where the lower bob goes in 10 s", "to the side (m)", "above the pivot (m)")
       .x_range(-2.1, 2.1)
       .y_range(-2.1, 1.1)
       .set("size ratio -1")
@@ -198,8 +198,8 @@ void lorenz(const ExampleRun& c, scene::Show& show) {
 void spring_pendulum(const ExampleRun& c, scene::Show& show) {
   scene::Plot& plot = show.plots("Spring pendulum: energy exchanged between spring and swing");
   plot.stacked();
-  plot.panel("time, s", "angle, rad").curve("", c.t, c["a"]);
-  plot.panel("time, s", "stretch, m").curve("", c.t, c["s"]);
+  plot.panel("time (s)", "angle (rad)").curve("", c.t, c["a"]);
+  plot.panel("time (s)", "stretch (m)").curve("", c.t, c["s"]);
   const double g = 9.81, k = 4 * 9.81;
   const auto energy = [&](std::size_t i) {
     const double r = 1 + c["s"][i], spring = c["s"][i] + g / k;
@@ -216,8 +216,8 @@ void loudspeaker(const ExampleRun& c, scene::Show& show) {
   std::vector<double> ms, mm;
   for (const double t : c.t) ms.push_back(1000 * t);
   for (const double x : c["x"]) mm.push_back(1000 * x);
-  plot.panel("time, ms", "current, A").curve("", ms, c["i"]);
-  plot.panel("time, ms", "position, mm").curve("", ms, mm);
+  plot.panel("time (ms)", "current (A)").curve("", ms, c["i"]);
+  plot.panel("time (ms)", "position (mm)").curve("", ms, mm);
   agree(c, 1e-9, show);
 }
 
