@@ -133,7 +133,7 @@ void put_load(const Printed& run, scene::Show& show) {
 std::vector<scene::Scene> scenes() {
   const scene::Result result("events", "typed equations with events and switches, tolerance 1e-9",
                              [](bool) { return runs(); });
-  const scene::Result loaded("table load", "a typed equation with a table as load, tolerance 1e-9",
+  const scene::Result loaded("table-load", "a typed equation with a table as load, tolerance 1e-9",
                              [](bool) { return loaded_run(); });
   return {{.name = "events",
            .title = "Events that change the state, and switches of time",

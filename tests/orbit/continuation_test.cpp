@@ -267,7 +267,7 @@ TEST(Continuation, CoefficientsOfTheKernels) {
         kernel->expand(1, order, body, c);
         for (int k = 1; k <= order; ++k) {
           const auto part = [&](const double(&rows)[kernels::most_unrolled / 2 + 1][4]) {
-            const double* const x = rows[k / 2] + 2 * (k % 2);
+            const double* const x = &rows[k / 2][k % 2 == 0 ? 0 : 2];
             return Vector3<Real>(Real(x[0]) * Vector3<double>(c.first).cast<Real>() +
                                  Real(x[1]) * Vector3<double>(c.second).cast<Real>());
           };

@@ -131,8 +131,8 @@ TEST_F(MachineCode, HasThePartialDerivativesOfPrograms) {
       const std::vector<double> numbers = states(3 * 9 + 1);
       Vector<Numbers, Eigen::Dynamic> x(3), values(3), expected(3);
       for (int i = 0; i < 3; ++i) {
-        x[i] = numbers[static_cast<std::size_t>(9 * i)];
-        std::copy_n(numbers.begin() + 9 * i + 1, 8, x[i].partial.begin());
+        x[i] = numbers[std::size_t{9} * static_cast<std::size_t>(i)];
+        std::copy_n(numbers.begin() + std::ptrdiff_t{9} * i + 1, 8, x[i].partial.begin());
       }
       program.run(Numbers(numbers.back()), x, 0, 3, [&](int i, const Numbers& v) { expected[i] = v; });
       problem(Numbers(numbers.back()), x, values);
@@ -244,7 +244,7 @@ TEST_F(MachineCode, TakesOverFromTheKernel) {
   const std::vector<Tape> all = tapes();
   TapeExpansion repeated(InstructionSet::avx2);
   States states;
-  for (const std::size_t which : {1, 1, 3}) {
+  for (const std::size_t which : {1U, 1U, 3U}) {
     repeated.load(all[which], 21);
     for (int i = 0; i < TapeExpansion::repays_after + 20; ++i) {
       const std::vector<double> x = states(4);
@@ -271,8 +271,8 @@ TEST_F(MachineCode, HasTheCoefficientsOfLanes) {
         TapeLanes repeated(set);
         repeated.load(tape, order);
         const int lanes = repeated.lanes();
-        ASSERT_TRUE(machine_code::lane_coefficients(tape.program(), (order + 1) * lanes, order, set) !=
-                    nullptr);
+        ASSERT_TRUE(machine_code::lane_coefficients(tape.program(), std::int64_t{order + 1} * lanes, order,
+                                                    set) != nullptr);
         States states;
         for (int i = 0; i < TapeLanes::repays_after + 5; ++i) {
           TapeLanes fresh(set);

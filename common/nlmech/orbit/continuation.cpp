@@ -202,7 +202,7 @@ void Propagation::expand(int order) {
 double Propagation::rate_square(int k) const {
   double rate[3];
   if (unrolled(order_)) {
-    const double* const d = series_.rate[k / 2] + 2 * (k % 2);
+    const double* const d = &series_.rate[k / 2][k % 2 == 0 ? 0 : 2];
     for (int i = 0; i < 3; ++i) rate[i] = d[0] * series_.first[i] + d[1] * series_.second[i];
   } else {
     const Vector3<double> c = expansion_->coefficient(k);

@@ -99,7 +99,7 @@ class ValueAssembler : private Assembler {
 
   [[nodiscard]] const Xbyak::Reg64& state() const { return calls_ ? rbx : rdi; }
   [[nodiscard]] Xbyak::Address home(std::uint32_t place) const {
-    return is_input(place) ? ptr[state() + 8 * (place - 1)] : ptr[rsp + 8 * place];
+    return is_input(place) ? ptr[state() + std::size_t{8} * (place - 1)] : ptr[rsp + std::size_t{8} * place];
   }
   void hold(std::uint32_t place, int in) {
     places_[place].in = in;
