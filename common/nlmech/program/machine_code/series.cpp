@@ -107,8 +107,7 @@ class SeriesAssembler : private Assembler {
 
   [[nodiscard]] int width() const { return lanes_ * parts_; }
   [[nodiscard]] Address coefficient(int series, int k) const {
-    return ptr[rbx + static_cast<std::size_t>(
-                         (series * stride_ + std::int64_t{k} * width() + std::int64_t{part_} * lanes_) * 8)];
+    return ptr[rbx + static_cast<std::size_t>(series * stride_ + (k * width() + part_ * lanes_)) * 8];
   }
   [[nodiscard]] Address of_lanes(const Xbyak::Reg64& first, int i) const {
     return ptr[first + index((i * width() + part_ * lanes_) * 8)];
