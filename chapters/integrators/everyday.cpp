@@ -135,10 +135,11 @@ std::vector<scene::Scene> scenes() {
                              [](bool) { return runs(); });
   const scene::Result loaded("table-load", "a typed equation with a table as load, tolerance 1e-9",
                              [](bool) { return loaded_run(); });
-  return {{.name = "events",
-           .title = "Events that change the state, and switches of time",
-           .content = scene::Content(put, result)},
-          {.name = "tabulated-load", .title = "A table as load", .content = scene::Content(put_load, loaded)}};
+  return {
+      {.name = "events",
+       .title = "Events that change the state, and switches of time",
+       .content = scene::Content(put, result)},
+      {.name = "tabulated-load", .title = "A table as load", .content = scene::Content(put_load, loaded)}};
 }
 
 }  // namespace nlmech::chapters::integrators::everyday

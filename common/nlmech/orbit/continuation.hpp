@@ -51,8 +51,8 @@ struct FixedContinuation {
   int velocity_degree = 0;    ///< degree of the velocity series, from 1 to 99; 0: order - 1
   bool compensated = false;   ///< compensated summation; not used in the dissertation
   bool true_division = true;  ///< false: rounded reciprocals -mu/((n+1)(n+2)), to show their error
-  /// Instruction set for a point mass, degrees from 4 to 40 and a velocity of degree order - 1; other cases use
-  /// portable code. Empty: the best of this processor.
+  /// Instruction set for a point mass, degrees from 4 to 40 and a velocity of degree order - 1; other cases
+  /// use portable code. Empty: the best of this processor.
   std::optional<InstructionSet> instructions = std::nullopt;
 };
 

@@ -27,8 +27,8 @@ namespace nlmech::orbit {
 /// formula. Quotients by integers are divisions: rounded reciprocals have the same relative error in every
 /// step, and the energy drifts linearly. The sums have four independent parts.
 ///
-/// Storage is allocated only at construction. The kernels of AnalyticContinuation have a faster recurrence for a
-/// point mass; this class serves all other cases and extended precision.
+/// Storage is allocated only at construction. The kernels of AnalyticContinuation have a faster recurrence
+/// for a point mass; this class serves all other cases and extended precision.
 ///
 /// Tests compare coefficients with those of Kepler motion in extended precision, and check the order of a
 /// step, the lower of both degrees (observed within 0.1 to 0.3).

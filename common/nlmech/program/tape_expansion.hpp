@@ -30,7 +30,7 @@ class TapeExpansion {
   /// @throws std::invalid_argument if the processor does not have @p set
   explicit TapeExpansion(InstructionSet set = replay_instruction_set());
 
-  /// Expansions after which machine code with the same results replaces the kernel: its making takes about as long.
+  /// Expansions that take about as long as making machine code, which then replaces the kernel.
   static constexpr int repays_after = 300;
 
   /// Loads a tape for series of order @p order >= 1. Allocates if more memory is needed than before.

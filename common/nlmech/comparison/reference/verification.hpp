@@ -33,8 +33,8 @@ inline constexpr double most_amplified = 10;
 struct Verification {
   /// Verdict on the run.
   enum class Verdict {
-    right,    ///< error within most_tolerances
-    inexact,  ///< error beyond them, but with required_digits()
+    right,         ///< error within most_tolerances
+    inexact,       ///< error beyond them, but with required_digits()
     undetermined,  ///< fewer digits, because of the problem's condition: within most_amplified times the
                    ///< effect of one tolerance
     wrong,         ///< none of these
