@@ -10,8 +10,7 @@ from cases import EPS
 from mpmath import mp
 from taylor import Cosine, Exponential, Power
 
-# Error that a run by a tolerance may have, as the commands' page says: 100 tolerances, or, if it says its digits, those, or where there are none ten
-# times what one of them at any earlier time causes.
+# Error that a run by a tolerance may have, as the commands' page says: 100 tolerances, or, if it says its digits, those.
 MOST_TOLERANCES = 100
 
 

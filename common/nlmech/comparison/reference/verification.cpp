@@ -159,11 +159,10 @@ Verification with_condition(const Comparison& all, const Reference& reference, c
     return found;
   }
   const Verification least = all.least_known(bound);
-  return {
-      .reason = fmt::format(
-          "{} and {}, the two references that agree best, differ by {:.2g} at t = {:.9g}, which is more than "
-          "the tolerance allows; the run differs from them by at most {:.2g}",
-          reference.first.name, reference.second.name, least.uncertainty, least.t, v.error)};
+  return {.reason = fmt::format(
+              "{} and {}, the two references that agree best, differ by {:.2g} at t = {:.9g}, too much to "
+              "decide whether the run meets its tolerance; the run differs from them by at most {:.2g}",
+              reference.first.name, reference.second.name, least.uncertainty, least.t, v.error)};
 }
 
 /// Digits to one decimal.
