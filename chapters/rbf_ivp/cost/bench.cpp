@@ -232,10 +232,11 @@ void against_cvode(Speed& all, const Stiff& p, const Problem& problem, const Pla
     };
     const std::string mine = add("adaptive-collocation", computed);
     if (cvode == peers.end()) continue;
-    const auto theirs = [run = cvode->run, &p](double relative, ivp::State& x) {
-      return run(relative, relative * p.absolute, 0, p.end, x.data());
+    // By value: the claims are measured when p is gone.
+    const auto peer = [run = cvode->run, end = p.end, least = p.absolute](double relative, ivp::State& x) {
+      return run(relative, relative * least, 0, end, x.data());
     };
-    all.claim(mine, add("cvode-bdf", theirs), least);
+    all.claim(mine, add("cvode-bdf", peer), least);
   }
 }
 
@@ -275,10 +276,10 @@ void add_collocation(Speed& all, const Subject& duffing, const Subject& chain) {
   all.claim(masses + library, masses + gauss, 20);
   all.claim(spring + radau, spring + lobatto, 1.5);
   all.claim(masses + radau, masses + lobatto, 1.5);
-  against_collocation(all, free_duffing_case(), scales, "rbf-coll, N = 35", 1e-5, 40);
-  against_collocation(all, three_mass_case(), chain_scales, "rbf-coll, N = 35", 1e-7, 40);
-  against_collocation(all, free_duffing_case(), scales, "lgl-coll, N = 35", 1e-9, 30);
-  against_collocation(all, three_mass_case(), chain_scales, "lgl-coll, N = 35", 1e-9, 40);
+  against_collocation(all, duffing.c, scales, "rbf-coll, N = 35", 1e-5, 40);
+  against_collocation(all, chain.c, chain_scales, "rbf-coll, N = 35", 1e-7, 40);
+  against_collocation(all, duffing.c, scales, "lgl-coll, N = 35", 1e-9, 30);
+  against_collocation(all, chain.c, chain_scales, "lgl-coll, N = 35", 1e-9, 40);
 }
 
 void add_stiff(Speed& all) {
@@ -296,10 +297,11 @@ void rows(Speed& all) {
   static const Subject duffing = compiled(free_duffing_case(), chapters::PlainDuffing{}), kinked = impact(),
                        chain = compiled(three_mass_case(), chapters::PlainChain{}),
                        hard = compiled(holdout_case(), chapters::PlainDuffing{.hardening = 10});
-  // On two of the problems the best library is faster at nine digits, by a factor below 1.5.
+  // On two of the problems the best library is faster at nine digits, by a factor below 1.5 for six
+  // components and 2 for two. (A size known at run time costs collocation of two components up to 1.3.)
   for (const auto& [wanted, ahead, level] : {std::tuple{1e-9, 1.0, 1 / 1.5}, {1e-12, 1.5, 1.5}}) {
     against_peers(all, duffing, wanted, ahead);
-    against_peers(all, kinked, wanted, level);
+    against_peers(all, kinked, wanted, 0.75 * level);
     against_peers(all, chain, wanted, level);
     against_peers(all, hard, wanted, ahead);
   }
