@@ -39,11 +39,12 @@ TapeLanes::Numbers TapeLanes::zeros(std::ptrdiff_t count) {
   return numbers;
 }
 
-void TapeLanes::load(Tape tape, int order) {
+void TapeLanes::load(Tape tape, int order, machine_code::SeriesCodes* codes) {
+  if (set_ != InstructionSet::baseline)
+    code_ = codes != nullptr ? codes->of(tape, order, lanes(), repays_after)
+                             : std::make_shared<const machine_code::SeriesCode>(repays_after);
   tape_ = std::move(tape);
   order_ = order;
-  expansions_ = 0;
-  code_ = nullptr;
   const tape::Program program = tape_.program();
   const auto rows = [this](int count) { return zeros(std::ptrdiff_t{count} * lanes_); };
   memory_ = zeros(std::ptrdiff_t{tape_.series()} * (order + 1) * lanes_);
@@ -88,9 +89,10 @@ void TapeLanes::set(int lane, double t, const double* x, double scale) {
 
 void TapeLanes::expand() {
   const std::ptrdiff_t stride = (order_ + 1) * lanes_;
-  if (expansions_ < repays_after && ++expansions_ == repays_after)
-    code_ = machine_code::lane_coefficients(tape_.program(), stride, order_, set_);
-  if (code_ != nullptr) return (*code_)(memory_.get(), constants_.get(), scales_.get());
+  if (code_ != nullptr) {
+    const auto make = [&] { return machine_code::lane_coefficients(tape_.program(), stride, order_, set_); };
+    if (auto* const code = (*code_)(make)) return code(memory_.get(), constants_.get(), scales_.get());
+  }
   first_pass();
   kernel_->replay(tape_.program(), constants_.get(), memory_.get(), stride, order_, scales_.get(),
                   reciprocals_.data());

@@ -7,7 +7,7 @@
 #include <new>
 #include <vector>
 
-#include "nlmech/program/machine_code/machine_code.hpp"
+#include "nlmech/program/machine_code/code_on_demand.hpp"
 #include "nlmech/program/tape.hpp"
 #include "nlmech/support/instruction_set.hpp"
 
@@ -20,14 +20,16 @@ namespace nlmech {
 class TapeLanes {
  public:
   static constexpr int most_lanes = 16;  ///< largest number of lanes
-  /// Expansions of all lanes after which machine code with the same results replaces the kernel.
+  /// Expansions of all lanes, of all threads, after which machine code with the same results replaces the
+  /// kernel.
   static constexpr int repays_after = 400;
 
   /// @throws std::invalid_argument if the processor does not have @p set
   explicit TapeLanes(InstructionSet set = best_instruction_set());
 
   /// Loads the operations of a tape for series of order @p order >= 2, with its constants in all lanes.
-  void load(Tape tape, int order);
+  /// @param codes as for TapeExpansion::load()
+  void load(Tape tape, int order, machine_code::SeriesCodes* codes = nullptr);
   /// Does @p tape have the operations and operands of the loaded tape, so that a lane can hold it?
   [[nodiscard]] bool fits(const Tape& tape) const;
   /// Loads the constants of a tape that fits() into a lane.
@@ -76,8 +78,7 @@ class TapeLanes {
   Numbers memory_, constants_, scales_, arguments_, sums_;
   std::vector<double> reciprocals_;
   InstructionSet set_;
-  int expansions_ = 0;
-  std::shared_ptr<machine_code::Coefficients> code_;
+  std::shared_ptr<const machine_code::SeriesCode> code_;
 };
 
 }  // namespace nlmech

@@ -56,7 +56,7 @@ class SeriesLanes {
       Tape tape = start.system->record(segment(start.t0));
       const bool fits = order_ > 0 && tapes_.fits(tape);
       if (!fits && busy_ > 0) return false;
-      if (!fits) load(tape);
+      if (!fits) load(tape, start.system->series_codes());
       tapes_.put(static_cast<int>(at), tape);
       lane.equations = start.system;
       lane.recorded = start.t0;
@@ -123,9 +123,9 @@ class SeriesLanes {
   using Coefficients = std::array<double, 101>;
   using Tails = std::array<taylor_series::Tail, TapeLanes::most_lanes>;
 
-  void load(const Tape& tape) {
+  void load(const Tape& tape, machine_code::SeriesCodes& codes) {
     order_ = rule_.order;
-    tapes_.load(tape, order_);
+    tapes_.load(tape, order_, &codes);
     for (Lane& lane : lanes_) lane.equations = nullptr;
   }
   [[nodiscard]] int index(const Lane& lane) const { return static_cast<int>(&lane - lanes_.data()); }
