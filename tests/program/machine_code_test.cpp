@@ -177,7 +177,8 @@ std::vector<Tape> tapes() {
   std::vector<Tape> all;
   for (const char* text :
        {everything, "x' = 10 (y - x); y' = 28 x - y - x z; z' = x y - 8/3 z", "x' = 2; y' = 0; z' = t - x/y",
-        "x' = -x/3 + sin(t)/7; y' = sqrt(y) - 1/x; z' = exp(2 t) z^2"})
+        "x' = -x/3 + sin(t)/7; y' = sqrt(y) - 1/x; z' = exp(2 t) z^2",
+        "x' = y z - x z + x*sin(z); y' = x y + x z - y*sin(z); z' = y x - x + z*cos(z)"})
     all.emplace_back(equations(text).graph(), equations(text).slopes());
   return all;
 }
