@@ -232,10 +232,10 @@ void against_cvode(Speed& all, const Stiff& p, const Problem& problem, const Pla
     };
     const std::string mine = add("adaptive-collocation", computed);
     if (cvode == peers.end()) continue;
-    const auto theirs = [run = cvode->run, &p](double relative, ivp::State& x) {
+    const auto by_cvode = [run = cvode->run, &p](double relative, ivp::State& x) {
       return run(relative, relative * p.absolute, 0, p.end, x.data());
     };
-    all.claim(mine, add("cvode-bdf", theirs), least);
+    all.claim(mine, add("cvode-bdf", by_cvode), least);
   }
 }
 
