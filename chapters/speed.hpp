@@ -166,12 +166,12 @@ class Speed {
 
   /// Measures all work, checks and prints the claims, and writes results/bench/<name>.json.
   /// @return exit code: 1 if a claim does not hold
-  [[nodiscard]] int judge(const std::string& name) const {
+  [[nodiscard]] int check_claims(const std::string& name) const {
     const std::vector<scene::BenchSeries> series = measure();
     bool held = true;
     std::vector<scene::SpeedResult> results;
     for (const scene::SpeedClaim& claim : claims_) {
-      const scene::SpeedResult& r = results.emplace_back(scene::judge_claim(claim, series));
+      const scene::SpeedResult& r = results.emplace_back(scene::check_claim(claim, series));
       held = held && r.held;
       fmt::print("{:4} {}: {:.2f} ({:.2f} to {:.2f}), promised {:g}\n", r.held ? "" : "NOT", claim.text,
                  r.ratio, r.low, r.high, claim.least);
@@ -191,7 +191,7 @@ class Speed {
 inline int print_ratios(const std::string& name, const scene::TimeRatios& ratios) {
   const auto print = [](const std::string& what, const scene::RatioVerdict& v) {
     fmt::print("{:4} {}: {:.3g} printed, {:.3g} ({:.3g} to {:.3g})\n", v.holds ? "" : "NOT", what, v.printed,
-               v.ours.middle, v.ours.low, v.ours.high);
+               v.reproduced.middle, v.reproduced.low, v.reproduced.high);
   };
   for (const scene::TimeRatio& r : ratios.rows) {
     if (!r.is_reference()) print(fmt::format("{}, {} over {}", r.place, r.row, r.reference), r.verdict);
@@ -230,7 +230,7 @@ inline int speed_main(const std::string& name, void (*rows)(Speed&), int argc, c
                       const char* least_time = "0.02") {
   return run_bench(name + "_bench", argc, argv, least_time, [&](Speed& speed) {
     rows(speed);
-    return speed.judge(fmt::format("{}-{}", name, to_string(best_instruction_set())));
+    return speed.check_claims(fmt::format("{}-{}", name, to_string(best_instruction_set())));
   });
 }
 

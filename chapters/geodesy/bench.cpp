@@ -23,9 +23,9 @@ void add_rows(chapters::Speed& all, std::size_t count) {
     work.points = static_cast<double>(count);
     all.add(work);
   }
-  const auto claim = [&](const std::string& computed, const std::string& theirs, double least) {
-    all.claim(name_of(computed), name_of(theirs), least,
-              fmt::format("{} against {}, {} points", computed, theirs, count));
+  const auto claim = [&](const std::string& computed, const std::string& peer, double least) {
+    all.claim(name_of(computed), name_of(peer), least,
+              fmt::format("{} against {}, {} points", computed, peer, count));
   };
   const std::string peer = "GeographicLib, one point";
   claim("fast, one point", peer, 3);

@@ -79,9 +79,10 @@ double worst_error(const Parameters& p, int samples) {
   for (const double omega : logarithmic(1e-8, 1e8, samples)) {
     const Extended exact = extended_response(p, omega);
     const auto middle = plant.at_frequency(omega, p.length / 2), tip = plant.at_frequency(omega, p.length);
-    const std::array<double, 3> ours = {middle.theta, middle.deflection, tip.deflection};
-    for (std::size_t i = 0; i < ours.size(); ++i) {
-      const double error = std::abs(ours.at(i) / exact.value.at(i) - 1) / std::max(1., exact.condition.at(i));
+    const std::array<double, 3> computed = {middle.theta, middle.deflection, tip.deflection};
+    for (std::size_t i = 0; i < computed.size(); ++i) {
+      const double error =
+          std::abs(computed.at(i) / exact.value.at(i) - 1) / std::max(1., exact.condition.at(i));
       worst = std::max(worst, std::isfinite(error) ? error : 1.);
     }
   }

@@ -52,7 +52,7 @@ double delivered(const SetProblem& p, const comparison::Ranked& first) {
   return end.status.ok() ? std::clamp(-std::log10(p.error(end.x, p.times.size() - 1)), 0.0, 16.0) : 0;
 }
 
-std::vector<Judged> judge(bool /*quick*/) {
+std::vector<Judged> assess_choices(bool /*quick*/) {
   const auto file = scene::data_folder() / "tables" / "reference" / "method_times.csv";
   const auto rows = scene::parse_csv(scene::read_whole(file), file.filename().string());
   std::vector<Judged> judged;
@@ -138,7 +138,7 @@ std::vector<scene::Scene> scenes() {
   const scene::Result judged(
       "judged",
       "every problem of the set at 3, 6, 9 and 12 digits; run times from tables/reference/method_times.csv",
-      judge);
+      assess_choices);
   return {{.name = "choose",
            .title = "Run time of the chosen method over that of the fastest",
            .content = scene::Content(put, judged)}};

@@ -34,15 +34,18 @@ void add_series(chapters::Speed& all, double tolerance) {
       benchmark::DoNotOptimize(end);
     }
   });
+  // AVX-512 is promised 3 times: a single run has vector registers itself and shares machine code. Processors
+  // that split a register of eight lanes in two have the same lower bound for both sets.
   // Multiply-adds: two products of series, and some ten more per order.
   const double n = ivp::series_order(tolerance), operations = steps * (n * n + 10 * n);
-  for (const auto& [lanes, least] : {std::pair{InstructionSet::avx2, 2}, {InstructionSet::avx512, 4}}) {
+  for (const auto& [lanes, least] : {std::pair{InstructionSet::avx2, 2}, {InstructionSet::avx512, 3}}) {
     const InstructionSet set = lanes;
     if (!available(set)) continue;
-    const std::string ours = fmt::format("{}lanes of {}", name, to_string(set));
-    all.add(ours, [=] { return ivp::integrate_all(std::span<const ivp::Start>(starts), method, 1, set); });
-    all.add(ours + ", multiply-adds alone", [=] { return chapters::multiply_adds(set, operations); });
-    all.claim(ours, name + "one by one", least, ours + " against one by one");
+    const std::string in_lanes = fmt::format("{}lanes of {}", name, to_string(set));
+    all.add(in_lanes,
+            [=] { return ivp::integrate_all(std::span<const ivp::Start>(starts), method, 1, set); });
+    all.add(in_lanes + ", multiply-adds alone", [=] { return chapters::multiply_adds(set, operations); });
+    all.claim(in_lanes, name + "one by one", least, in_lanes + " against one by one");
   }
 }
 

@@ -78,8 +78,8 @@ void put(const Runs& all, scene::Show& show) {
   for (int k = 1; k <= 7; ++k) bounce += 2 * first * std::pow(restitution, k);
   show.at_most("time of the eighth bounce", std::abs(last_time(all.ball, "y = 0 falling") - bounce), 1e-8,
                "closed form: flight k takes 2 0.8^k times the first fall");
-  const double kept = std::exp(-12 * rate);
-  const double dose = 5 * kept * (1 - std::pow(kept, 6)) / (1 - kept);
+  const double remaining = std::exp(-12 * rate);
+  const double dose = 5 * remaining * (1 - std::pow(remaining, 6)) / (1 - remaining);
   show.at_most("amount at the end", std::abs(all.dose.x.back() - dose), 1e-7,
                "closed form: a geometric series");
 }

@@ -1,7 +1,7 @@
 """A page of the book: Markdown that reads well by itself, made ready for Doxygen. What is replaced:
 
   {{geodesy/fig-2.27: max latitude error | 3}}    a number of results/geodesy/fig-2.27.json
-  {{ratios: table-4.2, RK4-1 (P/10), ours | 2}}   a number of tables/ratios.json
+  {{ratios: table-4.2, RK4-1 (P/10), reproduced | 2}}   a number of tables/ratios.json
   [@elgohary2015, Eq. 2.45]                       a citation
   ![caption](../../figures/geodesy/fig-2.27.svg)  on lines of its own: the figure; after the path, optionally: "alternative text",
                                                   if the texts in the picture do not describe it

@@ -80,9 +80,9 @@ def find_evidence(claim, values, source, out):
     """Sets the claim's value and range, where they are found."""
     if claim.scene == PRINTED:  # by the text as it stands, where that says enough
         for value in values:
-            ours = value.inferred if value.nominal is None else value.nominal
-            if value.name == f"{claim.source}/{claim.quantity}" and ours is not None:
-                claim.value, claim.range = ours, nominal(value) if value.range_by_rounding() else ""
+            reproduced = value.inferred if value.nominal is None else value.nominal
+            if value.name == f"{claim.source}/{claim.quantity}" and reproduced is not None:
+                claim.value, claim.range = reproduced, nominal(value) if value.range_by_rounding() else ""
         return
     file = source / "tables/ratios.json" if claim.scene == RATIOS else out / f"results/{claim.chapter}/{claim.scene}.json"
     for quantity in read_quantities(file):
@@ -91,7 +91,7 @@ def find_evidence(claim, values, source, out):
             claim.value = float(number)
 
 
-def judge(claim, values, source, out):
+def assess(claim, values, source, out):
     find_evidence(claim, values, source, out)
     claim.verdict = (NOT_STATED if claim.expected == NOT_STATED
                      else HOLDS if within(claim.means, claim.value) else FAILS)
@@ -112,7 +112,7 @@ def collect(places, values, source, out, chapters):
         if all(place.chapter != claim.chapter for place in places):
             raise Refused(f"{file}: no chapter {claim.chapter!r} in places.csv")
         if claim.chapter in chapters:
-            judge(claim, values, source, out)
+            assess(claim, values, source, out)
     return claims
 
 

@@ -19,7 +19,7 @@ The dissertation prints seconds of MATLAB on an unknown machine. Absolute times 
 time of a row's method over that of the *reference* of its table: the series (Analytic-Cont) over as \
 many orbits in Tables 3.2 and 3.3, collocation with 35 nodes (RBF-Coll-2) in Tables 4.2, 4.4 and 4.6. Above 1 the reference, the \
 source's own method, is the faster one. Each run has the setting of its row and is the one whose error is in the table of that \
-name here; all run in one process and one thread, repeated in random order after a run that warms up. *Ours* is the ratio of medians; *from* \
+name here; all run in one process and one thread, repeated in random order after a run that warms up. *Reproduced* is the ratio of medians; *from* \
 and *to* are the ratios of opposite quartiles.
 
 A printed ratio *holds* if the same of the two methods is the faster one here, and the two ratios are at most a factor of {:g} apart: \
@@ -31,11 +31,11 @@ than to the methods. Of {} ratios {} hold; with factors of 2, 5 and 10 it would 
 PROSE = """
 ## Claims in prose
 
-The text says "on average", and the mean of the printed rows over 5, 10 and 20 orbits gives its numbers; *ours* is the same mean.
+The text says "on average", and the mean of the printed rows over 5, 10 and 20 orbits gives its numbers; the reproduced number is the same mean.
 
 """
 LOST = "The reference is faster in print and slower here than the method of the row; largest difference first.\n\n"
-RATIO = ["printed", "ours", "from", "to", "apart"]
+RATIO = ["printed", "reproduced", "from", "to", "apart"]
 
 
 def read_all(folder):
@@ -80,7 +80,7 @@ def verdict(row):
 
 def ratio(row):
     """The cells of RATIO."""
-    return [row["verdict"][key] for key in ("printed", "ours", "low", "high", "apart")]
+    return [row["verdict"][key] for key in ("printed", "reproduced", "low", "high", "apart")]
 
 
 def ratios_page(ratios):
@@ -91,7 +91,7 @@ def ratios_page(ratios):
         [c["place"][6:], c["row"], c["quantity"], *ratio(c), verdict(c)] for c in ratios.claims])
     for place in dict.fromkeys(row["place"] for row in ratios.rows):
         text += f"\n## {place.replace('-', ' ').capitalize()}\n\n" + table(
-            ["method", "printed (s)", "ours (s)", "printed ratio", *RATIO[1:], "verdict"],
+            ["method", "printed (s)", "measured (s)", "printed ratio", *RATIO[1:], "verdict"],
             [[r["row"], r["printed_seconds"], r["seconds"], *ratio(r), "reference" if r["row"] == r["reference"] else verdict(r)]
              for r in ratios.rows if r["place"] == place], digits={"printed (s)": 6})
     return text + "\n## Measured on\n\n" + "".join(f"- {name}: {machine(run)}" for name, run in ratios.runs.items())
@@ -99,11 +99,11 @@ def ratios_page(ratios):
 
 def quantities(ratios):
     """What pages may quote, as JSON."""
-    found = [(f"{r['place']}, {r['row']}, printed seconds over ours", r["printed_seconds"] / r["seconds"]) for r in ratios.rows]
+    found = [(f"{r['place']}, {r['row']}, printed over measured seconds", r["printed_seconds"] / r["seconds"]) for r in ratios.rows]
     found += [("ratios", len(ratios.compared)), ("ratios that hold", ratios.held(ratios.factor)),
               ("faster in print, slower here", len(ratios.lost))]
     for name, row in ([(f"{r['place']}, {r['row']}", r) for r in ratios.compared]
                       + [(f"{c['place']}, {c['row']}, {c['quantity']}", c) for c in ratios.claims]):
-        found += [(f"{name}, {key}", row["verdict"][key]) for key in ("printed", "ours")] + [(f"{name}, verdict", verdict(row))]
+        found += [(f"{name}, {key}", row["verdict"][key]) for key in ("printed", "reproduced")] + [(f"{name}, verdict", verdict(row))]
     listed = [{"name": name, "value": value, "unit": "" if isinstance(value, str) else "1"} for name, value in found]
     return json.dumps({"quantities": listed}, indent=2, ensure_ascii=False) + "\n"

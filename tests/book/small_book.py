@@ -10,7 +10,7 @@ QUANTITIES = """{"quantities":[
   {"name":"max error","value":2.417e-11,"unit":"deg"}, {"name":"acceleration","value":9.80665,"unit":"m/s^2"},
   {"name":"twelve","value":12}, {"name":"empty","value":""}, {"name":"infinite","value":Infinity}, {"name":"twice","value":1}, {"name":"twice","value":2}, {"name":"nothing","value":null}]}"""
 RATIOS = """{"quantities":[
-  {"name":"table-4.4, RK4-1 (0.1; 0.5), ours","value":0.0216,"unit":"1"},
+  {"name":"table-4.4, RK4-1 (0.1; 0.5), reproduced","value":0.0216,"unit":"1"},
   {"name":"table-4.4, RK4-1 (0.1; 0.5), verdict","value":"does not hold","unit":""}]}"""
 WORKS = """% Words above the first
 @book{one2001,

@@ -52,7 +52,7 @@ def test_numbers_rounded_by_hand(value, digits, tex, wanted):
 
 @pytest.mark.parametrize("body, wanted", [
     ("is {{geodesy/fig-2.27: max error | 2}}.", "is 2.4&nbsp;&times;&nbsp;10<sup>&minus;11</sup>&nbsp;deg."),
-    ("{{ratios: table-4.4, RK4-1 (0.1; 0.5), ours | 2}} {{ratios: table-4.4, RK4-1 (0.1; 0.5), verdict | 3}}",
+    ("{{ratios: table-4.4, RK4-1 (0.1; 0.5), reproduced | 2}} {{ratios: table-4.4, RK4-1 (0.1; 0.5), verdict | 3}}",
      "0.022 does not hold"),
     ("is {{geodesy/fig-2.27: max error|2|no unit}}.", "is 2.4&nbsp;&times;&nbsp;10<sup>&minus;11</sup>."),
     ("{{geodesy/fig-2.27: acceleration | 6}}; a [b]", "9.80665&nbsp;m/s<sup>2</sup>; a [b]"),

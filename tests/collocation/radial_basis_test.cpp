@@ -50,11 +50,11 @@ TEST(RadialBasis, LosesDigitsInProportionToTheCondition) {
   for (const Kernel kernel : kernels) {
     for (const auto& [n, shape] : settings) {
       const Eigen::VectorXd times = lgl_times(n);
-      const Differentiation ours = radial_differentiation(times, kernel, shape);
+      const Differentiation computed = radial_differentiation(times, kernel, shape);
       const Matrix<Real> exact =
           RadialBasis<Real>(times.cast<Real>(), kernel, Real(shape)).differentiation_matrix();
-      const double error = to_double((ours.matrix.cast<Real>() - exact).cwiseAbs().maxCoeff());
-      EXPECT_LE(error, 4 * eps * ours.condition * to_double(exact.cwiseAbs().maxCoeff()))
+      const double error = to_double((computed.matrix.cast<Real>() - exact).cwiseAbs().maxCoeff());
+      EXPECT_LE(error, 4 * eps * computed.condition * to_double(exact.cwiseAbs().maxCoeff()))
           << to_string(kernel) << ' ' << n << ' ' << shape;
     }
   }

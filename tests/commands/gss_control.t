@@ -188,23 +188,23 @@ Data with which no number of double can be computed:
 
 Each value of a spacecraft and each gain within the range but at its far ends gives numbers or a sentence:
 
-  $ judge() {
+  $ check() {
   >   if gss_control "$@" > out.csv 2> said.txt; then grep -H -e nan -e inf out.csv
   >   elif [ -s out.csv ] || [ $(wc -c < said.txt) -le 20 ]; then echo "$@"; cat out.csv said.txt; fi; true
   > }
   $ for text in 'length = 1e15' 'length = 1e-15' 'tip_mass = 1e60' 'hub_inertia = 1e60' 'hub_inertia = 0' 'hub_radius = 1e30' 'youngs_modulus = 1e-40'; do
   >   echo $text > end.toml
-  >   for command in poles "zeros --count 3" "response --omega 1" "step --until 1 --gains 1,1,1"; do judge $command --spacecraft end.toml; done
+  >   for command in poles "zeros --count 3" "response --omega 1" "step --until 1 --gains 1,1,1"; do check $command --spacecraft end.toml; done
   > done
   $ for gains in 1e300,0,1 1,1e300,1 1,0,1e300 1e-300,0,1e-300 1,-1.9999999999999998,1 1e308,1e308,1e308 0,0,0; do
-  >   judge step --until 1 --at 2 --gains $gains
-  >   judge poles --gains $gains
-  >   judge response --omega 1e-300,1,1e150 --at 2 --gains $gains
+  >   check step --until 1 --at 2 --gains $gains
+  >   check poles --gains $gains
+  >   check response --omega 1e-300,1,1e150 --at 2 --gains $gains
   > done
-  $ judge response --omega 1e-300:1e300:9 --at 0,4
-  $ judge step --until 1e-308 --at 4
-  $ judge optimal-gains --deflection-weight 1e308 --torque-weight 1e-308
-  $ judge optimal-gains --deflection-weight 0 --torque-weight 1e308 --pd
+  $ check response --omega 1e-300:1e300:9 --at 0,4
+  $ check step --until 1e-308 --at 4
+  $ check optimal-gains --deflection-weight 1e308 --torque-weight 1e-308
+  $ check optimal-gains --deflection-weight 0 --torque-weight 1e308 --pd
 
 Mistakes
 --------

@@ -34,19 +34,20 @@ TEST(ClosestPoint, IsAsAccurateAsGeographicLib) {
   for (double f : {1 / 298.257223563, -1 / 298., 0.1, -0.1, 0.5, -0.5, 0.9, -5.}) {
     const Ellipsoid e(6378137, f);
     const ClosestPoint closest(e);
-    Error ours{0, 0}, theirs{0, 0};
+    Error worst{0, 0}, worst_of_peer{0, 0};
     for (int n = 0; n < 3000; ++n) {
       const double size = e.a() * std::pow(10, exponent(engine));
       const Cartesian p{unit(engine) * size, unit(engine) * size, unit(engine) * size};
       const auto exact = reference::reverse(p, e);
       const Error peer_error = error_of(peers::geodesy::geographiclib_reverse(e, p), exact),
                   error = error_of(closest(p).position, exact);
-      ours = {std::max(ours.latitude, error.latitude), std::max(ours.height, error.height)};
-      theirs = {std::max(theirs.latitude, peer_error.latitude), std::max(theirs.height, peer_error.height)};
+      worst = {std::max(worst.latitude, error.latitude), std::max(worst.height, error.height)};
+      worst_of_peer = {std::max(worst_of_peer.latitude, peer_error.latitude),
+                       std::max(worst_of_peer.height, peer_error.height)};
     }
-    EXPECT_LE(ours.latitude, std::max(4e-16, 1.5 * theirs.latitude)) << f;
+    EXPECT_LE(worst.latitude, std::max(4e-16, 1.5 * worst_of_peer.latitude)) << f;
     // Height: four rounding errors of the size of the point.
-    EXPECT_LE(ours.height, std::max(1e-7, 1.5 * theirs.height)) << f;
+    EXPECT_LE(worst.height, std::max(1e-7, 1.5 * worst_of_peer.height)) << f;
   }
 }
 

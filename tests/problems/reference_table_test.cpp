@@ -236,13 +236,13 @@ TEST(ProblemSet, DuffingIsAJacobiFunction) {
 TEST(ProblemSet, EndsAsTheTestSetSays) {
   const std::pair<const char*, const char*> names[] = {
       {"pleiades", "Pleiades"}, {"pollution", "Pollution"}, {"hires", "HIRES"}, {"robertson", "Robertson"}};
-  for (const auto& [ours, theirs] : names) {
-    const std::vector<Real> end = states_of(ours).rbegin()->second;
-    const std::vector<double> published = nlmech::oracle::published_end_state(theirs);
-    ASSERT_EQ(end.size(), published.size()) << ours;
-    const double tolerance = 1e-13 + 32 * condition_of(ours) * 0x1p-53;
+  for (const auto& [name, published_name] : names) {
+    const std::vector<Real> end = states_of(name).rbegin()->second;
+    const std::vector<double> published = nlmech::oracle::published_end_state(published_name);
+    ASSERT_EQ(end.size(), published.size()) << name;
+    const double tolerance = 1e-13 + 32 * condition_of(name) * 0x1p-53;
     for (std::size_t i = 0; i < end.size(); ++i)
-      EXPECT_NEAR(static_cast<double>(end[i]) / published[i], 1, tolerance) << ours << " component " << i + 1;
+      EXPECT_NEAR(static_cast<double>(end[i]) / published[i], 1, tolerance) << name << " component " << i + 1;
   }
 }
 

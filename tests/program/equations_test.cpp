@@ -500,24 +500,24 @@ TEST(Typed, DerivativesOfSteepPowers) {
 }
 
 TEST(Typed, JacobiansAreThoseOfTheSameCode) {
-  const ivp::System ours{Problem(Equations(SourceText("test", tangle)))}, theirs{Tangle{}};
+  const ivp::System typed{Problem(Equations(SourceText("test", tangle)))}, compiled{Tangle{}};
   const ivp::State x{0.4, -0.9};
   ivp::Jacobian a, b;
-  ours.jacobian(0.2, x, a);
-  theirs.jacobian(0.2, x, b);
+  typed.jacobian(0.2, x, a);
+  compiled.jacobian(0.2, x, b);
   EXPECT_LE((a - b).cwiseAbs().maxCoeff(), 64 * eps * b.cwiseAbs().maxCoeff());
   ivp::State f(2), g(2), p(2), q(2);
-  ASSERT_TRUE(ours.second_derivative(0.2, x, f, g));
-  ASSERT_TRUE(theirs.second_derivative(0.2, x, p, q));
+  ASSERT_TRUE(typed.second_derivative(0.2, x, f, g));
+  ASSERT_TRUE(compiled.second_derivative(0.2, x, p, q));
   EXPECT_LE((f - p).cwiseAbs().maxCoeff(), 64 * eps * p.cwiseAbs().maxCoeff());
   EXPECT_LE((g - q).cwiseAbs().maxCoeff(), 64 * eps * q.cwiseAbs().maxCoeff());
 }
 
 TEST(Typed, TaylorCoefficientsAreThoseOfTheSameCode) {
-  const ivp::System ours{Problem(Equations(SourceText("test", tangle)))}, theirs{Tangle{}};
+  const ivp::System typed{Problem(Equations(SourceText("test", tangle)))}, compiled{Tangle{}};
   const ivp::State x{0.4, -0.9};
   constexpr int order = 20;
-  auto a = ours.taylor(order), b = theirs.taylor(order);
+  auto a = typed.taylor(order), b = compiled.taylor(order);
   a.begin_segment(0.2, x);
   b.begin_segment(0.2, x);
   a.expand(0.2, x, 1);

@@ -36,7 +36,7 @@ using program::Problem;
 using program::Program;
 using program::SourceText;
 
-constexpr int repays_after = program::CodeOnDemand<machine_code::Values>::repays_after;
+constexpr int repays_after = program::RepeatedProgram::repays_after;
 
 /// Every operation and function, with values that are needed more than once.
 constexpr const char* everything =
@@ -118,34 +118,6 @@ TEST_F(MachineCode, HasTheValuesOfPrograms) {
   }
 }
 
-/// Problem's right-hand side with partial derivatives, before and after it has code.
-TEST_F(MachineCode, HasThePartialDerivativesOfPrograms) {
-  using machine_code::Numbers;
-  for (const std::string& text : {std::string(everything), std::string(branches), crowded()}) {
-    const Equations all = equations(text);
-    const Program program(all.graph(), all.slopes());
-    const Problem problem(all);
-    ASSERT_TRUE(machine_code::partial_derivatives(program) != nullptr);
-    States states;
-    for (int trial = 0; trial < repays_after + 1000; ++trial) {
-      const std::vector<double> numbers = states(3 * 9 + 1);
-      Vector<Numbers, Eigen::Dynamic> x(3), values(3), expected(3);
-      for (int i = 0; i < 3; ++i) {
-        x[i] = numbers[std::size_t{9} * static_cast<std::size_t>(i)];
-        std::copy_n(numbers.begin() + std::ptrdiff_t{9} * i + 1, 8, x[i].partial.begin());
-      }
-      program.run(Numbers(numbers.back()), x, 0, 3, [&](int i, const Numbers& v) { expected[i] = v; });
-      problem(Numbers(numbers.back()), x, values);
-      for (int i = 0; i < 3; ++i) {
-        ASSERT_TRUE(same(values[i].value, expected[i].value)) << text;
-        for (std::size_t k = 0; k < 8; ++k)
-          ASSERT_TRUE(same(values[i].partial[k], expected[i].partial[k]))
-              << text << " " << trial << " " << i << " " << k;
-      }
-    }
-  }
-}
-
 TEST_F(MachineCode, IsNotMadeForTooManyValues) {
   EXPECT_TRUE(machine_code::values(Program(program::Graph(5000), {1}), 0, 1) == nullptr);
 }
@@ -170,7 +142,7 @@ TEST_F(MachineCode, TakesOverFromTheInterpreter) {
 TEST_F(MachineCode, IsMadeOnceWhenItRepaysItself) {
   const Equations all = equations("x' = 2 x");
   const Program program(all.graph(), all.slopes());
-  const program::CodeOnDemand<machine_code::Values> code, none;
+  const machine_code::CodeOnDemand<machine_code::Values> code(repays_after), none(repays_after);
   int made = 0;
   for (int i = 1; i <= repays_after + 10; ++i) {
     const bool there = code([&] { return ++made, machine_code::values(program, 0, 1); }) != nullptr;
@@ -205,7 +177,8 @@ std::vector<Tape> tapes() {
   std::vector<Tape> all;
   for (const char* text :
        {everything, "x' = 10 (y - x); y' = 28 x - y - x z; z' = x y - 8/3 z", "x' = 2; y' = 0; z' = t - x/y",
-        "x' = -x/3 + sin(t)/7; y' = sqrt(y) - 1/x; z' = exp(2 t) z^2"})
+        "x' = -x/3 + sin(t)/7; y' = sqrt(y) - 1/x; z' = exp(2 t) z^2",
+        "x' = y z - x z + x*sin(z); y' = x y + x z - y*sin(z); z' = y x - x + z*cos(z)"})
     all.emplace_back(equations(text).graph(), equations(text).slopes());
   return all;
 }
@@ -259,6 +232,66 @@ TEST_F(MachineCode, TakesOverFromTheKernel) {
       }
     }
   }
+}
+
+/// Requests of the code of a tape of one solution, until there is one.
+int requests_until_code(machine_code::SeriesCodes& codes, const Tape& tape, int order) {
+  const auto code = codes.of(tape, order, 1, TapeExpansion::repays_after);
+  const auto make = [&] { return machine_code::coefficients(tape.program(), order + 1, order); };
+  int requests = 1;
+  while ((*code)(make) == nullptr) ++requests;
+  return requests;
+}
+
+/// The expansions of an earlier run count, if it had the same tape and order.
+TEST_F(MachineCode, OfATapeIsSharedByRuns) {
+  const Problem problem(equations(everything)), copy = problem, other(equations(everything));
+  const Tape tape = tapes()[0], another = tapes()[1];
+  TapeExpansion run(InstructionSet::avx2);
+  run.load(tape, 9, problem.series_codes().get());
+  const std::vector<double> x = {0.3, 0.5, 0.7};
+  constexpr int expansions = TapeExpansion::repays_after - 10;
+  for (int i = 0; i < expansions; ++i) run.expand(0, x.data());
+  EXPECT_EQ(requests_until_code(*copy.series_codes(), tape, 9), 10);
+  EXPECT_EQ(requests_until_code(*copy.series_codes(), tape, 9), 1);
+  EXPECT_EQ(requests_until_code(*copy.series_codes(), tape, 8), TapeExpansion::repays_after);
+  EXPECT_EQ(requests_until_code(*copy.series_codes(), another, 9), TapeExpansion::repays_after);
+  EXPECT_EQ(requests_until_code(*other.series_codes(), tape, 9), TapeExpansion::repays_after);
+}
+
+TEST_F(MachineCode, OfTheLatestTapesAlone) {
+  machine_code::SeriesCodes codes;
+  const auto code = [&](int order) { return codes.of(tapes()[1], order, 1, 5); };
+  const auto first = code(1);
+  for (int order = 2; order <= 32; ++order) static_cast<void>(code(order));
+  EXPECT_EQ(code(1), first);
+  EXPECT_NE(codes.of(tapes()[1], 2, 8, 5), code(2));  // lanes; the oldest code goes
+  EXPECT_NE(code(1), first);
+}
+
+TEST_F(MachineCode, OfATapeIsSharedByThreads) {
+  const Tape tape = tapes()[0];
+  const std::vector<double> x = {0.3, 0.5, 0.7};
+  TapeExpansion expected(InstructionSet::avx2);
+  expected.load(tape, 9);
+  expected.expand(0.1, x.data());
+  machine_code::SeriesCodes codes;
+  std::vector<int> differ(4);
+  std::vector<std::thread> threads;
+  for (int& count : differ) {
+    threads.emplace_back([&] {
+      for (int run = 0; run < 20; ++run) {
+        TapeExpansion expansion(InstructionSet::avx2);
+        expansion.load(tape, 9, &codes);
+        for (int i = 0; i < TapeExpansion::repays_after / 10; ++i) {
+          expansion.expand(0.1, x.data());
+          if (expansion.coefficients(2)[9] != expected.coefficients(2)[9]) ++count;
+        }
+      }
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(differ, std::vector<int>(4));
 }
 
 TEST_F(MachineCode, HasTheCoefficientsOfLanes) {

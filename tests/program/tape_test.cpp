@@ -418,9 +418,9 @@ TEST(TapeLanes, KeepToThemselves) {
   }
 }
 
-// Sums of the series against Horner's rule; the order of summation is that of a single series. Each of the
-// terms of about 1 is rounded once or twice.
-TEST(TapeLanes, AddUp) {
+// Ends of steps against Horner's rule in long double; end() + end_carry() has the rounding of the sum of the
+// series alone, whose terms of about 1 are rounded once or twice. The last terms by their definition.
+TEST(TapeLanes, AdvanceAndMeasure) {
   const Tape tape = program::record(Few{}, 0.3, 3, false).tape();
   for (const InstructionSet set : sets()) {
     for (const int order : {2, 3, 4, 17}) {
@@ -431,18 +431,37 @@ TEST(TapeLanes, AddUp) {
         lanes.set_argument(lane, 0.1 * lane - 0.4);
       }
       lanes.expand();
-      lanes.add_up();
+      lanes.advance();
+      lanes.measure(1e-3, 1e-2);
       for (int lane = 0; lane < lanes.lanes(); ++lane) {
+        const SeriesTail<double> tail = lanes.tail(lane);
+        double last = 0, before = 0, total = 0;
         for (int i = 0; i < 3; ++i) {
-          double sum = 0, size = 0;
+          const auto c = [&](int k) { return lanes.coefficients(i, k)[lane]; };
+          long double sum = 0, size = 0;
           const double s = 0.1 * lane - 0.4;
           for (int k = order; k >= 1; --k) {
-            sum = (sum + lanes.coefficients(i, k)[lane]) * s;
-            size = (size + std::abs(lanes.coefficients(i, k)[lane])) * std::abs(s);
+            sum = (sum + c(k)) * s;
+            size = (size + std::abs(c(k))) * std::abs(s);
           }
-          EXPECT_NEAR(lanes.increments(i)[lane], sum, 4 * order * 0x1p-52 * size);
+          const long double end = lanes.end(i)[lane];
+          EXPECT_NEAR(static_cast<double>(end - c(0) + lanes.end_carry(i)[lane] - sum), 0,
+                      static_cast<double>(4 * order * 0x1p-52L * size));
+          EXPECT_LE(std::abs(lanes.end_carry(i)[lane]), 0x1p-53 * std::abs(lanes.end(i)[lane]));
+          const double unit = 1 / (1e-3 + 1e-2 * std::abs(c(0)));
+          last = std::max(last, unit * std::abs(c(order)));
+          before = std::max(before, unit * std::abs(c(order - 1)));
+          total += std::abs(c(order)) + std::abs(c(1));
         }
+        EXPECT_EQ(tail.last, last);
+        EXPECT_EQ(tail.before, before);
+        EXPECT_EQ(tail.sum, total);
       }
+      const double end = lanes.end(1)[1], carry = lanes.end_carry(1)[1], other = lanes.state(1)[0];
+      lanes.accept(1);
+      EXPECT_EQ(lanes.state(1)[1], end);
+      EXPECT_EQ(lanes.carry(1)[1], carry);
+      EXPECT_EQ(lanes.state(1)[0], other);
     }
   }
 }

@@ -119,11 +119,11 @@ long double exact_component(const RandomSystem& s, const std::vector<long double
 }
 
 /// |F| in long double, and the deviation of |F| in double from it.
-struct Judge {
+struct ErrorNorm {
   double length = 0, rounding = 0;
 };
 
-Judge judge(const RandomSystem& s, const VectorXd& x) {
+ErrorNorm error_norm(const RandomSystem& s, const VectorXd& x) {
   const auto exact = numbers<long double>(x);
   const auto at = numbers<double>(x);
   long double square = 0, off = 0;
@@ -161,7 +161,7 @@ TEST(RandomisedAlgebraic, ARootHasTheResidualThatWasAskedFor) {
     for (int i = 0; i < s.n; ++i) x[i] = s.roots(i, 0) + spread * draw.normal();
     const Report report = solved(method, equations, x);
     if (!report.status.ok()) return Case::refused(report.status.text());
-    const Judge at_end = judge(s, x);
+    const ErrorNorm at_end = error_norm(s, x);
     // The greatest component, for the peer.
     const double bound =
         method.name == "kinsol" ? method.tolerance * method.scale * std::sqrt(s.n) : report.bound;
@@ -181,10 +181,10 @@ TEST(RandomisedAlgebraic, TheEdgeOfADomainIsKnownToRounding) {
                        .a = MatrixXd{{1 + 3 * 0x1p-30, -1}, {0, 1}},
                        .roots = MatrixXd::Zero(2, 3),
                        .scale = VectorXd::Ones(2)};
-  const Judge at = judge(s, VectorXd{{1 - 3 * 0x1p-30, 1}});
+  const ErrorNorm at = error_norm(s, VectorXd{{1 - 3 * 0x1p-30, 1}});
   EXPECT_EQ(at.length, 1);
   EXPECT_EQ(at.rounding, 0);
-  EXPECT_TRUE(std::isnan(judge(s, VectorXd{{1 - 0x1p-20, 1}}).length));
+  EXPECT_TRUE(std::isnan(error_norm(s, VectorXd{{1 - 0x1p-20, 1}}).length));
 }
 
 /// V = sum of w_i f(y_i) with y = A x: wells, so that V has minima, saddle points and maxima.

@@ -142,11 +142,11 @@ struct Trial {
 };
 
 // Cases near limits of a domain are undecided, without a report: the oracle excludes them.
-template <class Judge>
-Case judged(Draw& draw, const Judge& judge) {
+template <class ErrorOf>
+Case judged(Draw& draw, const ErrorOf& error_of) {
   const Trial trial(draw);
   try {
-    const std::optional<double> worst = judge(trial);
+    const std::optional<double> worst = error_of(trial);
     return worst ? Case::judged(*worst, 1, trial.where()) : Case::undecided();
   } catch (const InputError& error) {
     // Refused correctly if a part is not finite for any state.

@@ -85,8 +85,8 @@ double load_frequency(Draw& draw, double interval) {
 
 /// Compares the end state with the exact one, in tolerances: the errors of all steps add up, multiplied by @p
 /// condition.
-Case judge(const Asked& asked, const ivp::Solution& s, const Column& exact, double sure,
-           const ivp::State& condition, const std::string& what) {
+Case compare_with_exact(const Asked& asked, const ivp::Solution& s, const Column& exact, double sure,
+                        const ivp::State& condition, const std::string& what) {
   if (!s.status.ok()) return Case::refused(s.status.text());
   const double tolerance = *asked.settings.tolerance;
   if (!(sure <= tolerance / 10)) return Case::undecided();
@@ -141,7 +141,7 @@ Case oscillator(Draw& draw) {
         const double X = 1 + there, V = 1 + v * there;
         return {growth * (X + V * share), growth * (V + v * X)};
       });
-  return judge(
+  return compare_with_exact(
       asked, s, exact, sure, condition,
       fmt::format("linear --set natural_frequency={:.17g} --set damping_ratio={:.17g} --set force={:.17g} "
                   "--set frequency={:.17g} --initial {:.17g},{:.17g} --until {:.17g} --method {}",
@@ -171,7 +171,7 @@ Case duffing(Draw& draw) {
   // An error of the amplitude changes the frequency, so its effect grows with the angle.
   const double grown = 1 + angle, x = 1 + size, v = 1 + rate * size;
   const ivp::State condition{grown * (x + v / rate), grown * (v + rate * x)};
-  return judge(
+  return compare_with_exact(
       asked, s, exact, sure, condition,
       fmt::format("duffing --set natural_frequency={:.17g} --set hardening={:.17g} --initial {:.17g},0 "
                   "--until {:.17g} --method {}",
@@ -226,11 +226,12 @@ Case chain(Draw& draw) {
         c.tail<3>().setConstant(growth * (1 + fast * there + fast * (1 + there)));
         return c;
       });
-  return judge(asked, s, exact, sure, condition,
-               fmt::format("three-dof --set l1=0 --set k1={:.17g} --set k4={:.17g} --set c1={:.17g} --set "
-                           "force={:.17g} --set frequency={:.17g} --until {:.17g} --method {}, x0 ({})",
-                           k1, k4, c1, force, frequency, interval, asked.words(),
-                           fmt::join(std::vector<double>(x0.begin(), x0.end()), ",")));
+  return compare_with_exact(
+      asked, s, exact, sure, condition,
+      fmt::format("three-dof --set l1=0 --set k1={:.17g} --set k4={:.17g} --set c1={:.17g} --set "
+                  "force={:.17g} --set frequency={:.17g} --until {:.17g} --method {}, x0 ({})",
+                  k1, k4, c1, force, frequency, interval, asked.words(),
+                  fmt::join(std::vector<double>(x0.begin(), x0.end()), ",")));
 }
 
 TEST(RandomisedHermitian, LinearOscillators) {

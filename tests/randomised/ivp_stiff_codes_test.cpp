@@ -35,7 +35,7 @@ struct Question {
 /// Reference: the common result of a multistep method with 1e-4 and a one-step method with 1e-3 times the
 /// tolerances.
 template <class Allowed>
-Case judge(const Question& q, Allowed allowed, const std::string& what) {
+Case compare_with_exact(const Question& q, Allowed allowed, const std::string& what) {
   const auto s =
       integrate(q.system, q.x0, 0, q.end,
                 AdaptiveCollocation{.relative_tolerance = q.relative, .absolute_tolerance = q.absolute}, {},
@@ -83,8 +83,8 @@ TEST(RandomisedStiffCodes, VanDerPol) {
                      end,
                      tolerance,
                      1e-3 * tolerance / mu};
-    return judge(q, tolerances(q, 10 * (1 + mu)),
-                 fmt::format("mu {:.17g}, end {:.17g}, tolerance {:.17g}", mu, end, tolerance));
+    return compare_with_exact(q, tolerances(q, 10 * (1 + mu)),
+                              fmt::format("mu {:.17g}, end {:.17g}, tolerance {:.17g}", mu, end, tolerance));
   });
 }
 
@@ -96,7 +96,7 @@ TEST(RandomisedStiffCodes, Robertson) {
                  tolerance = draw.log_uniform(1e-8, 1e-3);
     const problems::TextProblem p("robertson", {{"k1", k1}, {"k2", k2}, {"k3", k3}});
     const Question q{System(p), p.initial_state(), end, tolerance, 1e-11 * tolerance};
-    return judge(
+    return compare_with_exact(
         q, tolerances(q, 0),
         fmt::format("k {:.17g} {:.17g} {:.17g}, end {:.17g}, tolerance {:.17g}", k1, k2, k3, end, tolerance));
   });
@@ -110,8 +110,9 @@ TEST(RandomisedStiffCodes, Hires) {
                  tolerance = draw.log_uniform(1e-8, 1e-3);
     const problems::TextProblem p("hires", {{"k_plus", k_plus}});
     const Question q{System(p), p.initial_state(), end, tolerance, 1e-6 * tolerance};
-    return judge(q, tolerances(q, 10),
-                 fmt::format("k_plus {:.17g}, end {:.17g}, tolerance {:.17g}", k_plus, end, tolerance));
+    return compare_with_exact(
+        q, tolerances(q, 10),
+        fmt::format("k_plus {:.17g}, end {:.17g}, tolerance {:.17g}", k_plus, end, tolerance));
   });
 }
 

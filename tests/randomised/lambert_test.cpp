@@ -58,7 +58,7 @@ bool is_on_its_side(const LambertProblem& p, const LambertArc& arc, const Lamber
 Case judged(const LambertProblem& p, const LambertArc& arc, const LambertSolution& s) {
   const State start{p.from, s.v1};
   const KeplerCondition kappa = kepler_condition(start, p.time, p.mu);
-  const auto judge = [&](const auto& end) {
+  const auto check_end = [&](const auto& end) {
     const double miss = distance(p.to, end.position) / p.to.norm();
     const std::string what = words(p, arc) + fmt::format(" kappa {:.3g}", kappa.position);
     if (!(64 * kappa.position * eps < 1)) return Case::wrong(what);
@@ -69,7 +69,7 @@ Case judged(const LambertProblem& p, const LambertArc& arc, const LambertSolutio
   const bool plain = std::abs(1 - share) > 1e-2 && std::abs(2 - share) > 1e-2 && share > 1e-2 &&
                      share < 100 && kappa.position < 1e6 &&
                      cross(p.from, s.v1).norm() > 1e-2 * p.from.norm() * s.v1.norm();
-  return plain ? judge(conic<Wide>(start, p.time, p.mu)) : judge(conic<Real>(start, p.time, p.mu));
+  return plain ? check_end(conic<Wide>(start, p.time, p.mu)) : check_end(conic<Real>(start, p.time, p.mu));
 }
 
 TEST(RandomisedLambert, EveryArcArrives) {

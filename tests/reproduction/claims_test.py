@@ -53,10 +53,10 @@ def judged(folder):
     folder.put("results/moon/fig-1.json", '{"quantities": [{"name": "radius", "value": 2.5}]}')
     folder.put("tables/ratios.json", '{"quantities": [{"name": "faster", "value": 10}, {"name": "word", "value": "holds"}]}')
 
-    def judge(rows):
+    def assess(rows):
         folder.put("tables/claims.csv", f"{HEADER}{rows}\n")
         return claims.collect(folder.places(), folder.values("moon"), folder.path, folder.path, ["moon"])
-    return judge
+    return assess
 
 
 @pytest.mark.parametrize("evidence, value, verdict", [

@@ -6,16 +6,16 @@ import speed
 MACHINE = {"processor": "abacus", "compiler": "GNU 12", "commit": "abc", "dirty": False}
 
 
-def verdict(printed, ours):
+def verdict(printed, reproduced):
     """As common/nlmech/scene/evidence/ratios.cpp judges."""
-    apart, same = max(printed / ours, ours / printed), (printed > 1) == (ours > 1)
-    return {"printed": printed, "ours": ours, "low": ours / 2, "high": ours * 2, "apart": apart, "same_faster": same,
+    apart, same = max(printed / reproduced, reproduced / printed), (printed > 1) == (reproduced > 1)
+    return {"printed": printed, "reproduced": reproduced, "low": reproduced / 2, "high": reproduced * 2, "apart": apart, "same_faster": same,
             "holds": same and apart <= 3, "lost": printed > 1 and not same}
 
 
 def rows(place, *ratios):
     return [{"place": place, "row": f"row {i}", "reference": "own", "printed_seconds": printed, "seconds": 1e-6,
-             "verdict": verdict(printed, ours)} for i, (printed, ours) in enumerate(ratios)]
+             "verdict": verdict(printed, reproduced)} for i, (printed, reproduced) in enumerate(ratios)]
 
 
 def ratios(claims=(), **programs):
@@ -52,8 +52,8 @@ def test_ratios_can_be_quoted():
     claim = {"place": "claim-3.2.2", "row": "LEO", "quantity": "faster by", "verdict": verdict(24, 1.5)}
     found = ratios([claim], a=rows("table-1", (7, 5), (5, 0.5)))
     names = quoted(found)
-    for name, value in (("table-1, row 0, printed", 7), ("table-1, row 0, ours", 5), ("table-1, row 0, verdict", "holds"),
-                        ("table-1, row 0, printed seconds over ours", 7 / 1e-6), ("ratios", 2), ("ratios that hold", 1),
+    for name, value in (("table-1, row 0, printed", 7), ("table-1, row 0, reproduced", 5), ("table-1, row 0, verdict", "holds"),
+                        ("table-1, row 0, printed over measured seconds", 7 / 1e-6), ("ratios", 2), ("ratios that hold", 1),
                         ("faster in print, slower here", 1), ("claim-3.2.2, LEO, faster by, verdict", "does not hold")):
         assert names[name] == value, name
     assert "| 3.2.2 | LEO | faster by | 24 | 1.5 | 0.75 | 3 | 16 | does not hold |" in speed.ratios_page(found)

@@ -146,13 +146,13 @@ TEST(WorkPrecision, TheTableHasARowARunAndOneForWhatIsAbsent) {
 TEST(WorkPrecision, AnAttemptIsJudgedAndTimed) {
   int calls = 0;
   const auto compute = [&calls] { return ++calls; };
-  const auto judge = [](int call) -> Ending { return {Status(), 0.5 * call}; };
-  const Attempt quick = attempt("step 1", compute, judge, true);
+  const auto ending_of = [](int call) -> Ending { return {Status(), 0.5 * call}; };
+  const Attempt quick = attempt("step 1", compute, ending_of, true);
   EXPECT_EQ(quick.status, "success");
   EXPECT_EQ(quick.error, 0.5);
   EXPECT_EQ(quick.time.repeats, 1);
   EXPECT_EQ(calls, 1);
-  EXPECT_EQ(attempt("step 1", compute, judge, false).time.repeats, 5);
+  EXPECT_EQ(attempt("step 1", compute, ending_of, false).time.repeats, 5);
   Ending stalled{Status::failure(Outcome::not_converged, "stalled"), {}};
   EXPECT_EQ(attempt(
                 "step 1", compute, [&](int) { return stalled; }, true)

@@ -110,13 +110,13 @@ def combinations(f, loaded, sign):
     return found
 
 
-def miss(ours, table):
+def miss(computed, table):
     # A number that ends on the edge of a unit is within.
-    return max(abs(p - q) for p, q in zip(ours, table)) / UNIT * (1 - 1e-9)
+    return max(abs(p - q) for p, q in zip(computed, table)) / UNIT * (1 - 1e-9)
 
 
-def numbers_given(ours, table):
-    return sum(abs(p - q) / UNIT * (1 - 1e-9) <= 1 for p, q in zip(ours, table))
+def numbers_given(computed, table):
+    return sum(abs(p - q) / UNIT * (1 - 1e-9) <= 1 for p, q in zip(computed, table))
 
 
 def by_chance(table, peak, moves, draw):

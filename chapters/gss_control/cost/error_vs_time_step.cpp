@@ -38,9 +38,9 @@ constexpr std::array sides = {scene::Side::subject, scene::Side::library, scene:
 
 std::vector<double> end_times() { return equidistant(3, 6, 16); }
 
-double error(const History& ours, const History& exact, std::size_t i) {
-  return std::max(std::abs(ours.theta[i] - exact.theta[i]),
-                  std::abs(ours.deflection[i] - exact.deflection[i]) / deflection_scale);
+double error(const History& computed, const History& exact, std::size_t i) {
+  return std::max(std::abs(computed.theta[i] - exact.theta[i]),
+                  std::abs(computed.deflection[i] - exact.deflection[i]) / deflection_scale);
 }
 
 /// f(t) from its transform by the fixed Talbot method with @p nodes nodes (Abate and Valko 2004).
@@ -89,7 +89,7 @@ class Field {
 
   void add(const std::string& setting, const Compute& compute) {
     double largest = 0;
-    const auto judge = [&](const History& h) -> scene::Ending {
+    const auto ending_of = [&](const History& h) -> scene::Ending {
       std::vector<double> errors;
       for (std::size_t i = 0; i < times_.size(); ++i) {
         const double e = i < h.theta.size() ? error(h, truth_, i) : HUGE_VAL;
@@ -98,7 +98,7 @@ class Field {
       largest = *std::max_element(errors.begin(), errors.end());
       return {Status(), std::clamp(median(errors), 1e-17, 1.)};
     };
-    scene::Attempt attempt = scene::attempt(setting, compute, judge, quick_);
+    scene::Attempt attempt = scene::attempt(setting, compute, ending_of, quick_);
     attempt.work = {largest};
     all_.lines.back().attempts.push_back(std::move(attempt));
   }

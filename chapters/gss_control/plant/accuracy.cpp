@@ -30,9 +30,9 @@ Sample measure(const spacecraft::Plant& plant, double omega) {
     const double length = plant.parameters().length;
     const std::array<FormValue, 2> value = {evaluate(plant, form, omega, length / 2),
                                             evaluate(plant, form, omega, length)};
-    const std::array<double, 3> ours = {value[0].theta, value[0].deflection, value[1].deflection};
-    for (std::size_t i = 0; i < ours.size(); ++i)
-      s.error.at(k).at(i) = std::abs(ours.at(i) / exact.value.at(i) - 1);
+    const std::array<double, 3> computed = {value[0].theta, value[0].deflection, value[1].deflection};
+    for (std::size_t i = 0; i < computed.size(); ++i)
+      s.error.at(k).at(i) = std::abs(computed.at(i) / exact.value.at(i) - 1);
   }
   return s;
 }

@@ -27,10 +27,10 @@ constexpr Ten bare_zeros = {11.51094878903, 72.13788468598, 201.988165951,  395.
 constexpr Ten tip_zeros = {4.372658473946, 51.39836909583, 155.7182855807, 297.3174784595, 466.4585312923,
                            697.6424805754, 1006.066778865, 1386.123663541, 1834.030353588, 2348.190198895};
 
-double worst(const std::vector<double>& ours, const Ten& theirs) {
-  double error = ours.size() == theirs.size() ? 0 : HUGE_VAL;
-  for (std::size_t i = 0; i < theirs.size() && i < ours.size(); ++i)
-    error = std::max(error, std::abs(ours[i] / theirs.at(i) - 1));
+double worst(const std::vector<double>& computed, const Ten& reference) {
+  double error = computed.size() == reference.size() ? 0 : HUGE_VAL;
+  for (std::size_t i = 0; i < reference.size() && i < computed.size(); ++i)
+    error = std::max(error, std::abs(computed[i] / reference.at(i) - 1));
   return error;
 }
 

@@ -126,18 +126,18 @@ class Reader {
     if (!case_ && cases_.size() == 1) case_ = *cases_.begin();
   }
 
-  /// Moves the entries after the first @p kept ones to another load case.
+  /// Moves the entries after the first @p count ones to another load case.
   template <class Entries>
-  void hand_over(Entries frames::FrameModel::*list, ModelPart part, std::size_t kept, FrameFile& to) {
+  void hand_over(Entries frames::FrameModel::*list, ModelPart part, std::size_t count, FrameFile& to) {
     Entries& entries = file_.model.*list;
     auto &lines = file_.lines[static_cast<std::size_t>(part)],
          &other = to.lines[static_cast<std::size_t>(part)];
-    for (std::size_t i = kept; i < entries.size(); ++i) {
+    for (std::size_t i = count; i < entries.size(); ++i) {
       (to.model.*list).push_back(std::move(entries[i]));
       other.push_back(lines[i]);
     }
-    entries.resize(kept);
-    lines.resize(kept);
+    entries.resize(count);
+    lines.resize(count);
   }
 
   /// Reads the loads or displacements of the chosen case. The other cases are read too, so that their errors

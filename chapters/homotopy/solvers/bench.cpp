@@ -59,17 +59,17 @@ void add_path(chapters::Speed& all, int elements) {
 
 void rows(chapters::Speed& all) {
   const algebraic::EnergyTrustRegion energy;
-  const char *const ours = "energy-trust-region", *const second = "one second";
+  const char *const method = "energy-trust-region", *const second = "one second";
   for (const int elements : {10, 100, 1000}) add_path(all, elements);
-  add_solver(all, ours, 1000, 0.44, 44, energy);
+  add_solver(all, method, 1000, 0.44, 44, energy);
   add_solver(all, "riks", 1000, 0.44, 44, algebraic::ArcLength{});
   all.add_budget(second, 1e6);
   all.claim(path_of(1000), second, 1, "1000 elements traced through both limit points in a second");
   const peers::Kinsol kinsol{.tolerance = 1e-6, .iterations = 10'000};
   for (const auto& [elements, least] : {std::pair{4, 1.2}, std::pair{64, 2.5}}) {
-    add_solver(all, ours, elements, 0.32, 27.11, energy);
+    add_solver(all, method, elements, 0.32, 27.11, energy);
     if (peers::kinsol_available()) add_solver(all, "kinsol", elements, 0.32, 27.11, kinsol);
-    all.claim(name_of(ours, elements, 0.32, 27.11), name_of("kinsol", elements, 0.32, 27.11), least,
+    all.claim(name_of(method, elements, 0.32, 27.11), name_of("kinsol", elements, 0.32, 27.11), least,
               fmt::format("energy trust region against KINSOL's line search, {} elements", elements));
   }
 }

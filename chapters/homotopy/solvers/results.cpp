@@ -104,13 +104,13 @@ void put_table(const Results& all, scene::Show& show) {
       return swapped ? scene::Measured{with_other, with_derivative}
                      : scene::Measured{with_derivative, with_other};
     };
-    const scene::Measured ours = in_order(exact.median_count(), other.median_count()),
+    const scene::Measured counts = in_order(exact.median_count(), other.median_count()),
                           accuracy = in_order(accuracy_of(row, exact), accuracy_of(row, other));
-    show.measured(name_of(row, true), ours.nominal, ours.inferred);
+    show.measured(name_of(row, true), counts.nominal, counts.inferred);
     show.measured(name_of(row, false), accuracy.nominal, accuracy.inferred);
     const scene::PublishedValue& value = values.at(name_of(row, true));
     lines.push_back(
-        {row, exact, other, std::string(to_string(scene::judge(value, ours).verdict)), value.reading});
+        {row, exact, other, std::string(to_string(scene::verdict_on(value, counts).verdict)), value.reading});
   }
   show.table(lines, {{"method", &Line::method},
                      {"printed iterations", &Line::printed},
@@ -223,9 +223,9 @@ scene::Scene result_table(const std::string& table, const std::string& title,
     exact.push_back(row.exact);
     misprinted.push_back(row.misprinted);
   }
-  const auto put = [printed, check](const std::vector<const IterationRun*>& ours,
+  const auto put = [printed, check](const std::vector<const IterationRun*>& runs,
                                     const std::vector<const IterationRun*>& other, scene::Show& show) {
-    const Results all{printed, ours, other};
+    const Results all{printed, runs, other};
     put_table(all, show);
     check(all, show);
   };

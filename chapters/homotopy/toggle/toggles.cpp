@@ -152,11 +152,11 @@ void check_limit_points(const std::string& model, const LoadCurve& curve, const 
   // The deflection is exact to rounding of the stiffness; the load is stationary there.
   constexpr double eleven_digits = 1e-11, nine_digits = 1e-9;
   const LimitPoints at = limit_points(curve).value_or(LimitPoints{{NAN, NAN}, {NAN, NAN}});
-  const auto check = [&](const char* which, const CurvePoint& ours, const CurvePoint& theirs) {
-    show.near(fmt::format("load at the {}, {}", which, model), {ours.load, "lb"}, theirs.load, eleven_digits,
-              "tools/oracles/homotopy_williams.py and homotopy_frames.py, all digits");
-    show.near(fmt::format("deflection at the {}, {}", which, model), {ours.deflection, "in"},
-              theirs.deflection, nine_digits,
+  const auto check = [&](const char* which, const CurvePoint& computed, const CurvePoint& expected) {
+    show.near(fmt::format("load at the {}, {}", which, model), {computed.load, "lb"}, expected.load,
+              eleven_digits, "tools/oracles/homotopy_williams.py and homotopy_frames.py, all digits");
+    show.near(fmt::format("deflection at the {}, {}", which, model), {computed.deflection, "in"},
+              expected.deflection, nine_digits,
               "as the load; the stiffness has a simple zero, rounding by 1e-12");
   };
   check("maximum", at.maximum, reference.maximum);

@@ -91,9 +91,9 @@ void measure(const std::vector<Row>& rows, const Cases& cases, const Variants& v
   for (const Row& row : rows) {
     // The text does not state T. x1(T) - 5 is a multiple of a unit in the last place of 5 for every T.
     const bool any_time = row.subject->which == bvp::DuffingCase::fixed && row.condition == 2;
-    const std::optional<double> ours = row.residual[1], none;
-    show.measured(published_name(*row.subject, row.condition), any_time ? ours : none,
-                  any_time ? none : ours);
+    const std::optional<double> residual = row.residual[1], none;
+    show.measured(published_name(*row.subject, row.condition), any_time ? residual : none,
+                  any_time ? none : residual);
   }
   // The text has one number for all cases and no T; so it is compared with the least error over cases, final
   // times and guesses.

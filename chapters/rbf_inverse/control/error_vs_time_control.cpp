@@ -43,13 +43,13 @@ struct Subject : ControlStart {
     lines.push_back({method, group, {}, peer ? scene::Side::peer : scene::Side::subject});
   }
   void add(const std::string& setting, const std::function<Answer()>& solve) const {
-    const auto judge = [&](const Answer& answer) -> scene::Ending {
+    const auto ending_of = [&](const Answer& answer) -> scene::Ending {
       if (!answer.status.ok()) return {answer.status, {}};
       const Eigen::Vector2d right(known.first[2], known.first[3]), found = answer.first.tail<2>();
       return {answer.status,
               std::max((found - right).cwiseAbs().maxCoeff() / right.cwiseAbs().maxCoeff(), 1e-16)};
     };
-    lines.back().attempts.push_back(scene::attempt(setting, solve, judge, quick));
+    lines.back().attempts.push_back(scene::attempt(setting, solve, ending_of, quick));
   }
 };
 

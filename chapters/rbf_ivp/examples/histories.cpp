@@ -195,9 +195,9 @@ void put_all(const Example& example, const std::vector<std::string>& methods,
   constexpr double small = 1e-6, least = 1e-11, greatest_shown = 100;
   std::vector<std::vector<TimeError>> errors;
   for (const Record* record : records) errors.push_back(position_errors(*record, c));
-  const auto kept = std::ranges::count_if(errors, [](const auto& run) { return greatest(run) < small; });
+  const auto accurate = std::ranges::count_if(errors, [](const auto& run) { return greatest(run) < small; });
   scene::Plot& plot = show.plots(
-      fmt::format("{}: {} of {} runs keep the error below 1e-6", example.title, kept, records.size()));
+      fmt::format("{}: {} of {} runs keep the error below 1e-6", example.title, accurate, records.size()));
   const int rows = static_cast<int>(records.size()) / 2, top = 56, foot = 70, height = 92, gap = 24;
   const int whole = top + rows * (height + gap) + foot - gap;
   plot.size(760, whole).columns({"panel", "curve", "t_s", "error"});

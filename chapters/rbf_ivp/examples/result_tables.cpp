@@ -60,7 +60,7 @@ std::vector<Line> lines(const Example& example, const Records& literal, const Re
       line.name = fmt::format("elgohary/{}/{}/{}", example.table, row.row, example.quantity);
       const scene::PublishedValue& value = printed.at(line.name);
       line.published = value.printed;
-      line.judged = scene::judge(value, line.errors).verdict;
+      line.judged = scene::verdict_on(value, line.errors).verdict;
       if (!value.reading.empty()) line.reading += "; " + value.reading;
     }
     all.push_back(std::move(line));

@@ -74,28 +74,28 @@ template <class Method>
 /// @param window length of the final time interval with dense output, for figures
 /// @throws Failure with the message of the method if it does not reach @p end
 [[nodiscard]] inline Record record(const Case& c, double end, const Procedure& procedure, double window = 0) {
-  Record kept;
+  Record made;
   constexpr int samples = 400;
   int sample = 0;
   const auto observe = [&](const ivp::Step& step) {
     for (std::size_t k = 0; k < step.times.size(); ++k) {
       const double t = step.times[k];
       const ivp::State x = step.states.col(static_cast<Eigen::Index>(k));
-      kept.values.push_back({t, k + 1 == step.times.size(), x, error_at(c, t, x)});
+      made.values.push_back({t, k + 1 == step.times.size(), x, error_at(c, t, x)});
     }
     for (; window > 0 && sample <= samples; ++sample) {
       const double start = end - window, t = start + double(sample) / samples * (end - start);
       if (t > step.t1) break;
       ivp::State x;
       step.dense.at(t, x);
-      kept.window.push_back({t, x});
+      made.window.push_back({t, x});
     }
     return true;
   };
   const ivp::Solution solution = procedure(c, end, observe);
   if (!solution.status.ok()) throw Failure(solution.status);
-  kept.statistics = solution.statistics;
-  return kept;
+  made.statistics = solution.statistics;
+  return made;
 }
 
 /// RMS error of one component over the points up to a time, not normalised. With Points::ends the start

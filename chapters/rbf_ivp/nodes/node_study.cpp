@@ -64,9 +64,9 @@ VectorXd grown_nodes(const Arc& arc, int count, double shape) {
 Errors split_at_kinks(const Arc& arc, int count) {
   const Case& c = *arc.example;
   const ivp::PolynomialCollocation method = {.step = arc.h, .nodes = (count - 1) / 3 + 1, .points = radau};
-  const Record kept = record(c, arc.t0 + arc.h, throughout(method));
+  const Record recorded = record(c, arc.t0 + arc.h, throughout(method));
   Errors errors = {0, 0};
-  for (const Record::Value& value : kept.values) {
+  for (const Record::Value& value : recorded.values) {
     errors.end = value.error.cwiseQuotient(c.amplitude).cwiseAbs().maxCoeff();
     errors.largest = std::max(errors.largest, errors.end);
   }

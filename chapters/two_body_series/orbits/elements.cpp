@@ -18,10 +18,10 @@ constexpr double degree = std::numbers::pi / 180;
 /// Longitude of the periapsis, Omega + omega, in degrees.
 double longitude_of(const Elements& e) { return (e.ascending_node + e.periapsis_argument) / degree; }
 
-/// An element as printed, and with mu of WGS 84 (`computed`) and the implied mu (`theirs`).
+/// An element as printed, and with mu of WGS 84 (`computed`) and the implied mu (`with_implied_mu`).
 struct Row {
   std::string orbit, element, unit, printed;
-  double computed, theirs;
+  double computed, with_implied_mu;
   std::string remark;
 };
 
@@ -40,15 +40,17 @@ struct Source {
 
 std::vector<Row> rows_of(const Source& s) {
   const double mu = s.implied_mu();
-  const Elements computed = s.by(earth_mu), theirs = s.by(mu);
+  const Elements computed = s.by(earth_mu), with_implied_mu = s.by(mu);
   const std::string name = s.orbit.name;
-  return {{name, "a", "m", s.axis, computed.semi_major_axis, theirs.semi_major_axis, ""},
-          {name, "e", "1", scene::format_number(s.e, 2), computed.eccentricity, theirs.eccentricity, ""},
-          {name, "i", "deg", "0", computed.inclination / degree, theirs.inclination / degree, ""},
-          {name, "longitude of the periapsis", "deg", s.longitude, longitude_of(computed),
-           longitude_of(theirs), s.on_longitude},
-          {name, "true anomaly", "deg", "", computed.true_anomaly / degree, theirs.true_anomaly / degree, ""},
-          {name, "T_p", "s", s.period, computed.period(earth_mu), theirs.period(mu), s.on_period}};
+  return {
+      {name, "a", "m", s.axis, computed.semi_major_axis, with_implied_mu.semi_major_axis, ""},
+      {name, "e", "1", scene::format_number(s.e, 2), computed.eccentricity, with_implied_mu.eccentricity, ""},
+      {name, "i", "deg", "0", computed.inclination / degree, with_implied_mu.inclination / degree, ""},
+      {name, "longitude of the periapsis", "deg", s.longitude, longitude_of(computed),
+       longitude_of(with_implied_mu), s.on_longitude},
+      {name, "true anomaly", "deg", "", computed.true_anomaly / degree, with_implied_mu.true_anomaly / degree,
+       ""},
+      {name, "T_p", "s", s.period, computed.period(earth_mu), with_implied_mu.period(mu), s.on_period}};
 }
 
 void check(const Source& low, const Source& high, scene::Show& show) {
@@ -96,7 +98,7 @@ void put(scene::Show& show) {
                     {"unit", &Row::unit},
                     {"printed", &Row::printed},
                     {"mu of WGS 84", &Row::computed, 10},
-                    {"implied mu", &Row::theirs, 10},
+                    {"implied mu", &Row::with_implied_mu, 10},
                     {"remark", &Row::remark}});
   check(low, high, show);
   measure("elgohary/eq-3.72/LEO/", "omega", low, show);

@@ -68,7 +68,7 @@ std::vector<Line> lines_of(const Orbit& orbit, const Records& records) {
       if (const auto value = printed.find(norm_in_source(orbit, p, orbits)); value != printed.end()) {
         line.published = value->second.value;
         if (p == Propagator::series) line.literal = norm_by_printed_recursion(orbit, orbits);
-        line.verdict = to_string(scene::judge(value->second, line.measured()).verdict);
+        line.verdict = to_string(scene::verdict_on(value->second, line.measured()).verdict);
       }
       const std::string time =
           fmt::format("elgohary/{}/{}/simulation time", table_of(orbit), row_in_source(orbit, p, orbits));
@@ -193,7 +193,7 @@ void check(const std::vector<Line>& lines, const Known& known, scene::Show& show
   }
   for (const int orbits : revolutions) {
     const Line& series = line_of(lines, Propagator::series, orbits);
-    show.between(fmt::format("printed over ours, Analytic-Cont, {} orbits", orbits),
+    show.between(fmt::format("printed over computed error, Analytic-Cont, {} orbits", orbits),
                  *series.published / series.computed, known.least_gain, known.most_gain, known.gains);
   }
   // The error of the last velocity term shifts the body along the orbit; the energy error understates it.

@@ -30,7 +30,8 @@ double slope_error(const Eigen::MatrixXd& D, const Eigen::VectorXd& line) {
   return ((D * line).array() - 1).abs().maxCoeff();
 }
 
-Status judge(const Eigen::VectorXd& times, Kernel kernel, double shape, const Differentiation& result) {
+Status check_conditioning(const Eigen::VectorXd& times, Kernel kernel, double shape,
+                          const Differentiation& result) {
   constexpr double ill_conditioned = 1e12;  // functions too narrow to overlap have conditions below 1e10
   const Eigen::Index n = times.size(), rank = result.rank;
   const bool alike = 2 * rank <= n + 1 && rank < n;
@@ -72,7 +73,7 @@ Differentiation radial_differentiation(const Eigen::VectorXd& times, Kernel kern
   }
   result.slope_error = std::max(slope_error(result.matrix, times.array() - times[0]),
                                 slope_error(result.matrix, times.array() - times[times.size() - 1]));
-  result.status = judge(times, kernel, shape, result);
+  result.status = check_conditioning(times, kernel, shape, result);
   return result;
 }
 

@@ -96,6 +96,7 @@ class AnyProblem {
   virtual bool invariants(double, const State&, Eigen::VectorXd&) const = 0;
   virtual bool bounds(State&, State&) const = 0;
   virtual Tape record(double) const = 0;
+  virtual machine_code::SeriesCodes& series_codes() const = 0;
 };
 /// Empty base for an inlined problem.
 class NoInterface {};
@@ -105,6 +106,12 @@ class NoInterface {};
 template <class Problem>
 concept GivesLinearTerms = requires(const Problem& problem) {
   { problem.linear_terms() } -> std::convertible_to<program::LinearTerms>;
+};
+
+/// True if the problem has code that its copies and modes share, as typed equations do.
+template <class Problem>
+concept GivesSeriesCodes = requires(const Problem& problem) {
+  { problem.series_codes() } -> std::same_as<std::shared_ptr<machine_code::SeriesCodes>>;
 };
 
 /// True if the problem gives quantities that stay constant along its solutions.
@@ -171,7 +178,12 @@ class Direct final : public std::conditional_t<n == Eigen::Dynamic, detail::AnyP
   using Jacobian = Matrix<double, n, n>;                           ///< df/dx
 
   /// Stores a copy of the problem.
-  explicit Direct(Problem problem) : problem_(std::move(problem)) {}
+  explicit Direct(Problem problem) : problem_(std::move(problem)) {
+    if constexpr (detail::GivesSeriesCodes<Problem>)
+      series_codes_ = problem_.series_codes();
+    else
+      series_codes_ = std::make_shared<machine_code::SeriesCodes>();
+  }
 
   /// Number of components of the state.
   [[nodiscard]] int size() const {
@@ -413,6 +425,9 @@ class Direct final : public std::conditional_t<n == Eigen::Dynamic, detail::AnyP
     }
   }
 
+  /// Machine code for the tapes of this problem, which runs in all threads share.
+  [[nodiscard]] machine_code::SeriesCodes& series_codes() const { return *series_codes_; }
+
   /// Taylor coefficients of solutions to the order @p order >= 1. The result refers to this object and has
   /// begin_segment(t, x), expand(t, x, scale) and coefficients(i); see TapedTaylor. The problem is inlined
   /// into it up to 8 components and order unrolled::most_order.
@@ -451,6 +466,7 @@ class Direct final : public std::conditional_t<n == Eigen::Dynamic, detail::AnyP
   }
 
   Problem problem_;
+  std::shared_ptr<machine_code::SeriesCodes> series_codes_;
 };
 // NOLINTEND(modernize-use-override)
 

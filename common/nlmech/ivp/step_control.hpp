@@ -85,8 +85,8 @@ class StepControl {
   /// Accepts the trial; @p wanted is the wanted size of the next step.
   void accepted(double wanted) {
     if (rejections_ > 0) wanted = std::clamp(wanted, rule_.least_change * taken_, rule_.most_change * taken_);
-    const bool kept = is_cut_ && wanted >= rule_.kept_from * taken_;
-    length_ = kept ? std::max(length_, wanted) : wanted;
+    const bool keeps_planned = is_cut_ && wanted >= rule_.kept_from * taken_;
+    length_ = keeps_planned ? std::max(length_, wanted) : wanted;
     rejections_ = 0;
   }
   /// Rejects the trial; @p wanted is the wanted step size of the next one. @return false if the step size

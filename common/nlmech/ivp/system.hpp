@@ -103,6 +103,8 @@ class System {
   /// Records the right-hand side as a tape; it is called once, at time @p t. @throws std::invalid_argument as
   /// Direct::record()
   [[nodiscard]] Tape record(double t) const { return problem_->record(t); }
+  /// Machine code for the tapes of the problem, which runs in all threads share.
+  [[nodiscard]] machine_code::SeriesCodes& series_codes() const { return problem_->series_codes(); }
   /// Taylor coefficients of solutions to the order @p order >= 1, by the tape. The result refers to this
   /// object; see TapedTaylor.
   [[nodiscard]] TapedTaylor<System> taylor(int order) const { return {*this, order}; }

@@ -168,7 +168,7 @@ double phase_condition(const Scaled& s) {
 
 /// Can kappa be large? Estimate from the distance travelled relative to the final distance, with the error of
 /// the energy; from the final distance from the centre; and from the closest passage of a fast body.
-bool may_be_large(const Scaled& s, const State& end, double much) {
+bool may_be_large(const Scaled& s, const State& end, double limit) {
   const double r0 = s.start.position.norm(), v0 = s.start.velocity.norm(), r = end.position.norm(),
                v = end.velocity.norm(), time = std::abs(s.time), circular = s.mu / r0;
   const double share = v0 * v0 / circular, alpha = 2 - share;
@@ -177,8 +177,8 @@ bool may_be_large(const Scaled& s, const State& end, double much) {
   const bool swings = alpha > 0 && time * std::sqrt(circular * alpha) * alpha > r0;
   const double of_energy = 1 / std::abs(alpha),
                growth = 1 + (2 + share) * (swings ? of_energy : std::min(of_energy, 1 + r / r0));
-  if (!((r0 + v0 * time + v * time * growth) / r < much) || phase_condition(s) > much) return true;
-  return share > 3 && !(cross(s.start.position, s.start.velocity).norm() > r0 * v0 / much);
+  if (!((r0 + v0 * time + v * time * growth) / r < limit) || phase_condition(s) > limit) return true;
+  return share > 3 && !(cross(s.start.position, s.start.velocity).norm() > r0 * v0 / limit);
 }
 
 /// kappa of the position, or of the mean anomaly if larger, if it is at least @p least; else 0.

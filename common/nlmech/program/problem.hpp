@@ -106,10 +106,13 @@ class Problem {
   /// The linear terms with constant coefficients, and the harmonic loads.
   [[nodiscard]] const LinearTerms& linear_terms() const { return *linear_; }
 
+  /// Machine code for the tapes of these equations, which copies and modes share.
+  [[nodiscard]] std::shared_ptr<machine_code::SeriesCodes> series_codes() const { return series_codes_; }
+
   /// dx/dt.
   template <class T>
   void operator()(const T& t, const Vector<T, Eigen::Dynamic>& x, Vector<T, Eigen::Dynamic>& dxdt) const {
-    if constexpr (std::is_same_v<T, double> || std::is_same_v<T, machine_code::Numbers>)
+    if constexpr (std::is_same_v<T, double>)
       program_->slopes(t, x, dxdt);
     else
       program_->run(t, x, 0, static_cast<std::size_t>(size_),
@@ -149,6 +152,7 @@ class Problem {
   std::shared_ptr<const TimeFeatures> features_;
   std::shared_ptr<const Stated> stated_;
   std::shared_ptr<const LinearTerms> linear_;
+  std::shared_ptr<machine_code::SeriesCodes> series_codes_ = std::make_shared<machine_code::SeriesCodes>();
   int size_;
   bool second_order_, smooth_;
 };

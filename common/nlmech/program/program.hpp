@@ -15,9 +15,8 @@
 #include "nlmech/program/value_of.hpp"
 
 namespace nlmech::machine_code {
-class DualAssembler;
 class ValueAssembler;
-}  // namespace nlmech::machine_code
+}
 
 namespace nlmech::program {
 
@@ -41,31 +40,17 @@ class Program {
   /// @param out called as out(i - first, value) for each output i
   template <class T, class State, class Out>
   void run(const T& t, const State& x, std::size_t first, std::size_t last, Out&& out) const {
-    run_by(
-        [this](T * place) __attribute__((always_inline)) {
-          for (const Instruction& i : instructions_) carry_out(i, place);
-        },
-        t, x, first, last, out);
-  }
-
- protected:
-  /// As run(), with @p steps for the instructions: it is called with the memory of all results, which begins
-  /// with @p t and @p x.
-  template <class Steps, class T, class State, class Out>
-  void run_by(const Steps& steps, const T& t, const State& x, std::size_t first, std::size_t last,
-              Out&& out) const {
     if constexpr (std::is_trivially_copyable_v<T>) {
-      if (places_ <= few) return run_on_stack<few>(steps, t, x, first, last, out);
+      if (places_ <= few) return run_on_stack<few>(t, x, first, last, out);
       if (places_ <= many_bytes / sizeof(T))
-        return run_on_stack<many_bytes / sizeof(T)>(steps, t, x, first, last, out);
+        return run_on_stack<many_bytes / sizeof(T)>(t, x, first, last, out);
     }
     std::vector<T> place(places_);
-    run_in(place.data(), steps, t, x, first, last, out);
+    run_in(place.data(), t, x, first, last, out);
   }
 
  private:
   friend class ProgramCompiler;
-  friend class machine_code::DualAssembler;
   friend class machine_code::ValueAssembler;
   /// An operation with the places of its operands; r is that of the result.
   struct Instruction {
@@ -84,19 +69,17 @@ class Program {
   static constexpr std::size_t few = 32, many_bytes = 65'536;
 
   // Runs in uninitialised memory on the stack.
-  template <std::size_t most, class Steps, class T, class State, class Out>
-  void run_on_stack(const Steps& steps, const T& t, const State& x, std::size_t first, std::size_t last,
-                    Out& out) const {
+  template <std::size_t most, class T, class State, class Out>
+  void run_on_stack(const T& t, const State& x, std::size_t first, std::size_t last, Out& out) const {
     alignas(T) std::array<std::byte, most * sizeof(T)> memory;
-    run_in(reinterpret_cast<T*>(memory.data()), steps, t, x, first, last, out);
+    run_in(reinterpret_cast<T*>(memory.data()), t, x, first, last, out);
   }
 
-  template <class Steps, class T, class State, class Out>
-  void run_in(T* place, const Steps& steps, const T& t, const State& x, std::size_t first, std::size_t last,
-              Out& out) const {
+  template <class T, class State, class Out>
+  void run_in(T* place, const T& t, const State& x, std::size_t first, std::size_t last, Out& out) const {
     place[0] = t;
     for (std::size_t i = 0; i < size_; ++i) place[i + 1] = component(x, i);
-    steps(place);
+    for (const Instruction& i : instructions_) carry_out(i, place);
     for (std::size_t i = first; i < last; ++i) {
       const Output& o = outputs_[i];
       out(static_cast<int>(i - first), o.number ? T(o.c) : place[o.place]);

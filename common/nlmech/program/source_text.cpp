@@ -21,11 +21,11 @@ std::string shown(std::string_view text) { return quoted_input(text, std::string
 
 SourceText::SourceText(std::string name, std::string text) : name_(std::move(name)), text_(std::move(text)) {
   if (text_.starts_with("\xEF\xBB\xBF")) text_.erase(0, 3);
-  std::size_t kept = 0;
+  std::size_t written = 0;
   for (std::size_t i = 0; i < text_.size(); ++i) {
-    if (text_.compare(i, 2, "\r\n") != 0) text_[kept++] = text_[i];
+    if (text_.compare(i, 2, "\r\n") != 0) text_[written++] = text_[i];
   }
-  text_.resize(kept);
+  text_.resize(written);
 }
 
 InputError SourceText::mistake(const Place& place, std::string_view sentence) const {

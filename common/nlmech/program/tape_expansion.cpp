@@ -27,12 +27,13 @@ InstructionSet replay_instruction_set() {
 
 TapeExpansion::TapeExpansion(InstructionSet set) : replay_(kernel(set)) {}
 
-void TapeExpansion::load(Tape tape, int order) {
-  // A segment of the same equations keeps their code.
-  if (!(order == order_ && tape == tape_)) {
+void TapeExpansion::load(Tape tape, int order, machine_code::SeriesCodes* codes) {
+  if (replay_ == tape::baseline_replay)
     code_ = nullptr;
-    expansions_ = 0;
-  }
+  else if (codes != nullptr)
+    code_ = codes->of(tape, order, 1, repays_after);
+  else if (code_ == nullptr || order != order_ || !(tape == tape_))  // otherwise equations with their code
+    code_ = std::make_shared<const machine_code::SeriesCode>(repays_after);
   tape_ = std::move(tape);
   order_ = order;
   // An odd number of whole cache lines.
@@ -46,9 +47,10 @@ void TapeExpansion::expand(double t, const double* x, double scale) {
   memory_[0] = t;
   memory_[1] = scale;
   for (int i = 0; i < tape_.size(); ++i) memory_[static_cast<std::size_t>((i + 1) * stride_)] = x[i];
-  if (expansions_ < repays_after && ++expansions_ == repays_after && replay_ != tape::baseline_replay)
-    code_ = machine_code::coefficients(tape_.program(), stride_, order_);
-  if (code_ != nullptr) return (*code_)(memory_.data(), nullptr, &scale);
+  if (code_ != nullptr) {
+    const auto make = [this] { return machine_code::coefficients(tape_.program(), stride_, order_); };
+    if (auto* const code = (*code_)(make)) return code(memory_.data(), nullptr, &scale);
+  }
   first_pass(scale);
   replay_(tape_.program(), nullptr, memory_.data(), stride_, order_, &scale, reciprocals_.data());
 }

@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "nlmech/program/machine_code/machine_code.hpp"
+#include "nlmech/program/machine_code/code_on_demand.hpp"
 #include "nlmech/program/tape.hpp"
 #include "nlmech/support/instruction_set.hpp"
 
@@ -30,11 +30,12 @@ class TapeExpansion {
   /// @throws std::invalid_argument if the processor does not have @p set
   explicit TapeExpansion(InstructionSet set = replay_instruction_set());
 
-  /// Expansions that take about as long as making machine code, which then replaces the kernel.
+  /// Expansions, of all runs, that take about as long as making machine code, which then replaces the kernel.
   static constexpr int repays_after = 300;
 
   /// Loads a tape for series of order @p order >= 1. Allocates if more memory is needed than before.
-  void load(Tape tape, int order);
+  /// @param codes code that other runs share and whose expansions count too; none: that of this object
+  void load(Tape tape, int order, machine_code::SeriesCodes* codes = nullptr);
 
   /// Computes the coefficients of the solution through @p x (with the size of the tape) at time @p t. Never
   /// throws; values that are not finite propagate to the coefficients.
@@ -55,8 +56,7 @@ class TapeExpansion {
   int order_ = 0;
   std::ptrdiff_t stride_ = 0;
   std::vector<double> memory_, reciprocals_;
-  int expansions_ = 0;
-  std::shared_ptr<machine_code::Coefficients> code_;
+  std::shared_ptr<const machine_code::SeriesCode> code_;
 };
 
 }  // namespace nlmech

@@ -21,11 +21,16 @@ const tape::LaneKernel& lane_kernel(InstructionSet set) {
   return tape::baseline_lanes;
 }
 
-// Do both have the same operation and series? A divisor of 1 is omitted, so both or none must have it.
+// Numbers of 1 and -1 are omitted in machine code, so both or none must be one.
+bool alike(double a, double b) { return (a == 1) == (b == 1) && (a == -1) == (b == -1); }
+bool alike(const tape::Term& a, const tape::Term& b) {
+  return a.series == b.series && alike(a.factor, b.factor);
+}
+// Do both have the same operation and series?
 bool alike(const Instruction& a, const Instruction& b) {
   return a.operation == b.operation && a.line == b.line && a.r == b.r && a.a == b.a && a.b == b.b &&
-         a.extra == b.extra && a.first == b.first && a.count == b.count &&
-         (a.divisor == 1) == (b.divisor == 1);
+         a.extra == b.extra && a.first == b.first && a.count == b.count && alike(a.factor, b.factor) &&
+         alike(a.divisor, b.divisor);
 }
 
 }  // namespace
@@ -39,18 +44,20 @@ TapeLanes::Numbers TapeLanes::zeros(std::ptrdiff_t count) {
   return numbers;
 }
 
-void TapeLanes::load(Tape tape, int order) {
+void TapeLanes::load(Tape tape, int order, machine_code::SeriesCodes* codes) {
+  if (set_ != InstructionSet::baseline)
+    code_ = codes != nullptr ? codes->of(tape, order, lanes(), repays_after)
+                             : std::make_shared<const machine_code::SeriesCode>(repays_after);
   tape_ = std::move(tape);
   order_ = order;
-  expansions_ = 0;
-  code_ = nullptr;
   const tape::Program program = tape_.program();
   const auto rows = [this](int count) { return zeros(std::ptrdiff_t{count} * lanes_); };
   memory_ = zeros(std::ptrdiff_t{tape_.series()} * (order + 1) * lanes_);
   constants_ = rows(tape::output_of(program, program.size));
   scales_ = rows(1);
   arguments_ = rows(1);
-  sums_ = rows(program.size);
+  tails_ = rows(3);
+  for (Numbers* each : {&carries_, &ends_, &end_carries_}) *each = rows(program.size);
   reciprocals_ = tape::reciprocals(order);
   for (int lane = 0; lane < lanes_; ++lane) put(lane, tape_);
 }
@@ -59,9 +66,9 @@ bool TapeLanes::fits(const Tape& tape) const {
   const tape::Program a = tape_.program(), b = tape.program();
   if (a.size != b.size || a.instruction_count != b.instruction_count || a.term_count != b.term_count)
     return false;
-  return std::equal(a.instructions, a.instructions + a.instruction_count, b.instructions, alike) &&
-         std::equal(a.terms, a.terms + a.term_count, b.terms,
-                    [](const tape::Term& x, const tape::Term& y) { return x.series == y.series; }) &&
+  const auto same = [](const auto& x, const auto& y) { return alike(x, y); };
+  return std::equal(a.instructions, a.instructions + a.instruction_count, b.instructions, same) &&
+         std::equal(a.terms, a.terms + a.term_count, b.terms, same) &&
          std::equal(a.outputs, a.outputs + a.size, b.outputs,
                     [](const tape::Output& x, const tape::Output& y) { return x.series == y.series; });
 }
@@ -81,24 +88,44 @@ void TapeLanes::put(int lane, const Tape& tape) {
 }
 
 void TapeLanes::set(int lane, double t, const double* x, double scale) {
+  set_time(lane, t, scale);
+  for (int i = 0; i < tape_.size(); ++i) {
+    at(i + 1, 0)[lane] = x[i];
+    carries_.get()[i * lanes_ + lane] = 0;
+  }
+}
+
+void TapeLanes::set_time(int lane, double t, double scale) {
   at(0, 0)[lane] = t;
   at(0, 1)[lane] = scales_.get()[lane] = scale;
-  for (int i = 0; i < tape_.size(); ++i) at(i + 1, 0)[lane] = x[i];
 }
 
 void TapeLanes::expand() {
   const std::ptrdiff_t stride = (order_ + 1) * lanes_;
-  if (expansions_ < repays_after && ++expansions_ == repays_after)
-    code_ = machine_code::lane_coefficients(tape_.program(), stride, order_, set_);
-  if (code_ != nullptr) return (*code_)(memory_.get(), constants_.get(), scales_.get());
+  if (code_ != nullptr) {
+    const auto make = [&] { return machine_code::lane_coefficients(tape_.program(), stride, order_, set_); };
+    if (auto* const code = (*code_)(make)) return code(memory_.get(), constants_.get(), scales_.get());
+  }
   first_pass();
   kernel_->replay(tape_.program(), constants_.get(), memory_.get(), stride, order_, scales_.get(),
                   reciprocals_.data());
 }
 
-void TapeLanes::add_up() {
-  kernel_->increments(memory_.get(), std::ptrdiff_t{order_ + 1} * lanes_, tape_.size(), order_,
-                      arguments_.get(), sums_.get());
+void TapeLanes::measure(double absolute_tolerance, double relative_tolerance) {
+  kernel_->measure(memory_.get(), std::ptrdiff_t{order_ + 1} * lanes_, tape_.size(), order_,
+                   absolute_tolerance, relative_tolerance, tails_.get());
+}
+
+void TapeLanes::advance() {
+  kernel_->advance(memory_.get(), std::ptrdiff_t{order_ + 1} * lanes_, tape_.size(), order_, arguments_.get(),
+                   carries_.get(), ends_.get(), end_carries_.get());
+}
+
+void TapeLanes::accept(int lane) {
+  for (int i = 0; i < tape_.size(); ++i) {
+    at(i + 1, 0)[lane] = ends_.get()[i * lanes_ + lane];
+    carries_.get()[i * lanes_ + lane] = end_carries_.get()[i * lanes_ + lane];
+  }
 }
 
 void TapeLanes::first_pass() {

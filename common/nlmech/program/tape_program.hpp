@@ -110,9 +110,13 @@ struct LaneKernel {
   int lanes;  ///< number of lanes
   Replay
       replay;  ///< replay for all lanes, with the bits of baseline_replay (in baseline_lanes) or avx2_replay
-  /// The sums of c_k s^k for k = 1, ..., order >= 2, of the components of the state: @p sums[i lanes + lane].
-  void (*increments)(const double* memory, std::int64_t stride, int size, int order, const double* s,
-                     double* sums);
+  /// SeriesTail of all components: @p tails has `last` of all lanes, then `before`, then `sum`.
+  void (*measure)(const double* memory, std::int64_t stride, int size, int order, double absolute,
+                  double relative, double* tails);
+  /// Adds the sums of c_k s^k for k = 1, ..., order >= 2 to the components of the state by add_increment(),
+  /// with @p carries[i lanes + lane] and so on.
+  void (*advance)(const double* memory, std::int64_t stride, int size, int order, const double* s,
+                  const double* carries, double* ends, double* end_carries);
 };
 
 extern const LaneKernel baseline_lanes;  ///< compiled for every machine

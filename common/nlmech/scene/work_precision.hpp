@@ -44,13 +44,14 @@ struct Ending {
   std::optional<double> error;  ///< error; nothing if the method failed
 };
 
-/// Computes and times one setting. @param judge gives the Ending of the result of @p compute; not timed
-template <class Compute, class Judge>
-[[nodiscard]] Attempt attempt(std::string setting, const Compute& compute, const Judge& judge, bool quick) {
+/// Computes and times one setting. @param ending_of gives the Ending of the result of @p compute; not timed
+template <class Compute, class EndingOf>
+[[nodiscard]] Attempt attempt(std::string setting, const Compute& compute, const EndingOf& ending_of,
+                              bool quick) {
   const Stopwatch watch;
   const auto result = compute();
   const double first = watch.seconds();
-  const Ending ending = judge(result);
+  const Ending ending = ending_of(result);
   return {std::move(setting), std::string(to_string(ending.status.outcome())), ending.error,
           repeated_timing([&] { static_cast<void>(compute()); }, first, quick)};
 }

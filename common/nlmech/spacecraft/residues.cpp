@@ -213,16 +213,16 @@ ExponentialSum ExponentialSum::without_small(double remainder) const {
     return std::abs(weights_[a]) < std::abs(weights_[b]);
   });
   double left_out = 0;
-  std::vector<bool> kept(poles_.size(), true);
+  std::vector<bool> remains(poles_.size(), true);
   for (const std::size_t k : order) {
     left_out += 2 * std::abs(weights_[k]);
     if (left_out > remainder) break;
-    kept[k] = false;
+    remains[k] = false;
   }
   ExponentialSum main;
   main.polynomial_ = polynomial_;
   for (std::size_t k = 0; k < poles_.size(); ++k) {
-    if (!kept[k]) continue;
+    if (!remains[k]) continue;
     main.poles_.push_back(poles_[k]);
     main.weights_.push_back(weights_[k]);
   }

@@ -51,12 +51,14 @@ TEST(SecondDerivative, KnowsTheLoad) {
 // tolerance of 1e-12 a step is met with quadratic convergence.
 TEST(Hermitian, NewmarksRowIsNewmark) {
   const System system(problems::TextProblem("driven-duffing"));
-  const auto ours = integrate(system, State{1, 0}, 0, 10, Hermitian{.operators = newmark_pair, .step = 0.05});
-  const auto theirs = integrate(system, State{1, 0}, 0, 10, Newmark{.step = 0.05});
-  EXPECT_NEAR(ours.x[0], theirs.x[0], 1e-11);
-  EXPECT_NEAR(ours.x[1], theirs.x[1], 1e-11);
+  const auto hermitian =
+      integrate(system, State{1, 0}, 0, 10, Hermitian{.operators = newmark_pair, .step = 0.05});
+  const auto newmark = integrate(system, State{1, 0}, 0, 10, Newmark{.step = 0.05});
+  EXPECT_NEAR(hermitian.x[0], newmark.x[0], 1e-11);
+  EXPECT_NEAR(hermitian.x[1], newmark.x[1], 1e-11);
   for (const HermitianPair& pair : {hoff, bazzi})
-    EXPECT_EQ(integrate(system, State{1, 0}, 0, 10, Hermitian{.operators = pair, .step = 0.05}).x, ours.x);
+    EXPECT_EQ(integrate(system, State{1, 0}, 0, 10, Hermitian{.operators = pair, .step = 0.05}).x,
+              hermitian.x);
 }
 
 // One step of q'' = -w^2 q in closed form: M (q0, h v0) with the half trace and the determinant of

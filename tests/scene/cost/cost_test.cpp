@@ -89,7 +89,7 @@ TEST(Rankings, NeedSomebodyWhoArrives) {
   }
 }
 
-const std::vector<MethodGroup> groups = {{"subject", 0}, {"ours", 1}, {"explicit", 3}, {"implicit", 4}};
+const std::vector<MethodGroup> groups = {{"subject", 0}, {"nlmech", 1}, {"explicit", 3}, {"implicit", 4}};
 
 /// The coloured methods, most important first.
 std::vector<std::string> names(const std::vector<ProblemLines>& problems) {
@@ -128,7 +128,7 @@ TEST(Foreground, HasTheColourOfTheGroupWhereItIsFree) {
     const bool of_ours = l.method == "fast at many digits" || l.method == "fast at few digits";
     EXPECT_TRUE(of_ours || c.colour == groups[l.group].colour) << l.method;
   }
-  EXPECT_TRUE(colours.contains(1)) << "one of the two of ours";
+  EXPECT_TRUE(colours.contains(1)) << "one of the two of nlmech";
 }
 
 TEST(Foreground, IsAllOfAFew) {

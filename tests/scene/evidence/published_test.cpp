@@ -176,8 +176,8 @@ TEST(PublishedFiles, AgreeWithThemselves) {
       ++judged;
     }
     for (const Measured& m : found) {
-      EXPECT_TRUE(judge(value, m).passes) << value.name() << ": expected " << to_string(value.expected)
-                                          << ", found " << m.nominal.value_or(m.inferred.value_or(0));
+      EXPECT_TRUE(verdict_on(value, m).passes) << value.name() << ": expected " << to_string(value.expected)
+                                               << ", found " << m.nominal.value_or(m.inferred.value_or(0));
       ++judged;
     }
   }

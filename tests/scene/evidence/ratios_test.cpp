@@ -14,7 +14,9 @@ namespace {
 
 using tests::TemporaryFolder;
 
-RatioVerdict judged(double printed, double ours) { return judge_ratio(printed, {ours, ours, ours}); }
+RatioVerdict judged(double printed, double reproduced) {
+  return compare_ratio(printed, {reproduced, reproduced, reproduced});
+}
 
 TEST(Ratios, HoldIfTheSameIsFasterWithinAFactorOfThree) {
   EXPECT_TRUE(judged(6, 2).holds);
@@ -96,12 +98,12 @@ TEST(Ratios, TakePrintedSecondsFromTheListOfPublishedNumbers) {
   EXPECT_EQ(rows[0].printed_seconds, 8);
   EXPECT_DOUBLE_EQ(rows[0].seconds, 40e-6);
   EXPECT_DOUBLE_EQ(rows[0].verdict.printed, 4);
-  EXPECT_DOUBLE_EQ(rows[0].verdict.ours.middle, 2) << "of medians: 40 over 20";
-  EXPECT_DOUBLE_EQ(rows[0].verdict.ours.low, 35 / 22.5);
-  EXPECT_DOUBLE_EQ(rows[0].verdict.ours.high, 45 / 20.0);
+  EXPECT_DOUBLE_EQ(rows[0].verdict.reproduced.middle, 2) << "of medians: 40 over 20";
+  EXPECT_DOUBLE_EQ(rows[0].verdict.reproduced.low, 35 / 22.5);
+  EXPECT_DOUBLE_EQ(rows[0].verdict.reproduced.high, 45 / 20.0);
   EXPECT_TRUE(rows[0].verdict.holds);
   EXPECT_TRUE(rows[1].is_reference());
-  EXPECT_EQ(rows[1].verdict.ours.middle, 1);
+  EXPECT_EQ(rows[1].verdict.reproduced.middle, 1);
 }
 
 TEST(Ratios, LeaveNoPrintedRowOut) {
@@ -115,11 +117,11 @@ TEST(Ratios, LeaveNoPrintedRowOut) {
   EXPECT_THROW((void)compare_times(minutes, "table-1", references, series()), std::invalid_argument);
 }
 
-std::vector<TimeRatio> rows_of(std::vector<double> printed, const std::vector<double>& ours) {
+std::vector<TimeRatio> rows_of(std::vector<double> printed, const std::vector<double>& reproduced) {
   std::vector<TimeRatio> rows;
   for (std::size_t i = 0; i < printed.size(); ++i) {
     rows.push_back({"table-1", "row " + std::to_string(i), "own", printed[i], 1e-6,
-                    judge_ratio(printed[i], {ours[i], ours[i] / 2, ours[i] * 2})});
+                    compare_ratio(printed[i], {reproduced[i], reproduced[i] / 2, reproduced[i] * 2})});
   }
   return rows;
 }
@@ -129,9 +131,9 @@ TEST(Ratios, CompareAClaimWithTheMeanOfItsRows) {
   const auto claim =
       mean_claim(value("claim-1", "LEO", 35, "value", "1"), "table-1", {"row 0", "row 1"}, rows);
   EXPECT_EQ(claim.verdict.printed, 35);
-  EXPECT_DOUBLE_EQ(claim.verdict.ours.middle, 3);
-  EXPECT_DOUBLE_EQ(claim.verdict.ours.low, 1.5);
-  EXPECT_DOUBLE_EQ(claim.verdict.ours.high, 6);
+  EXPECT_DOUBLE_EQ(claim.verdict.reproduced.middle, 3);
+  EXPECT_DOUBLE_EQ(claim.verdict.reproduced.low, 1.5);
+  EXPECT_DOUBLE_EQ(claim.verdict.reproduced.high, 6);
   EXPECT_FALSE(claim.verdict.holds);
   EXPECT_THROW((void)mean_claim(value("claim-1", "LEO", 35, "value", "1"), "table-1", {"row 2"}, rows),
                std::invalid_argument);
@@ -158,25 +160,25 @@ TEST(Ratios, LeaveWhatThePagesNeed) {
   EXPECT_EQ(names_of(json["rows"][1]), "place row reference printed_seconds seconds verdict");
   EXPECT_EQ(names_of(json["claims"][0]), "place row quantity over verdict");
   const auto& verdict = json["rows"][1]["verdict"];
-  EXPECT_EQ(names_of(verdict), "printed ours low high apart holds lost same_faster");
+  EXPECT_EQ(names_of(verdict), "printed reproduced low high apart holds lost same_faster");
   EXPECT_EQ(verdict["apart"], 10);
   EXPECT_EQ(verdict["lost"], true);
 }
 
 TEST(SpeedClaims, AreJudgedByMediansAndLeaveWhatThePageNeeds) {
-  const std::vector<BenchSeries> all = {{"ours", "us a run", {2, 1, 4}}, {"theirs", "us a run", {6, 5, 10}}};
-  const SpeedResult held = judge_claim({"faster", "ours", "theirs", 3}, all);
+  const std::vector<BenchSeries> all = {{"series", "us a run", {2, 1, 4}}, {"peer", "us a run", {6, 5, 10}}};
+  const SpeedResult held = check_claim({"faster", "series", "peer", 3}, all);
   EXPECT_EQ(held.ratio, 3);
   EXPECT_EQ(held.low, 2.5);
   EXPECT_EQ(held.high, 5);
   EXPECT_TRUE(held.held);
-  EXPECT_FALSE(judge_claim({"faster", "ours", "theirs", 3.1}, all).held);
-  EXPECT_THROW((void)judge_claim({"faster", "ours", "nobody's", 1}, all), std::invalid_argument);
+  EXPECT_FALSE(check_claim({"faster", "series", "peer", 3.1}, all).held);
+  EXPECT_THROW((void)check_claim({"faster", "series", "nobody's", 1}, all), std::invalid_argument);
   const TemporaryFolder out;
   write_bench("a", all, {held}, out.path());
   const auto json = nlohmann::ordered_json::parse(read_whole(out / "results" / "bench" / "a.json"));
   EXPECT_EQ(names_of(json), "processor commit dirty compiler flags claims series");
-  EXPECT_EQ(names_of(json["claims"][0]), "claim ours theirs promised ratio low high held");
+  EXPECT_EQ(names_of(json["claims"][0]), "claim method peer promised ratio low high held");
   EXPECT_EQ(names_of(json["series"][0]), "name unit median repetitions");
 }
 

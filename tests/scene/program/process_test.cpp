@@ -53,9 +53,9 @@ TEST(RunProgram, SetsVariablesForTheProgramAlone) {
   ::unsetenv("NLMECH_TEST");
   EXPECT_EQ(run_program({"sh", "-c", "echo $NLMECH_TEST"}, {}, {"NLMECH_TEST=a b"}).output, "a b\n");
   EXPECT_EQ(shell("echo $NLMECH_TEST").output, "\n");
-  ::setenv("NLMECH_TEST", "ours", 1);
-  EXPECT_EQ(run_program({"sh", "-c", "echo $NLMECH_TEST"}, {}, {"NLMECH_TEST=theirs"}).output, "theirs\n");
-  EXPECT_EQ(shell("echo $NLMECH_TEST").output, "ours\n");
+  ::setenv("NLMECH_TEST", "outer", 1);
+  EXPECT_EQ(run_program({"sh", "-c", "echo $NLMECH_TEST"}, {}, {"NLMECH_TEST=inner"}).output, "inner\n");
+  EXPECT_EQ(shell("echo $NLMECH_TEST").output, "outer\n");
   ::unsetenv("NLMECH_TEST");
 }
 

@@ -224,16 +224,16 @@ bool Path::is_continuous(const PathPoint& next, const PathChanges& changes) {
 bool Path::go_to(const PathPoint& next) {
   const PathChanges changes = changes_between(now_, next, system_.equations().is_symmetric());
   if (!is_continuous(next, changes)) return false;
-  PathPoint kept = std::exchange(before_, std::exchange(now_, next));
+  PathPoint last_but_one = std::exchange(before_, std::exchange(now_, next));
   separated_before_ = separated_;
   critical_.clear();
   if (changes.count() == 0 || critical_in(mark(0, before_), mark(1, now_), critical_) == Outcome::success) {
-    earlier_ = std::move(kept);
+    earlier_ = std::move(last_but_one);
     return true;
   }
   critical_.clear();
   separated_ = separated_before_;
-  now_ = std::exchange(before_, std::move(kept));
+  now_ = std::exchange(before_, std::move(last_but_one));
   return false;
 }
 //! [one path]

@@ -273,8 +273,8 @@ Solution as_solution(const Problem& problem, const GlobalCollocation& equations,
   return s;
 }
 
-void judge(const Problem& problem, const GlobalCollocation& equations, double tolerance,
-           GlobalResult& result) {
+void verify_by_integration(const Problem& problem, const GlobalCollocation& equations, double tolerance,
+                           GlobalResult& result) {
   Solution& s = result.extremal.solution;
   const VectorXd& t = equations.times();
   const MatrixXd& values = s.unknowns.intervals.front().values;
@@ -349,7 +349,7 @@ GlobalResult solve_global(const ExtremalProblem& problem, const GlobalMethod& me
   result.conditions = equations.condition_residuals(x);
   result.extremal.final_time = problem.task().final_time;
   result.extremal.cost = cost_of(problem, s);
-  if (s.status.ok()) judge(problem, equations, verification_tolerance, result);
+  if (s.status.ok()) verify_by_integration(problem, equations, verification_tolerance, result);
   result.extremal.miss = end_miss(problem, s);
   return result;
 }

@@ -136,7 +136,7 @@ class Run {
   [[nodiscard]] Trajectory finish(ivp::Solution end);
 
  private:
-  struct Kept {
+  struct StoredState {
     double t;
     ivp::State x;
   };
@@ -170,8 +170,8 @@ class Run {
   }
   void keep(double t, const ivp::State& x) {
     largest_ = largest_.cwiseMax(x.cwiseAbs());
-    if (added_ > 1 && (added_ - 1) % stride_ != 0) kept_.pop_back();
-    kept_.push_back({t, x});
+    if (added_ > 1 && (added_ - 1) % stride_ != 0) stored_.pop_back();
+    stored_.push_back({t, x});
     ++added_;
   }
   /// Observes a step; false if an event ends the run in it.
@@ -211,7 +211,7 @@ class Run {
   std::vector<double> at_ = options_.at;  // in the direction of integration
   std::size_t next_at_ = 0;
   ivp::State largest_ = options_.x0.cwiseAbs();
-  std::vector<Kept> kept_;  // rows for the verification; the last one is always the latest row
+  std::vector<StoredState> stored_;  // rows for the verification; the last one is always the latest row
 };
 
 std::vector<double> Run::columns_at(double t, const ivp::State& x) const {
@@ -323,27 +323,28 @@ std::string Run::remark_on_events() const {
 
 Verified Run::verified() const {
   // The first row is the initial state.
-  std::vector<Kept> all(std::next(kept_.begin()), kept_.end());
+  std::vector<StoredState> all(std::next(stored_.begin()), stored_.end());
   const double span = t1_ - options_.t0, near = 1e-6 * std::abs(span);
   // At a change of the state, rounding of the time decides between the states before and after it.
   const auto changes = [&](double t) {
     return std::ranges::any_of(
         finder_.hits(), [&](const ivp::Hit& h) { return h.after.size() > 0 && std::abs(h.t - t) <= near; });
   };
-  if (has_changes()) std::erase_if(all, [&](const Kept& k) { return k.t != t1_ && changes(k.t); });
+  if (has_changes()) std::erase_if(all, [&](const StoredState& k) { return k.t != t1_ && changes(k.t); });
   const auto rows = static_cast<std::ptrdiff_t>(all.size());
   const ivp::State unknown_state =
       ivp::State::Constant(options_.x0.size(), std::numeric_limits<double>::quiet_NaN());
   for (const double t : times_to_check(options_.t0, t1_, 16)) {
-    const auto close = [&](const Kept& k) { return std::abs(k.t - t) <= near; };
+    const auto close = [&](const StoredState& k) { return std::abs(k.t - t) <= near; };
     if (std::none_of(all.begin(), all.begin() + rows, close) && (t == t1_ || !changes(t)))
       all.push_back({t, unknown_state});
   }
-  std::ranges::sort(all, [span](const Kept& a, const Kept& b) { return span > 0 ? a.t < b.t : a.t > b.t; });
+  std::ranges::sort(
+      all, [span](const StoredState& a, const StoredState& b) { return span > 0 ? a.t < b.t : a.t > b.t; });
   Verified run{{},
                Eigen::MatrixXd(unknown_state.size(), static_cast<Eigen::Index>(all.size())),
                tolerance_of(options_.settings)};
-  for (const Kept& k : all) {
+  for (const StoredState& k : all) {
     run.states.col(static_cast<Eigen::Index>(run.times.size())) = k.x;
     run.times.push_back(k.t);
   }

@@ -149,10 +149,11 @@ class Run : public AdaptiveStepLoop<System, Run<Sweeps, Newton>> {
   static constexpr int many_sweeps = 8;          // more sweeps cost more than shorter steps
   static constexpr double most_growth = 2;       // largest factor on the step size
   static constexpr double first_growth = 8;      // the same for the first steps, whose size is a guess
-  static constexpr double telling = 1e-8;        // error above which the step size is no guess
-  static constexpr double least_remembered = 0.01;  // smallest error to remember: errors pass through zero
+  static constexpr double significant_error = 1e-8;  // error above which the step size is no guess
+  static constexpr double least_remembered = 0.01;   // smallest error to remember: errors pass through zero
   static constexpr int max_slow_trials = 4;  // twice the number of slow trials before Newton's iteration
-  static constexpr double much = 1.5;        // factor that the error allows on a step size limited by sweeps
+  static constexpr double strong_growth =
+      1.5;  // factor that the error allows on a step size limited by sweeps
   static constexpr int steps_before_sweeps = 20;  // steps short against the time constants before sweeps
   static constexpr double nonstiff_limit = 1;     // largest h |J| of such steps
   // Calls @p work with the current engine; both have the same interface.
@@ -207,7 +208,7 @@ class Run : public AdaptiveStepLoop<System, Run<Sweeps, Newton>> {
   // Factor on the step size for the next step, by the error and by the iterations.
   [[nodiscard]] double growth(double error) {
     double change = control_.change(safe(), root(error), root(std::max(error, least_remembered)));
-    is_guess_ = is_guess_ && error < telling;
+    is_guess_ = is_guess_ && error < significant_error;
     if (is_stiff_) {
       nonstiff_steps_ = newton_.current([](const auto& e) { return e.stiffness(); }) < nonstiff_limit
                             ? nonstiff_steps_ + 1
@@ -216,7 +217,7 @@ class Run : public AdaptiveStepLoop<System, Run<Sweeps, Newton>> {
       // In a problem that becomes stiff every second trial takes many sweeps or does not converge. Two such
       // trials suffice: with more, sweeps dominate the cost of a problem such as HIRES.
       const bool is_slow = trial_.iterations > many_sweeps;
-      slow_ = is_slow && change > much ? slow_ + 2 : std::max(0, slow_ - 1);
+      slow_ = is_slow && change > strong_growth ? slow_ + 2 : std::max(0, slow_ - 1);
       if (is_slow)
         change = std::min(change, std::pow(static_cast<double>(many_sweeps) / trial_.iterations, 0.7));
     }

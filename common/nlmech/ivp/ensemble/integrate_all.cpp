@@ -56,7 +56,7 @@ class SeriesLanes {
       Tape tape = start.system->record(segment(start.t0));
       const bool fits = order_ > 0 && tapes_.fits(tape);
       if (!fits && busy_ > 0) return false;
-      if (!fits) load(tape);
+      if (!fits) load(tape, start.system->series_codes());
       tapes_.put(static_cast<int>(at), tape);
       lane.equations = start.system;
       lane.recorded = start.t0;
@@ -67,7 +67,6 @@ class SeriesLanes {
     lane.number = number;
     lane.segment = segment;
     lane.now = {start.t0, start.x0, {}, {}};
-    lane.carry = lane.next_carry = State::Zero(start.x0.size());
     lane.next = lane.f = start.x0;
     lane.watch = {};
     ++busy_;
@@ -77,11 +76,11 @@ class SeriesLanes {
   /// One trial step of each trajectory. Writes finished trajectories to @p solutions.
   void run(std::vector<Solution>& solutions) {
     tapes_.expand();
-    const Tails tails = measure();
+    tapes_.measure(rule_.absolute_tolerance, rule_.relative_tolerance);
     for (Lane& lane : lanes_) {
-      if (lane.start != nullptr) plan(lane, tails[static_cast<std::size_t>(index(lane))], solutions);
+      if (lane.start != nullptr) plan(lane, {tapes_.tail(index(lane))}, solutions);
     }
-    tapes_.add_up();
+    tapes_.advance();
     for (Lane& lane : lanes_) {
       if (lane.start != nullptr && lane.planned) attempt(lane, solutions);
     }
@@ -95,8 +94,8 @@ class SeriesLanes {
     Limits limits;
     std::size_t number = 0;
     SmoothSegment segment;
-    Solution now;
-    State carry, next, next_carry, f;
+    Solution now;   // its state is that of the start, of the latest observed step, or of the end
+    State next, f;  // at the end of a step that is tested or observed
     StepControl control{taylor_series::Rule::steps};
     Stopwatch watch;
     double scale = 1, before = 0, t1 = 0;
@@ -121,26 +120,13 @@ class SeriesLanes {
     const Lane& lane_;
   };
   using Coefficients = std::array<double, 101>;
-  using Tails = std::array<taylor_series::Tail, TapeLanes::most_lanes>;
 
-  void load(const Tape& tape) {
+  void load(const Tape& tape, machine_code::SeriesCodes& codes) {
     order_ = rule_.order;
-    tapes_.load(tape, order_);
+    tapes_.load(tape, order_, &codes);
     for (Lane& lane : lanes_) lane.equations = nullptr;
   }
   [[nodiscard]] int index(const Lane& lane) const { return static_cast<int>(&lane - lanes_.data()); }
-  [[nodiscard]] Tails measure() const {
-    Tails tails;
-    for (int i = 0; i < tapes_.size(); ++i) {
-      const double *const x = tapes_.coefficients(i, 0), *const first = tapes_.coefficients(i, 1),
-                          *const previous = tapes_.coefficients(i, order_ - 1),
-                          *const last = tapes_.coefficients(i, order_);
-      for (int l = 0; l < tapes_.lanes(); ++l)
-        tails[static_cast<std::size_t>(l)].add(x[l], first[l], previous[l], last[l], rule_.absolute_tolerance,
-                                               rule_.relative_tolerance);
-    }
-    return tails;
-  }
   [[nodiscard]] Coefficients series(const Lane& lane, int i) const {
     Coefficients c{};
     for (int k = 0; k <= order_; ++k) c[static_cast<std::size_t>(k)] = tapes_.coefficients(i, k)[index(lane)];
@@ -150,6 +136,7 @@ class SeriesLanes {
   void begin(Lane& lane, std::vector<Solution>& solutions) {
     Solution& now = lane.now;
     const double end = lane.start->t1;
+    tapes_.set(index(lane), lane.segment(now.t), now.x.data(), 1);
     lane.start->system->rhs(lane.segment(now.t), now.x, lane.f);
     ++now.statistics.right_hand_sides;
     if (!lane.f.allFinite()) return finish(lane, non_finite_rhs(Series::name, now.t), solutions);
@@ -161,11 +148,9 @@ class SeriesLanes {
   void prepare(Lane& lane, std::vector<Solution>& solutions) {
     if (Status status = limits(lane); !status.ok()) return finish(lane, std::move(status), solutions);
     lane.attempts = 0;
-    set(lane);
+    set_time(lane);
   }
-  void set(const Lane& lane) {
-    tapes_.set(index(lane), lane.segment(lane.now.t), lane.now.x.data(), lane.scale);
-  }
+  void set_time(const Lane& lane) { tapes_.set_time(index(lane), lane.segment(lane.now.t), lane.scale); }
   // Reading the clock at every step would cost as much as the step.
   [[nodiscard]] Status limits(const Lane& lane) const {
     Limits limits = lane.limits;
@@ -182,7 +167,7 @@ class SeriesLanes {
       if (++lane.attempts == taylor_series::Rule::attempts)
         return finish(lane, non_finite_coefficients(Series::name, now.t, order_), solutions);
       lane.scale = taylor_series::Rule::smaller(lane.scale);
-      return set(lane);
+      return set_time(lane);
     }
     const double length = rule_.length(tail, lane.scale, log2_safety_);
     lane.tested = length > 2 * lane.before;
@@ -199,10 +184,7 @@ class SeriesLanes {
     return false;
   }
   void attempt(Lane& lane, std::vector<Solution>& solutions) {
-    const int size = static_cast<int>(lane.now.x.size());
-    for (int i = 0; i < size; ++i)
-      taylor_series::add_increment(lane.now.x[i], lane.carry[i], tapes_.increments(i)[index(lane)],
-                                   lane.next[i], lane.next_carry[i]);
+    const int at = index(lane);
     while (lane.tested && !slope_agrees(lane)) {
       ++lane.now.statistics.rejected;
       if (!lane.control.rejected(lane.control.taken() / 2)) {
@@ -211,14 +193,24 @@ class SeriesLanes {
       if (Status status = limits(lane); !status.ok()) return finish(lane, std::move(status), solutions);
       if (!aim(lane, solutions)) return;
       const double s = (lane.t1 - lane.now.t) / lane.scale;
-      for (int i = 0; i < size; ++i)
-        taylor_series::add_increment(lane.now.x[i], lane.carry[i],
-                                     taylor_series::increment(series(lane, i).data(), order_, s),
-                                     lane.next[i], lane.next_carry[i]);
+      for (int i = 0; i < tapes_.size(); ++i)
+        add_increment(tapes_.state(i)[at], tapes_.carry(i)[at],
+                      taylor_series::increment(series(lane, i).data(), order_, s), tapes_.end(i)[at],
+                      tapes_.end_carry(i)[at]);
     }
     accept(lane, solutions);
   }
-  [[nodiscard]] bool slope_agrees(Lane& lane) const {
+  // Copies the end of the step.
+  void take_end(Lane& lane) {
+    for (int i = 0; i < tapes_.size(); ++i) lane.next[i] = tapes_.end(i)[index(lane)];
+  }
+  [[nodiscard]] bool ends_finite(const Lane& lane) {
+    bool finite = true;
+    for (int i = 0; i < tapes_.size(); ++i) finite = finite && std::isfinite(tapes_.end(i)[index(lane)]);
+    return finite;
+  }
+  [[nodiscard]] bool slope_agrees(Lane& lane) {
+    take_end(lane);
     if (!lane.next.allFinite()) return false;
     lane.start->system->rhs(lane.segment(lane.t1), lane.next, lane.f);
     ++lane.now.statistics.right_hand_sides;
@@ -229,28 +221,31 @@ class SeriesLanes {
   }
   void accept(Lane& lane, std::vector<Solution>& solutions) {
     Solution& now = lane.now;
-    if (!lane.next.allFinite())
+    if (!ends_finite(lane))
       return finish(lane, non_finite_state(Series::name, now.t, lane.t1 - now.t), solutions);
-    std::swap(lane.carry, lane.next_carry);
     lane.before = lane.control.taken();
     ++now.statistics.steps;
     const bool goes_on = !lane.start->observer || show(lane);
     lane.scale = taylor_series::Rule::next_scale(lane.scale, lane.before);
-    std::swap(now.x, lane.next);
+    tapes_.accept(index(lane));
     now.t = lane.t1;
     if (!goes_on) return finish(lane, interrupted(Series::name, now.t), solutions);
     if (now.t == lane.start->t1) return finish(lane, {}, solutions);
     prepare(lane, solutions);
   }
-  [[nodiscard]] bool show(const Lane& lane) const {
+  [[nodiscard]] bool show(Lane& lane) {
+    take_end(lane);
     const Nodes states = lane.next;
     const double times[] = {lane.t1};
-    return lane.start->observer({lane.now.statistics.steps, lane.now.t, lane.t1, lane.now.x, lane.next, times,
-                                 states, Dense(*this, lane)});
+    const bool goes_on = lane.start->observer({lane.now.statistics.steps, lane.now.t, lane.t1, lane.now.x,
+                                               lane.next, times, states, Dense(*this, lane)});
+    lane.now.x = lane.next;
+    return goes_on;
   }
 
   void finish(Lane& lane, Status status, std::vector<Solution>& solutions) {
     lane.now.status = std::move(status);
+    for (int i = 0; i < tapes_.size(); ++i) lane.now.x[i] = tapes_.state(i)[index(lane)];
     solutions[lane.number] = std::move(lane.now);
     lane.start = nullptr;
     --busy_;

@@ -19,6 +19,7 @@
 #include "nlmech/ivp/solution.hpp"
 #include "nlmech/ivp/state.hpp"
 #include "nlmech/ivp/step_control.hpp"
+#include "nlmech/program/series_step.hpp"
 
 namespace nlmech::ivp {
 
@@ -66,20 +67,8 @@ namespace taylor_series {
   return sum;
 }
 
-/// The last two terms in the norm max_i |e_i| / (atol + rtol |x_i|), and a sum to detect coefficients that
-/// are not finite.
-struct Tail {
-  double last = 0;    ///< norm of the term of order N
-  double before = 0;  ///< norm of the term of order N - 1
-  double sum = 0;     ///< sum of the absolute values of the first and last coefficients
-
-  /// Adds a component by its coefficients 0, 1, N - 1 and N.
-  void add(double x, double first, double previous, double end, double atol, double rtol) {
-    const double unit = 1 / (atol + rtol * std::abs(x));
-    last = std::max(last, unit * std::abs(end));
-    before = std::max(before, unit * std::abs(previous));
-    sum += std::abs(end) + std::abs(first);
-  }
+/// The last two terms of a series, for the step size.
+struct Tail : SeriesTail<double> {
   /// Are all coefficients finite? The last ones are computed from the others.
   [[nodiscard]] bool is_finite() const { return sum <= std::numeric_limits<double>::max(); }
   /// The step size at which the last two terms are 1, times 2 to the power @p log2_safety; positive.
@@ -88,14 +77,6 @@ struct Tail {
     return scale * rough_exp2(log2_safety - log2);
   }
 };
-
-/// Compensated sum x1 = x0 + carry + @p increment of one component; @p next_carry is its rounding error.
-inline void add_increment(double x0, double carry, double increment, double& x1, double& next_carry) {
-  const double term = carry + increment;
-  x1 = x0 + term;
-  const double taken = x1 - x0;
-  next_carry = (x0 - (x1 - taken)) + (term - taken);
-}
 
 /// The series of a step: coefficients in powers of tau = (t - t0)/T with a power of two for T.
 template <class S>

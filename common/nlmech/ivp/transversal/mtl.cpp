@@ -120,7 +120,7 @@ class MtlStepper : public Stepper {
       g_.col(k).noalias() -= slope(k) * work_.update.segment((k - 1) * size(), size());
     this->states_ = Eigen::Map<const Nodes>(unknowns_.data(), size(), p_);
     x1 = this->states_.col(p_ - 1);
-    return method_.error_tolerance > 0 ? judge(t, statistics) : Status();
+    return method_.error_tolerance > 0 ? check_error_estimate(t, statistics) : Status();
   }
 
   /// Dense output: the linearised solution.
@@ -223,7 +223,7 @@ class MtlStepper : public Stepper {
   }
 
   // Checks the error estimate against Mtl::error_tolerance.
-  Status judge(double t, Statistics& statistics) {
+  Status check_error_estimate(double t, Statistics& statistics) {
     double worst = 0;
     if (weights_.prepare_between(a_, h_ / 2) != Outcome::success) return mtl_overflow(t, h_, p_);
     for (Eigen::Index j = 0; j < p_; ++j) {

@@ -3,6 +3,7 @@
 /// Internal to the kernels.
 #pragma once
 
+#include "nlmech/program/series_step.hpp"
 #include "nlmech/program/tape_program.hpp"
 
 namespace nlmech::tape {
@@ -222,10 +223,25 @@ struct ManyRounded : Many<V> {
   }
 };
 
-/// See LaneKernel::increments; even and odd powers are summed in parallel.
+/// See LaneKernel::measure.
 template <class V>
-void lane_increments(const double* memory, std::int64_t stride, int size, int order, const double* s,
-                     double* sums) {
+void measure_lanes(const double* memory, std::int64_t stride, int size, int order, double absolute,
+                   double relative, double* tails) {
+  SeriesTail<V> tail;
+  for (int i = 0; i < size; ++i) {
+    const double* const c = memory + (i + 1) * stride;
+    const auto at = [c](int k) __attribute__((always_inline)) { return V::load(c + k * V::lanes); };
+    tail.add(at(0), at(1), at(order - 1), at(order), absolute, relative);
+  }
+  tail.last.store(tails);
+  tail.before.store(tails + V::lanes);
+  tail.sum.store(tails + 2 * V::lanes);
+}
+
+/// See LaneKernel::advance; even and odd powers are summed in parallel.
+template <class V>
+void advance_lanes(const double* memory, std::int64_t stride, int size, int order, const double* s,
+                   const double* carries, double* ends, double* end_carries) {
   const V x = V::load(s), square = x * x;
   for (int i = 0; i < size; ++i) {
     const double* const c = memory + (i + 1) * stride;
@@ -237,13 +253,17 @@ void lane_increments(const double* memory, std::int64_t stride, int size, int or
       low = low * square + at(k - 1);
     }
     const V sum = k == 1 ? (high * square + at(1)) * x + low * square : high * square + low * x;
-    sum.store(sums + i * V::lanes);
+    V end, carry;
+    add_increment(at(0), V::load(carries + i * V::lanes), sum, end, carry);
+    end.store(ends + i * V::lanes);
+    carry.store(end_carries + i * V::lanes);
   }
 }
 
 /// The kernel of Numbers, ManyInFours or ManyRounded.
 template <class Numbers>
 inline constexpr LaneKernel lane_kernel = {Numbers::width, Replayer<Numbers>::run,
-                                           lane_increments<typename Numbers::Number>};
+                                           measure_lanes<typename Numbers::Number>,
+                                           advance_lanes<typename Numbers::Number>};
 
 }  // namespace nlmech::tape

@@ -7,9 +7,6 @@ std::shared_ptr<Values> values(const program::Program& /*program*/, std::size_t 
                                std::size_t /*last*/) {
   return nullptr;
 }
-std::shared_ptr<PartialDerivatives> partial_derivatives(const program::Program& /*program*/) {
-  return nullptr;
-}
 std::shared_ptr<Coefficients> coefficients(const tape::Program& /*program*/, std::int64_t /*stride*/,
                                            int /*order*/) {
   return nullptr;

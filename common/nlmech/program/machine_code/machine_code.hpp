@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <memory>
 
-#include "nlmech/program/dual.hpp"
 #include "nlmech/program/program.hpp"
 #include "nlmech/program/tape_program.hpp"
 #include "nlmech/support/instruction_set.hpp"
@@ -28,16 +27,6 @@ using Values = void(double t, const double* x, double* out);
 /// The outputs @p first to @p last - 1 of @p program, whose tables the function uses.
 [[nodiscard]] std::shared_ptr<Values> values(const program::Program& program, std::size_t first,
                                              std::size_t last);
-
-/// Numbers with eight partial derivatives.
-using Numbers = Dual<double, 8>;
-
-/// Computes the results of all instructions of a program with partial derivatives.
-/// @param places memory of the results, which begins with the time and the state
-using PartialDerivatives = void(Numbers* places);
-
-/// The instructions of @p program, which outlives the function.
-[[nodiscard]] std::shared_ptr<PartialDerivatives> partial_derivatives(const program::Program& program);
 
 /// Computes the coefficients of a tape for one solution or one solution per lane.
 /// @param memory as for tape::Replay

@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include "nlmech/program/machine_code/assembler.hpp"
 #include "nlmech/program/machine_code/machine_code.hpp"
@@ -39,7 +40,11 @@ class SeriesAssembler : private Assembler {
         lanes_(lanes),
         parts_(parts),
         registers_(lanes == 8 ? 32 : 16),
-        gathers_(sums(program) <= most_gathering_sums) {}
+        first_register_(lanes == 1 ? 7 : 11),
+        gathers_(sums(program) <= most_gathering_sums),
+        partners_(index(program.instruction_count), none) {
+    if (lanes > 1) find_partners();
+  }
 
   [[nodiscard]] std::shared_ptr<Coefficients> make() {
     for (const auto& saved : {rbx, r12, r13}) push(saved);
@@ -57,8 +62,7 @@ class SeriesAssembler : private Assembler {
   using Register = Xbyak::Xmm;  // of any width
   using Operand = Xbyak::Operand;
   using Address = Xbyak::Address;
-  // Registers 0 to 6 are for intermediate results.
-  static constexpr int first_register = 7, none = -1;
+  static constexpr int none = -1;
   // Passes of more sums take so long that their loads do not wait for the stores of the pass before.
   static constexpr int most_gathering_sums = 6;
 
@@ -121,13 +125,13 @@ class SeriesAssembler : private Assembler {
   // The register that was used longest ago.
   [[nodiscard]] int oldest() const {
     const auto end = held_.begin() + registers_;
-    return static_cast<int>(std::min_element(held_.begin() + first_register, end,
+    return static_cast<int>(std::min_element(held_.begin() + first_register_, end,
                                              [](const Held& a, const Held& b) { return a.used < b.used; }) -
                             held_.begin());
   }
   // Coefficient k in a register, which other coefficients may take later.
   Register newest(int series) {
-    for (int r = first_register; r < registers_; ++r) {
+    for (int r = first_register_; r < registers_; ++r) {
       Held& held = held_[index(r)];
       if (held.series != series || held.part != part_ || held.k != k_) continue;
       held.used = ++now_;
@@ -155,11 +159,14 @@ class SeriesAssembler : private Assembler {
 
   // sum = a_first b_last + a_(first + 1) b_(last - 1) + ..., n products. Uses registers 1 to 5.
   void add_products(const Register& sum, int a, int first, int b, int last, int n) {
+    if (!is_single()) return add_lanes({{{{a, b}, {a, b}}}, 1, true, first, last}, sum.getIdx(), n);
     zero(sum);
     const int fours = n / 4;
-    for (int i = 4 * fours; i < n; ++i) add_product(sum, a, first + i, b, last - i);
-    if (fours == 0) return;
-    if (is_single()) {
+    for (int i = 4 * fours; i < n; ++i) {
+      load(at(4), coefficient(a, first + i));
+      multiply_add(sum, at(4), coefficient(b, last - i));
+    }
+    if (fours > 0) {
       // Lanes are partial sums; every other four products are summed in a second register.
       zero(ymm3);
       for (int j = 0; j < fours; ++j) add_four(j, a, first + 4 * j, b, last - 4 * j);
@@ -168,29 +175,57 @@ class SeriesAssembler : private Assembler {
       vaddpd(xmm2, xmm2, xmm3);
       vunpckhpd(xmm3, xmm2, xmm2);
       vaddsd(xmm2, xmm2, xmm3);
-    } else {
-      partial_sum(at(3), 0, fours, a, first, b, last);
-      partial_sum(at(2), 2, fours, a, first, b, last);
-      add(at(3), at(3), at(2));
-      partial_sum(at(1), 1, fours, a, first, b, last);
-      partial_sum(at(2), 3, fours, a, first, b, last);
-      add(at(2), at(1), at(2));
-      add(at(2), at(3), at(2));
+      add(sum, at(2), sum);
     }
-    add(sum, at(2), sum);
   }
-  void add_product(const Register& sum, int a, int i, int b, int j) {
-    load(at(4), coefficient(a, i));
-    multiply_add(sum, at(4), coefficient(b, j));
+
+  // One or two sums as of add_products(); two have the first or the second factor in common, which is loaded
+  // once.
+  struct LaneSums {
+    std::array<std::array<int, 2>, 2> factors;
+    int count;
+    bool first_in_common;
+    int first, last;
+  };
+  // Registers of both sums.
+  using Both = std::array<int, 2>;
+  // The sums in @p sum and register 6. Uses registers 1 to 5, and 7 to 10 for two.
+  void add_lanes(const LaneSums& s, int sum, int n) {
+    const Both rest{sum, 6}, even{3, 7}, one{1, 8}, other{2, 9};
+    const auto add_all = [&](const Both& r, const Both& a, const Both& b) {
+      for (std::size_t i = 0; i < index(s.count); ++i) add(at(r[i]), at(a[i]), at(b[i]));
+    };
+    const int fours = n / 4;
+    for (std::size_t i = 0; i < index(s.count); ++i) zero(at(rest[i]));
+    for (int i = 4 * fours; i < n; ++i) add_terms(s, i, rest, false);
+    if (fours == 0) return;
+    partial_sums(s, 0, fours, even);
+    partial_sums(s, 2, fours, other);
+    add_all(even, even, other);
+    partial_sums(s, 1, fours, one);
+    partial_sums(s, 3, fours, other);
+    add_all(other, one, other);
+    add_all(other, even, other);
+    add_all(rest, other, rest);
   }
   // Products j, j + 4, j + 8, ...
-  void partial_sum(const Register& sum, int j, int fours, int a, int first, int b, int last) {
-    load(at(4), coefficient(a, first + j));
-    multiply(sum, at(4), coefficient(b, last - j));
-    zero(at(5));
-    for (int i = 1; i < fours; ++i)
-      add_product(i % 2 == 1 ? at(5) : sum, a, first + 4 * i + j, b, last - 4 * i - j);
-    add(sum, sum, at(5));
+  void partial_sums(const LaneSums& s, int j, int fours, const Both& sums) {
+    const Both odd{5, 10};
+    add_terms(s, j, sums, true);
+    for (std::size_t i = 0; i < index(s.count); ++i) zero(at(odd[i]));
+    for (int i = 1; i < fours; ++i) add_terms(s, 4 * i + j, i % 2 == 1 ? odd : sums, false);
+    for (std::size_t i = 0; i < index(s.count); ++i) add(at(sums[i]), at(sums[i]), at(odd[i]));
+  }
+  // Product i of the sums. @param starts is it the first one?
+  void add_terms(const LaneSums& s, int i, const Both& sums, bool starts) {
+    const auto factor = [&](std::size_t sum, bool first) {
+      return first ? coefficient(s.factors[sum][0], s.first + i) : coefficient(s.factors[sum][1], s.last - i);
+    };
+    load(at(4), factor(0, s.first_in_common));
+    for (std::size_t k = 0; k < index(s.count); ++k) {
+      const Address own = factor(k, !s.first_in_common);
+      starts ? multiply(at(sums[k]), at(4), own) : multiply_add(at(sums[k]), at(4), own);
+    }
   }
   void add_four(int j, int a, int first, int b, int last) {
     // A load of more than one of the numbers that were just stored would wait for their way to the cache.
@@ -217,6 +252,34 @@ class SeriesAssembler : private Assembler {
     } else {
       add_to_sum(coefficient(a, first));
     }
+  }
+
+  // Pairs of products with a factor in common.
+  void find_partners() {
+    for (int j = 0; j < program_.instruction_count; ++j) {
+      const Instruction& one = program_.instructions[j];
+      if (one.operation != Operation::product || partners_[index(j)] != none) continue;
+      for (int m = j + 1; m < program_.instruction_count; ++m) {
+        const Instruction& other = program_.instructions[m];
+        if (other.operation != Operation::product || partners_[index(m)] != none ||
+            (one.a != other.a && one.b != other.b))
+          continue;
+        partners_[index(j)] = m;
+        partners_[index(m)] = j;
+        break;
+      }
+    }
+  }
+  // middle() of both factors to register 0. That of the second of a pair is computed with the first, and
+  // waits in the place of the coefficient.
+  void middle_of_product(int j) {
+    const Instruction& i = program_.instructions[j];
+    const int partner = partners_[index(j)];
+    if (partner == none) return middle(at(0), i.a, i.b);
+    if (partner < j) return load(at(0), coefficient(i.r, k_));
+    const Instruction& other = program_.instructions[partner];
+    add_lanes({{{{i.a, i.b}, {other.a, other.b}}}, 2, i.a == other.a, 1, k_ - 1}, 0, k_ - 1);
+    store(coefficient(other.r, k_), at(6));
   }
 
   // The following functions have the names and rules of tape::Replayer.
@@ -323,25 +386,18 @@ class SeriesAssembler : private Assembler {
   }
 
   void pass() {
-    for (int j = 0; j < program_.instruction_count; ++j) {
-      for (part_ = 0; part_ < parts_; ++part_) execute(j);
-    }
-    for (int i = 0; i < program_.size; ++i) {
-      for (part_ = 0; part_ < parts_; ++part_) next_coefficient(i);
+    for (part_ = 0; part_ < parts_; ++part_) {
+      for (int j = 0; j < program_.instruction_count; ++j) execute(j);
+      load(at(6), scale());
+      if (k_ >= tape::first_reciprocal) multiply(at(6), at(6), constant(1 / static_cast<double>(k_ + 1)));
+      for (int i = 0; i < program_.size; ++i) next_coefficient(i, at(6));
     }
   }
-  void next_coefficient(int i) {
+  void next_coefficient(int i, const Register& unit) {
     const int series = program_.outputs[i].series;
     zero(at(0));
-    const Register slope = series < 0 ? at(0) : newest(series);
-    if (k_ < tape::first_reciprocal) {
-      multiply(at(0), slope, scale());
-      divide_by_number(at(0), k_ + 1);
-    } else {
-      load(at(1), scale());
-      multiply(at(1), at(1), constant(1 / static_cast<double>(k_ + 1)));
-      multiply(at(0), slope, at(1));
-    }
+    multiply(at(0), series < 0 ? at(0) : newest(series), unit);
+    if (k_ < tape::first_reciprocal) divide_by_number(at(0), k_ + 1);
     set(i + 1, k_ + 1, at(0));
   }
 
@@ -352,18 +408,20 @@ class SeriesAssembler : private Assembler {
     for (int m = i.first; m < i.first + i.count; ++m) {
       const tape::Term& term = program_.terms[m];
       const Register x = newest(term.series);
-      const bool one = is_single() && term.factor == 1, first = m == i.first;
-      if (first && one) {
+      const bool first = m == i.first;
+      if (first && term.factor == 1) {
         copy(at(0), x);
-      } else if (one) {
+      } else if (term.factor == 1) {
         add(at(0), at(0), x);
+      } else if (!first && term.factor == -1) {
+        subtract(at(0), at(0), x);
       } else {
         multiply(at(first ? 0 : 1), x, number(term.factor, tape::term_of(program_, m)));
         if (!first) add(at(0), at(0), at(1));
       }
     }
     if (k_ == 0) add(at(0), at(0), number(i.shift, tape::shift_of(j)));
-    if (!is_single() || i.factor != 1) multiply(at(0), at(0), number(i.factor, tape::factor_of(j)));
+    if (i.factor != 1) multiply(at(0), at(0), number(i.factor, tape::factor_of(j)));
     if (i.divisor != 1) divide(at(0), at(0), number(i.divisor, tape::divisor_of(j)));
   }
 
@@ -373,7 +431,7 @@ class SeriesAssembler : private Assembler {
     switch (i.operation) {
       case Operation::linear: linear(j); break;
       case Operation::product:
-        middle(r, i.a, i.b);
+        middle_of_product(j);
         multiply(at(1), newest(i.b), coefficient(i.a, 0));
         multiply(at(2), newest(i.a), coefficient(i.b, 0));
         add(at(1), at(1), at(2));
@@ -467,8 +525,9 @@ class SeriesAssembler : private Assembler {
 
   const tape::Program& program_;
   std::int64_t stride_;
-  int order_, lanes_, parts_, registers_;
+  int order_, lanes_, parts_, registers_, first_register_;
   bool gathers_;
+  std::vector<int> partners_;  // the other product of a pair
   std::array<Held, 32> held_;
   int k_ = 0, part_ = 0, now_ = 0;
 };

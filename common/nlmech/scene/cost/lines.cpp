@@ -46,11 +46,11 @@ Front::Front(const MethodLine& line) {
   std::ranges::sort(runs_, [](const auto& a, const auto& b) {
     return a.first != b.first ? a.first > b.first : a.second < b.second;
   });
-  std::vector<std::pair<double, double>> kept;
+  std::vector<std::pair<double, double>> cheapest;
   for (const auto& run : runs_) {
-    if (kept.empty() || run.second < kept.back().second) kept.push_back(run);
+    if (cheapest.empty() || run.second < cheapest.back().second) cheapest.push_back(run);
   }
-  runs_.assign(kept.rbegin(), kept.rend());
+  runs_.assign(cheapest.rbegin(), cheapest.rend());
 }
 
 std::optional<double> Front::time(double digits) const {

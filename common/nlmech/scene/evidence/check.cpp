@@ -39,7 +39,7 @@ Checked check_value(const PublishedValue& value, const Chapter& chapter, const M
   } else if (needs_measurement(value)) {
     throw std::logic_error(fmt::format("chapter {} has no measurement for {}", chapter.name(), value.name()));
   }
-  checked.judgement = judge(value, checked.measured);
+  checked.judgement = verdict_on(value, checked.measured);
   return checked;
 }
 

@@ -308,7 +308,7 @@ const std::string& owner(const PublishedValue& value, const std::vector<Place>& 
   throw input_error("tables/places.csv does not list {} of {}", value.place, value.source);
 }
 
-Judgement judge(const PublishedValue& value, const Measured& measured) {
+Judgement verdict_on(const PublishedValue& value, const Measured& measured) {
   if (supports(value.expected, value, measured)) return {value.expected, true};
   return {fallback(value, measured), false};
 }

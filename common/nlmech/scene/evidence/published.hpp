@@ -141,7 +141,7 @@ struct Judgement {
 ///  tolerance;
 ///  - `input` needs the printed number itself.
 /// `context` and `not stated` have no conditions.
-[[nodiscard]] Judgement judge(const PublishedValue& value, const Measured& measured);
+[[nodiscard]] Judgement verdict_on(const PublishedValue& value, const Measured& measured);
 
 /// All numbers that the sources print.
 class Printed {

@@ -21,7 +21,7 @@ const std::vector<double>& find(const std::string& name, const std::vector<Bench
   for (const BenchSeries& s : series) {
     if (s.name == name && !s.repetition.empty()) return s.repetition;
   }
-  throw std::invalid_argument("judge_claim: no timings of " + name);
+  throw std::invalid_argument("check_claim: no timings of " + name);
 }
 
 /// Machine and build of the timings.
@@ -38,8 +38,8 @@ Json to_json(const std::vector<BenchSeries>& series, const std::vector<SpeedResu
   Json json = origin();
   for (const SpeedResult& r : results) {
     json["claims"].push_back({{"claim", r.claim.text},
-                              {"ours", r.claim.ours},
-                              {"theirs", r.claim.theirs},
+                              {"method", r.claim.method},
+                              {"peer", r.claim.peer},
                               {"promised", r.claim.least},
                               {"ratio", r.ratio},
                               {"low", r.low},
@@ -57,13 +57,13 @@ Json to_json(const std::vector<BenchSeries>& series, const std::vector<SpeedResu
 
 }  // namespace
 
-SpeedResult judge_claim(const SpeedClaim& claim, const std::vector<BenchSeries>& series) {
-  const std::vector<double>&ours = find(claim.ours, series), &theirs = find(claim.theirs, series);
-  SpeedResult result{claim, median(theirs) / median(ours), 0, 0, false};
-  result.low = result.high = theirs[0] / ours[0];
-  for (std::size_t i = 0; i < std::min(ours.size(), theirs.size()); ++i) {
-    result.low = std::min(result.low, theirs[i] / ours[i]);
-    result.high = std::max(result.high, theirs[i] / ours[i]);
+SpeedResult check_claim(const SpeedClaim& claim, const std::vector<BenchSeries>& series) {
+  const std::vector<double>&method = find(claim.method, series), &peer = find(claim.peer, series);
+  SpeedResult result{claim, median(peer) / median(method), 0, 0, false};
+  result.low = result.high = peer[0] / method[0];
+  for (std::size_t i = 0; i < std::min(method.size(), peer.size()); ++i) {
+    result.low = std::min(result.low, peer[i] / method[i]);
+    result.high = std::max(result.high, peer[i] / method[i]);
   }
   result.held = result.ratio >= claim.least;
   return result;
@@ -117,14 +117,14 @@ Spread ratio_of(const Spread& over, const Spread& under) {
   return {over.middle / under.middle, over.low / under.high, over.high / under.low};
 }
 
-RatioVerdict judge_ratio(double printed, const Spread& ours) {
-  for (const double ratio : {printed, ours.middle, ours.low, ours.high}) {
+RatioVerdict compare_ratio(double printed, const Spread& reproduced) {
+  for (const double ratio : {printed, reproduced.middle, reproduced.low, reproduced.high}) {
     if (!std::isfinite(ratio) || ratio <= 0)
-      throw invalid_argument("judge_ratio: {} is not a ratio of times", ratio);
+      throw invalid_argument("compare_ratio: {} is not a ratio of times", ratio);
   }
-  RatioVerdict v{.printed = printed, .ours = ours};
-  v.apart = std::max(ours.middle / printed, printed / ours.middle);
-  v.same_faster = (printed > 1) == (ours.middle > 1);
+  RatioVerdict v{.printed = printed, .reproduced = reproduced};
+  v.apart = std::max(reproduced.middle / printed, printed / reproduced.middle);
+  v.same_faster = (printed > 1) == (reproduced.middle > 1);
   v.holds = v.same_faster && v.apart <= allowed_factor;
   return v;
 }
@@ -152,10 +152,11 @@ std::vector<TimeRatio> compare_times(const std::vector<PublishedValue>& publishe
     if (named == reference_of.end())
       throw std::invalid_argument("compare_times: no reference for " + value.name());
     const std::string& reference = named->second;
-    const Spread ours = spread_of(repetitions(series, place + ", " + value.row)),
-                 theirs = spread_of(repetitions(series, place + ", " + reference));
-    all.push_back({place, value.row, reference, value.value, 1e-6 * ours.middle,
-                   judge_ratio(value.value / find(printed, reference).value, ratio_of(ours, theirs))});
+    const Spread own = spread_of(repetitions(series, place + ", " + value.row)),
+                 reference_time = spread_of(repetitions(series, place + ", " + reference));
+    all.push_back(
+        {place, value.row, reference, value.value, 1e-6 * own.middle,
+         compare_ratio(value.value / find(printed, reference).value, ratio_of(own, reference_time))});
   }
   return all;
 }
@@ -166,18 +167,19 @@ RatioClaim mean_claim(const PublishedValue& claim, const std::string& place,
   const double share = 1 / static_cast<double>(over.size());
   Spread mean;
   for (const std::string& name : over) {
-    const Spread& one = find(rows, place, name).verdict.ours;
+    const Spread& one = find(rows, place, name).verdict.reproduced;
     mean = {mean.middle + share * one.middle, mean.low + share * one.low, mean.high + share * one.high};
   }
-  return {claim.place, claim.row, claim.quantity, over, judge_ratio(claim.value, mean)};
+  return {claim.place, claim.row, claim.quantity, over, compare_ratio(claim.value, mean)};
 }
 
 namespace {
 
 Json to_json(const RatioVerdict& v) {
-  return {
-      {"printed", v.printed}, {"ours", v.ours.middle}, {"low", v.ours.low}, {"high", v.ours.high},
-      {"apart", v.apart},     {"holds", v.holds},      {"lost", v.lost()},  {"same_faster", v.same_faster}};
+  return {{"printed", v.printed},    {"reproduced", v.reproduced.middle},
+          {"low", v.reproduced.low}, {"high", v.reproduced.high},
+          {"apart", v.apart},        {"holds", v.holds},
+          {"lost", v.lost()},        {"same_faster", v.same_faster}};
 }
 
 Json to_json(const TimeRatios& ratios) {

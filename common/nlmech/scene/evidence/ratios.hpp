@@ -19,12 +19,12 @@ struct BenchSeries {
   std::vector<double> repetition;  ///< times in the order of measurement
 };
 
-/// Claim that our series takes at most 1/least of the time of theirs.
+/// Claim that a method takes at most 1/least of the time of a peer.
 struct SpeedClaim {
   std::string text;    ///< the claim in words
-  std::string ours;    ///< name of a series
-  std::string theirs;  ///< name of a series
-  double least = 1;    ///< promised ratio of their median to ours
+  std::string method;  ///< name of its series
+  std::string peer;    ///< name of its series
+  double least = 1;    ///< promised ratio of the medians: of the peer to that of the method
 };
 
 /// Measured ratios of a claim.
@@ -37,7 +37,7 @@ struct SpeedResult {
 };
 
 /// Compares the two series of a claim. @throws std::invalid_argument naming a series that is missing or empty
-[[nodiscard]] SpeedResult judge_claim(const SpeedClaim& claim, const std::vector<BenchSeries>& series);
+[[nodiscard]] SpeedResult check_claim(const SpeedClaim& claim, const std::vector<BenchSeries>& series);
 
 /// Writes `results/bench/<name>.json` with machine, build, all series and claims; `make bench` makes
 /// `tables/BENCH.md` from the files of that folder. @throws Failure if the file cannot be written
@@ -68,7 +68,7 @@ struct Spread {
 /// A printed ratio of times and the reproduced one.
 struct RatioVerdict {
   double printed = 0;        ///< printed ratio: time of the method over that of the reference
-  Spread ours;               ///< reproduced ratio
+  Spread reproduced;         ///< reproduced ratio
   double apart = 0;          ///< the larger over the smaller of the two ratios
   bool same_faster = false;  ///< is the same method faster in print and here?
   bool holds = false;        ///< same_faster, and apart at most allowed_factor
@@ -76,8 +76,8 @@ struct RatioVerdict {
   [[nodiscard]] bool lost() const { return printed > 1 && !same_faster; }
 };
 
-/// Judges by the medians. @throws std::invalid_argument if a ratio is not positive and finite
-[[nodiscard]] RatioVerdict judge_ratio(double printed, const Spread& ours);
+/// Compares the medians. @throws std::invalid_argument if a ratio is not positive and finite
+[[nodiscard]] RatioVerdict compare_ratio(double printed, const Spread& reproduced);
 
 /// A row of a table of seconds: ratio of its time to that of its reference.
 struct TimeRatio {

@@ -228,12 +228,12 @@ LoopPoles ClosedLoop::poles(int count, PoleOrder order) const {
   if (found.s.size() <= last) return found;
   double highest = 0;
   for (std::size_t k = 0; k <= last; ++k) highest = std::max(highest, found.s[k].imag());
-  std::vector<Complex> kept;
+  std::vector<Complex> selected;
   for (std::size_t k = 0; k < found.s.size(); ++k) {
     if (k <= last || (order == PoleOrder::frequency && found.s[k].imag() <= highest))
-      kept.push_back(found.s[k]);
+      selected.push_back(found.s[k]);
   }
-  found.s = std::move(kept);
+  found.s = std::move(selected);
   return found;
 }
 

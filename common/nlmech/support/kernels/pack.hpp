@@ -159,6 +159,7 @@ struct Pack<Set, n, true> {
     return {subtract_product(x.a, y.a, z.a), subtract_product(x.b, y.b, z.b)};
   }
   [[gnu::always_inline]] friend Pack square_root(Pack x) { return {square_root(x.a), square_root(x.b)}; }
+  [[gnu::always_inline]] friend Pack magnitude(Pack x) { return {magnitude(x.a), magnitude(x.b)}; }
   [[gnu::always_inline]] friend Pack larger(Pack x, Pack y) { return {larger(x.a, y.a), larger(x.b, y.b)}; }
   [[gnu::always_inline]] friend Pack smaller(Pack x, Pack y) {
     return {smaller(x.a, y.a), smaller(x.b, y.b)};

@@ -31,7 +31,7 @@ class RosenbrockStepper final : public PeerStepper, detail::RosenbrockEquations 
     const bool accepted = formula_.try_step(t0, next_length);
     ++statistics.factorisations;
     const bool is_finite = equations_.check(formula_.next());
-    Attempt done = step_.judge(accepted, is_finite, tried, next_length);
+    Attempt done = step_.finish_trial(accepted, is_finite, tried, next_length);
     if (!is_finite) formula_.restart(nullptr);  // its step-size control may have stored a NaN
     if (done.result != Attempt::Result::accepted) return done;
     std::copy_n(formula_.next(), size_, x);

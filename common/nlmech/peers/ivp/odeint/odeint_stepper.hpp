@@ -82,7 +82,7 @@ class OdeintStep {
   [[nodiscard]] double cut() const { return last() ? end_ - t_ : step_; }
   /// Result of a trial step of size @p tried. @param accepted true if Odeint accepts it @param finite true if
   /// state and slope are finite @param next Odeint's next step size
-  [[nodiscard]] Attempt judge(bool accepted, bool finite, double tried, double next) {
+  [[nodiscard]] Attempt finish_trial(bool accepted, bool finite, double tried, double next) {
     if (accepted && finite) {
       const bool to_end = last();
       t_ = to_end ? end_ : t_ + tried;
@@ -178,7 +178,7 @@ class OdeintStepper final : public PeerStepper {
       is_finite = finite(slope_);
     }
     const double t0 = step_.time();
-    Attempt done = step_.judge(accepted, is_finite, tried, next_length);
+    Attempt done = step_.finish_trial(accepted, is_finite, tried, next_length);
     if (!is_finite) controlled_.emplace(make(tolerances_));  // may have stored a NaN
     if (done.result != Attempt::Result::accepted) return done;
     t0_ = t0;
@@ -238,7 +238,7 @@ class OdeintStepper final : public PeerStepper {
       const double tried = next_length;
       const bool accepted =
           controlled.try_step(rhs_, x, slope, t, next, next_length) == boost::numeric::odeint::success;
-      const Attempt attempt = step.judge(accepted, finite(next), tried, next_length);
+      const Attempt attempt = step.finish_trial(accepted, finite(next), tried, next_length);
       if (attempt.result == Attempt::Result::failed) return false;
       if (attempt.result == Attempt::Result::rejected) continue;
       x = next;

@@ -10,7 +10,7 @@
 #include "nlmech/scene/evidence/published.hpp"
 #include "nlmech/support/errors.hpp"
 
-namespace nlmech::scene::judge_test {
+namespace nlmech::scene::verdict_test {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -32,7 +32,7 @@ PublishedValue printed(double value, Verdict expected, std::string nominal = "",
 }
 
 bool passes(const PublishedValue& value, Number nominal, Number inferred = none) {
-  const Judgement judgement = judge(value, {nominal, inferred});
+  const Judgement judgement = verdict_on(value, {nominal, inferred});
   if (judgement.passes) {
     EXPECT_EQ(judgement.verdict, value.expected);
   }
@@ -52,7 +52,7 @@ TEST(Verdict, HasTheWordsOfTheFiles) {
   EXPECT_EQ(to_string(Verdict::input), "input");
 }
 
-TEST(Judge, ReproducedNeedsTheNominalNumberBesideThePrintedOne) {
+TEST(Verdict, ReproducedNeedsTheNominalNumberBesideThePrintedOne) {
   const PublishedValue value = printed(2, Verdict::reproduced);
   EXPECT_TRUE(passes(value, 2.19));
   EXPECT_FALSE(passes(value, 2.21));
@@ -62,13 +62,13 @@ TEST(Judge, ReproducedNeedsTheNominalNumberBesideThePrintedOne) {
   EXPECT_FALSE(passes(value, none));
 }
 
-TEST(Judge, ReproducedMeasuresAgainstThePrintedNumberNotAgainstOurOldOne) {
+TEST(Verdict, ReproducedMeasuresAgainstThePrintedNumberNotAgainstOurOldOne) {
   const PublishedValue value = printed(2, Verdict::reproduced, "2.15");
   EXPECT_TRUE(passes(value, 1.9));
   EXPECT_FALSE(passes(value, 2.3)) << "beside our own 2.15, but not beside the printed 2";
 }
 
-TEST(Judge, InferredNeedsTheInferredNumberBesideThePrintedOne) {
+TEST(Verdict, InferredNeedsTheInferredNumberBesideThePrintedOne) {
   const PublishedValue value =
       printed(1.15e-5, Verdict::reproduced_inferred, "", "1.3e-5..1.5e-5 with c = 2.5");
   EXPECT_TRUE(passes(value, none, 1.2e-5));
@@ -77,7 +77,7 @@ TEST(Judge, InferredNeedsTheInferredNumberBesideThePrintedOne) {
   EXPECT_FALSE(passes(value, none, nan));
 }
 
-TEST(Judge, NoDigitsAreComparedOfNoiseBoundsAndClaims) {
+TEST(Verdict, NoDigitsAreComparedOfNoiseBoundsAndClaims) {
   for (const char* kind : {"rounding", "bound", "claim"}) {
     EXPECT_FALSE(passes(printed(2, Verdict::reproduced, "", "", "0.1", kind), 2)) << kind;
     EXPECT_FALSE(passes(printed(2, Verdict::reproduced_inferred, "", "", "0.1", kind), none, 2)) << kind;
@@ -87,7 +87,7 @@ TEST(Judge, NoDigitsAreComparedOfNoiseBoundsAndClaims) {
   EXPECT_FALSE(passes(printed(2, Verdict::reproduced, "", "", "at least 1"), 2));
 }
 
-TEST(Judge, NoiseSharesALevel) {
+TEST(Verdict, NoiseSharesALevel) {
   const auto noise = [](double value, const char* tolerance, const char* kind = "rounding") {
     return printed(value, Verdict::same_rounding, "", "", tolerance, kind);
   };
@@ -105,7 +105,7 @@ TEST(Judge, NoiseSharesALevel) {
       << "an error is no noise unless it is said to be";
 }
 
-TEST(Judge, BetterNeedsABoundOrNoiseAndLessOfIt) {
+TEST(Verdict, BetterNeedsABoundOrNoiseAndLessOfIt) {
   for (const char* kind : {"bound", "rounding"}) {
     const PublishedValue value = printed(1e-3, Verdict::better, "7.9e-7", "", "0.1", kind);
     EXPECT_TRUE(passes(value, 7.9e-7));
@@ -123,7 +123,7 @@ TEST(Judge, BetterNeedsABoundOrNoiseAndLessOfIt) {
         << "a method that misses: " << kind;
 }
 
-TEST(Judge, ClaimsHoldOrDoNot) {
+TEST(Verdict, ClaimsHoldOrDoNot) {
   const auto claim = [](Verdict verdict, const char* kind = "claim") {
     return printed(100, verdict, "", "", "at least 100", kind);
   };
@@ -136,7 +136,7 @@ TEST(Judge, ClaimsHoldOrDoNot) {
   EXPECT_FALSE(passes(claim(Verdict::holds, "value"), 236));
 }
 
-TEST(Judge, DiffersNeedsAnotherNumberThanThePrintedOne) {
+TEST(Verdict, DiffersNeedsAnotherNumberThanThePrintedOne) {
   const PublishedValue value = printed(0.5, Verdict::differs);
   EXPECT_TRUE(passes(value, 0.6));
   EXPECT_TRUE(passes(value, inf)) << "a divergence differs";
@@ -149,7 +149,7 @@ TEST(Judge, DiffersNeedsAnotherNumberThanThePrintedOne) {
   EXPECT_FALSE(passes(printed(0.5, Verdict::differs, "", "0.7 with c = 2.5"), none, 0.6)) << "not as found";
 }
 
-TEST(Judge, DiffersKeepsToTheNumberThatWasFound) {
+TEST(Verdict, DiffersKeepsToTheNumberThatWasFound) {
   const PublishedValue value = printed(1000, Verdict::differs, "8 its");
   EXPECT_TRUE(passes(value, 8));
   EXPECT_FALSE(passes(value, 9));
@@ -164,7 +164,7 @@ TEST(Judge, DiffersKeepsToTheNumberThatWasFound) {
   EXPECT_FALSE(passes(range, 2000));
 }
 
-TEST(Judge, InputNeedsThePrintedNumberItself) {
+TEST(Verdict, InputNeedsThePrintedNumberItself) {
   const PublishedValue value = printed(0.1, Verdict::input, "", "", "", "parameter");
   EXPECT_TRUE(passes(value, 0.1));
   EXPECT_FALSE(passes(value, 0.1 + 2e-17));
@@ -174,7 +174,7 @@ TEST(Judge, InputNeedsThePrintedNumberItself) {
   EXPECT_FALSE(passes(printed(0, Verdict::input), 1e-300));
 }
 
-TEST(Judge, ContextAndNotStatedPromiseNothing) {
+TEST(Verdict, ContextAndNotStatedPromiseNothing) {
   for (const Verdict verdict : {Verdict::context, Verdict::not_stated}) {
     const PublishedValue value = printed(0.23, verdict);
     EXPECT_TRUE(passes(value, none));
@@ -183,9 +183,9 @@ TEST(Judge, ContextAndNotStatedPromiseNothing) {
   }
 }
 
-TEST(Judge, SaysWhatTheNumbersSupportInstead) {
+TEST(Verdict, SaysWhatTheNumbersSupportInstead) {
   const auto instead = [](const PublishedValue& value, Number nominal, Number inferred = none) {
-    const Judgement judgement = judge(value, {nominal, inferred});
+    const Judgement judgement = verdict_on(value, {nominal, inferred});
     EXPECT_FALSE(judgement.passes);
     return judgement.verdict;
   };
@@ -346,8 +346,8 @@ const std::vector<std::string> all_forms = {
 TEST(Tolerance, NeverAllowsNaN) {
   for (const std::string& words : all_forms) {
     const Tolerance tolerance(words);
-    for (const double theirs : {0.0, 1.0, -1.0, inf, nan})
-      EXPECT_FALSE(tolerance.allows(nan, theirs)) << words;
+    for (const double printed : {0.0, 1.0, -1.0, inf, nan})
+      EXPECT_FALSE(tolerance.allows(nan, printed)) << words;
     EXPECT_FALSE(tolerance.allows(nan, 0, 1)) << words;
     EXPECT_FALSE(tolerance.allows(nan, nan, nan)) << words;
   }
@@ -393,4 +393,4 @@ RC_GTEST_PROP(Tolerance, AllowsEveryFiniteNumberBesideItself, ()) {
 }
 
 }  // namespace
-}  // namespace nlmech::scene::judge_test
+}  // namespace nlmech::scene::verdict_test
