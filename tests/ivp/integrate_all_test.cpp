@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -28,6 +29,16 @@ System pendulum(double jump = 0) {
   const std::string more = jump > 0 ? fmt::format(" + max(sign({} - t), 0)", jump) : "";
   return testing::typed("x'' = cos(2 t) - sin(x) - 0.1 x'" + more);
 }
+
+/// x'' = -x.
+struct Circle {
+  static constexpr int dimension = 2;
+  template <class T>
+  void operator()(const T& /*t*/, const Vector<T, 2>& x, Vector<T, 2>& f) const {
+    f[0] = x[1];
+    f[1] = -x[0];
+  }
+};
 
 void expect_same(const Solution& a, const Solution& b) {
   EXPECT_EQ(a.t, b.t);
@@ -209,6 +220,29 @@ TEST(SeriesEnsemble, OneSystemAndManyStates) {
   const auto ends = integrate_all(system, all, 0, 3, with(1e-9), 2);
   for (std::size_t i = 0; i < states.size(); ++i)
     expect_same(ends[i], detail::alone({&system, states[i], 0, 3, {}, {}}, with(1e-9)));
+}
+
+// Runs too short to repay machine code count together, of typed and of compiled equations: the code of the
+// next run is there, or was found to be impossible, and is not made again.
+TEST(SeriesCode, IsSharedByShortRuns) {
+  if (!available(InstructionSet::avx2)) GTEST_SKIP() << "machine code needs AVX2";
+  const System typed = pendulum(), copy = typed, compiled{Circle{}};
+  const Series method = with(1e-9);
+  for (const System* system : {&typed, &copy, &compiled}) {
+    std::int64_t steps = 0;
+    for (int run = 0; steps < TapeExpansion::repays_after && run < 100; ++run) {
+      const Solution s = integrate(*system, {1, 0.01 * run}, 0, 10, method);
+      ASSERT_LT(s.statistics.steps, TapeExpansion::repays_after / 2);
+      steps += s.statistics.steps;
+    }
+    bool is_made_now = false;
+    const auto code = system->series_codes().of(system->record(0), series_order(1e-9), 1, 1);
+    static_cast<void>(
+        (*code)([&] { return is_made_now = true, std::shared_ptr<machine_code::Coefficients>(); }));
+    EXPECT_FALSE(is_made_now);
+  }
+  const System switching = testing::typed("x' = 1 - 2 sign(x)");
+  EXPECT_EQ(&switching.series_codes(), &switching.in_mode({1}).series_codes());
 }
 
 TEST(SeriesEnsemble, RefusesWhatOneRefuses) {

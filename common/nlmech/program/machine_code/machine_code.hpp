@@ -44,7 +44,7 @@ using Coefficients = void(double* memory, const double* constants, const double*
                                                          int order);
 
 /// The coefficients of one solution per lane with the bits of TapeLanes; as coefficients(), for less
-/// products.
+/// products. Numbers of 1 and -1 in @p program must be so in all lanes; products with them are omitted.
 /// @param set avx2 or avx512; otherwise there is no function
 [[nodiscard]] std::shared_ptr<Coefficients> lane_coefficients(const tape::Program& program,
                                                               std::int64_t stride, int order,
