@@ -1,5 +1,6 @@
 #include "nlmech/bvp/solve.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -169,8 +170,11 @@ class Run {
         if (bend > 0) next = std::min(next, update * damping_ * damping_ / (2 * bend));
       }
       if (theta <= 1 - damping_ / 4) break;
-      // At the level of rounding the steps no longer decrease.
-      if (update <= 100 * options_.newton_tolerance && damping_ == 1 && theta < 2) break;
+      // At the level of rounding the steps no longer decrease: the last iterate is the root.
+      if (update <= 100 * options_.newton_tolerance && damping_ == 1) {
+        done_ = true;
+        return system_.residual(y_) ? Status() : not_finite(k);
+      }
       ++statistics_.rejected;
       if (damping_ <= least_damping) return diverged(k, damping_, update);
       damping_ = std::max(next, std::max(damping_ / 10, least_damping));
@@ -300,6 +304,30 @@ std::vector<double> residuals(const Problem& problem, const Solution& solution) 
   return result;
 }
 
+/// Whether a small relative change of the states explains the residual of an interval: a hundredth of the
+/// tolerance or 1024 roundings, in each component of |df/dx| |x|. Where f is a difference of large terms, as
+/// in stiff equations, the residual of the exact solution, rounded, is no smaller.
+bool is_change_of_states(const Problem& problem, const Solution& solution, const Interval& interval,
+                         double tolerance) {
+  const double change = std::max(1e-2 * tolerance, 1024 * std::numeric_limits<double>::epsilon());
+  const Scheme& s = *solution.scheme;
+  const Index n = problem.states();
+  MatrixXd by_state(n, n), by_parameter(n, problem.parameters());
+  const MatrixXd at =
+      (interval.h * (interval.slopes * s.probe_slope.transpose())).colwise() + interval.values.col(0);
+  const MatrixXd dot = interval.slopes * s.probe_slope_dot.transpose();
+  VectorXd f(n), u(n);
+  for (Index j = 0; j < s.probes.size(); ++j) {
+    u = at.col(j);
+    const double t = interval.t0 + s.probes[j] * interval.h;
+    problem.rhs(t, u, solution.parameters(), f);
+    problem.jacobian(t, u, solution.parameters(), by_state, by_parameter);
+    const VectorXd level = by_state.cwiseAbs() * interval.values.cwiseAbs().rowwise().maxCoeff();
+    if (!((dot.col(j) - f).cwiseAbs().array() <= change * level.array()).all()) return false;
+  }
+  return true;
+}
+
 /// Next mesh: divides or joins intervals by their residuals.
 std::vector<double> next_mesh(const Solution& solution, const std::vector<double>& residual,
                               double tolerance) {
@@ -339,9 +367,15 @@ Status refine(const Problem& problem, const Options& options, Solution& solution
     Status status = iterate(system, solution.unknowns, options, solution.statistics, solution.pivot_ratio);
     ++solution.statistics.steps;
     if (!status.ok()) return status;
-    const std::vector<double> residual = residuals(problem, solution);
+    std::vector<double> residual = residuals(problem, solution);
     solution.residual = *std::max_element(residual.begin(), residual.end());
-    if (solution.residual <= options.tolerance || !options.refine) return {};
+    for (std::size_t i = 0; i < residual.size(); ++i) {
+      if (residual[i] > options.tolerance &&
+          is_change_of_states(problem, solution, solution.unknowns.intervals[i], options.tolerance))
+        residual[i] = options.tolerance;
+    }
+    if (std::ranges::all_of(residual, [&](double r) { return r <= options.tolerance; }) || !options.refine)
+      return {};
     const std::vector<double> mesh = next_mesh(solution, residual, options.tolerance);
     if (k == most_meshes || static_cast<int>(mesh.size()) - 1 > options.most_intervals) {
       return mesh_limit(options, solution);
@@ -405,6 +439,73 @@ Integration integrate_at(const Problem& problem, const Eigen::VectorXd& x0, cons
   return result;
 }
 
+namespace {
+
+/// Integration over one piece.
+struct Piece {
+  Status status;          ///< of the integrator
+  double error = 0;       ///< deviation from the solution at the other end, relative to the scale
+  double where = 0;       ///< time of that end
+  VectorXd reached = {};  ///< integrated state there
+};
+
+Piece integrate_piece(const Problem& problem, const VectorXd& p, const std::vector<double>& times,
+                      const VectorXd& from, const VectorXd& to, const VectorXd& scale) {
+  const Integration arc = integrate_at(problem, from, p, times);
+  if (!arc.status.ok()) return {arc.status, std::numeric_limits<double>::infinity(), times.back()};
+  const VectorXd end = arc.states.col(1);
+  return {arc.status, (end - to).cwiseQuotient(scale).lpNorm<Eigen::Infinity>(), times.back(), end};
+}
+
+/// Exponents by which adjacent trajectories part over an interval, forwards and backwards: real parts of
+/// eigenvalues of df/dx at its ends and in its middle.
+std::pair<double, double> growth_over(const Problem& problem, const Solution& solution,
+                                      const Interval& interval) {
+  MatrixXd by_state(problem.states(), problem.states()), by_parameter(problem.states(), problem.parameters());
+  const Index last = interval.values.cols() - 1;
+  double forward = 0, backward = 0;
+  for (const Index j : {Index{0}, last / 2, last}) {
+    problem.jacobian(interval.t0 + solution.scheme->nodes[j] * interval.h, interval.values.col(j),
+                     solution.parameters(), by_state, by_parameter);
+    if (!by_state.allFinite()) continue;
+    const VectorXd rates = by_state.eigenvalues().real();
+    forward = std::max(forward, rates.maxCoeff() * interval.h);
+    backward = std::max(backward, -rates.minCoeff() * interval.h);
+  }
+  return {forward, backward};
+}
+
+/// Integrates over an interval in the direction in which adjacent trajectories part less. Where they part in
+/// both, as in a layer between growing and decaying solutions, each part of it that is short enough is
+/// integrated from the solution.
+Piece verify_interval(const Problem& problem, const Options& options, const Solution& solution,
+                      const Interval& interval, const VectorXd& scale) {
+  const auto [forward, backward] = growth_over(problem, solution, interval);
+  constexpr double growth = 4;  // exponent of a part
+  int parts = static_cast<int>(std::clamp(std::ceil(std::min(forward, backward) / growth), 1., 1000.));
+  Piece worst;
+  for (int attempt = 0; attempt < 2; ++attempt, parts *= 8) {
+    worst = {};
+    const auto state = [&](int i) -> VectorXd {
+      return i == 0       ? VectorXd(interval.values.col(0))
+             : i == parts ? VectorXd(interval.values.rightCols(1))
+                          : solution.at(interval.t0 + interval.h * i / parts);
+    };
+    for (int i = 0; i < parts && worst.error <= options.verification_tolerance; ++i) {
+      const int a = backward < forward ? i + 1 : i, b = backward < forward ? i : i + 1;
+      const auto time = [&](int k) { return interval.t0 + interval.h * k / parts; };
+      Piece piece =
+          integrate_piece(problem, solution.parameters(), {time(a), time(b)}, state(a), state(b), scale);
+      if (!(piece.error <= worst.error)) worst = std::move(piece);
+    }
+    if (worst.error <= options.verification_tolerance) break;
+  }
+  worst.reached = interval.values.rightCols(1);
+  return worst;
+}
+
+}  // namespace
+
 void verify_by_integration(const Problem& problem, const Options& options, Solution& solution) {
   const auto& all = solution.unknowns.intervals;
   VectorXd scale = VectorXd::Ones(problem.states());
@@ -414,28 +515,26 @@ void verify_by_integration(const Problem& problem, const Options& options, Solut
   VectorXd x = solution.first();
   double worst = 0, where = solution.begin();
   for (std::size_t k = 0; k < all.size(); ++k) {
-    if (options.verification == Verification::pieces) {
-      x = all[k].values.col(0);
-    } else if (k > 0 && all[k].phase != all[k - 1].phase) {
+    if (k > 0 && all[k].phase != all[k - 1].phase) {
       x += all[k].values.col(0) - all[k - 1].values.rightCols(1);
     }
     const double end = k + 1 < all.size() ? all[k + 1].t0 : all[k].t0 + all[k].h;
-    const std::vector<double> times{all[k].t0, end};
-    const Integration arc = integrate_at(problem, x, solution.parameters(), times);
-    if (!arc.status.ok()) {
+    const Piece piece = options.verification == Verification::pieces
+                            ? verify_interval(problem, options, solution, all[k], scale)
+                            : integrate_piece(problem, solution.parameters(), {all[k].t0, end}, x,
+                                              all[k].values.rightCols(1), scale);
+    if (!piece.status.ok()) {
       solution.integration_error = std::numeric_limits<double>::infinity();
       solution.status = failed_with(Outcome::spurious_root,
                                     "bvp: the root cannot be integrated from its own initial values ({}); "
                                     "refine the mesh, or start elsewhere",
-                                    arc.status.sentence());
+                                    piece.status.sentence());
       return;
     }
-    x = arc.states.col(1);
-    const VectorXd difference = x - all[k].values.rightCols(1);
-    const double error = difference.cwiseQuotient(scale).lpNorm<Eigen::Infinity>();
-    if (!(error <= worst)) {
-      worst = error;
-      where = end;
+    x = piece.reached;
+    if (!(piece.error <= worst)) {
+      worst = piece.error;
+      where = piece.where;
     }
   }
   solution.integration_error = worst;

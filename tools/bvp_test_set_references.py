@@ -8,8 +8,6 @@ import math
 
 from mpmath import mp
 
-from shared.rows import head, row
-
 mp.dps = 24
 
 
@@ -376,7 +374,7 @@ def closed_form(number, e):
 
 def rows(number, value, t, state):
     for name, v in zip(COMPONENTS.get(number, ["y", "y'"]), state):
-        row(f"{number} {NAMED.get(number, 'eps')}={value} t={t} {name}", v, 14)
+        print(f"bvpT{number},{NAMED.get(number, 'eps')},{value},{t},{name},{mp.nstr(v, 14)}")
 
 
 def by_closed_forms():
@@ -397,7 +395,7 @@ def by_shooting():
     for number, (values, times) in SHOT.items():
         for value in values:
             e = mp.mpf(value) if number not in (23, 32) else 1 / mp.mpf(value)
-            states = refined(PROBLEMS[number], e, max(200, int(0.12 / e)), times)
+            states = refined(PROBLEMS[number], e, max(100, int(0.05 / e)), times)
             for t in times:
                 if number in CLOSED:
                     assert abs(states[t][0] - closed_form(number, e)[0](mp.mpf(t))) < 1e-15, (number, value, t)
@@ -406,7 +404,7 @@ def by_shooting():
 
 
 def main():
-    head()
+    print("problem,parameter,value,t,component,number")
     by_closed_forms()
     by_shooting()
 
