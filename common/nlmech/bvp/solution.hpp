@@ -23,7 +23,8 @@ struct Solution {
   Statistics statistics;  ///< work: newton_iterations, factorisations, right_hand_sides; steps counts meshes
   Unknowns unknowns;      ///< mesh with all values; empty if nothing could be evaluated
   std::shared_ptr<const Scheme> scheme;  ///< scheme of every interval; null while unknowns is empty
-  /// max over time and components of |u' - f(t, u)| / (1 + max |f|), measured between the nodes.
+  /// max over time and components of |u' - f(t, u)| / (1 + max |f|), measured between the nodes, or of its
+  /// effect over an interval, h |u' - f(t, u)| / (1 + max |x|), if that is larger.
   double residual = 0;
   /// max over the mesh of |x - integrated x| / (1 + max |x|), by component; see Verification. 0 if not
   /// integrated.

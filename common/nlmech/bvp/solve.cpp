@@ -280,13 +280,16 @@ Unknowns transfer(const Solution& old, const std::vector<double>& mesh, const st
   return y;
 }
 
-/// max |u' - f(t, u)| / (1 + max |f|) between the nodes, for each interval.
+/// max |u' - f(t, u)| / (1 + max |f|) between the nodes, for each interval, or its effect over the interval,
+/// h |u' - f(t, u)| / (1 + max |x|), if that is larger: outside a layer, whose slopes are far larger.
 std::vector<double> residuals(const Problem& problem, const Solution& solution) {
   const auto& all = solution.unknowns.intervals;
   const Scheme& s = *solution.scheme;
   VectorXd scale = VectorXd::Ones(problem.states()), f(problem.states()), u(problem.states());
+  VectorXd size = scale;
   for (const Interval& i : all) {
     scale = scale.cwiseMax((i.slopes.cwiseAbs().rowwise().maxCoeff().array() + 1).matrix());
+    size = size.cwiseMax((i.values.cwiseAbs().rowwise().maxCoeff().array() + 1).matrix());
   }
   std::vector<double> result;
   for (const Interval& i : all) {
@@ -296,7 +299,8 @@ std::vector<double> residuals(const Problem& problem, const Solution& solution) 
     for (Index j = 0; j < s.probes.size(); ++j) {
       u = at.col(j);
       problem.rhs(i.t0 + s.probes[j] * i.h, u, solution.parameters(), f);
-      const double part = (dot.col(j) - f).cwiseQuotient(scale).lpNorm<Eigen::Infinity>();
+      const double part =
+          (dot.col(j) - f).cwiseQuotient(scale.cwiseMin(size / i.h)).lpNorm<Eigen::Infinity>();
       largest = part <= largest ? largest : part;  // keeps a NaN
     }
     result.push_back(largest);

@@ -14,8 +14,9 @@ enum class Verification : std::uint8_t {
   none,   ///< no verification
   whole,  ///< one integration from the initial values to the end; the solution's jumps between phases are
           ///< added
-  pieces  ///< each interval is integrated from the solution at its start: for problems whose solutions grow
-          ///< too fast for one integration over all intervals
+  pieces  ///< each interval is integrated by itself, forwards or backwards, as adjacent trajectories
+          ///< converge, and in parts where they diverge both ways: for problems whose solutions grow too fast
+          ///< for one integration over all intervals
 };
 
 /// Options of solve(); with the defaults the states have at least 10 digits.
@@ -35,7 +36,9 @@ struct Options {
 /// The Newton step is damped by the natural monotonicity test (P. Deuflhard, Newton Methods for Nonlinear
 /// Problems, 2004, section 3.3), which is invariant under scaling of the equations. Then intervals with a
 /// residual above the tolerance are divided, into a number of parts from the order of the scheme, and pairs
-/// of intervals with far smaller residuals are joined, until all residuals are below the tolerance.
+/// of intervals with far smaller residuals are joined, until all residuals are below the tolerance, or no
+/// larger than those of states changed by a hundredth of the tolerance, relatively: with large |df/dx| the
+/// rounding of the states alone makes residuals above the tolerance.
 ///
 /// Outcomes besides success:
 ///  - `infeasible`: conditions contradict each other;
