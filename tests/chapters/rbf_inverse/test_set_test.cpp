@@ -22,13 +22,15 @@ TEST_P(TestSet, IsSolvedOrRefused) {
     ASSERT_GE(known.size(), 6U);
     const bvp::Solution solution = solve_test(test, value, 1e-9);
     EXPECT_EQ(solution.status.ok(), !is_hopeless(test, value)) << value << ": " << solution.status.text();
-    if (solution.status.ok()) EXPECT_LE(error_of(known, problem, solution), 1e-8) << value;
+    if (solution.status.ok()) {
+      EXPECT_LE(error_of(known, problem, solution), 1e-8) << value;
+    }
   }
 }
 
 INSTANTIATE_TEST_SUITE_P(MazziaAndCash, TestSet,
                          testing::ValuesIn(test_problems().begin(), test_problems().end()),
-                         [](const auto& info) { return "T" + std::to_string(info.param.number); });
+                         [](const auto& named) { return "T" + std::to_string(named.param.number); });
 
 // Errors of exp(1/(2 eps)) times rounding become as large as the solution at eps = 0.014: no success is wrong
 // by more than its tolerance from there on.
