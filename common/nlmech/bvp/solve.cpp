@@ -171,10 +171,11 @@ class Run {
       }
       if (theta <= 1 - damping_ / 4) break;
       // At the level of rounding the steps no longer decrease: the last iterate is the root.
-      if (update <= 100 * options_.newton_tolerance && damping_ == 1) {
+      if (update <= 10 * options_.newton_tolerance && damping_ == 1) {
         done_ = true;
         return system_.residual(y_) ? Status() : not_finite(k);
       }
+      if (update <= 100 * options_.newton_tolerance && damping_ == 1 && theta < 2) break;
       ++statistics_.rejected;
       if (damping_ <= least_damping) return diverged(k, damping_, update);
       damping_ = std::max(next, std::max(damping_ / 10, least_damping));
@@ -487,6 +488,9 @@ Piece verify_interval(const Problem& problem, const Options& options, const Solu
   const auto [forward, backward] = growth_over(problem, solution, interval);
   constexpr double growth = 4;  // exponent of a part
   int parts = static_cast<int>(std::clamp(std::ceil(std::min(forward, backward) / growth), 1., 1000.));
+  // At the end of a phase f is the limit from the left.
+  const double last = interval.t0 + interval.h;
+  const double end = problem.phases() > 1 ? std::nextafter(last, interval.t0) : last;
   Piece worst;
   for (int attempt = 0; attempt < 2; ++attempt, parts *= 8) {
     worst = {};
@@ -497,7 +501,7 @@ Piece verify_interval(const Problem& problem, const Options& options, const Solu
     };
     for (int i = 0; i < parts && worst.error <= options.verification_tolerance; ++i) {
       const int a = backward < forward ? i + 1 : i, b = backward < forward ? i : i + 1;
-      const auto time = [&](int k) { return interval.t0 + interval.h * k / parts; };
+      const auto time = [&](int k) { return k == parts ? end : interval.t0 + interval.h * k / parts; };
       Piece piece =
           integrate_piece(problem, solution.parameters(), {time(a), time(b)}, state(a), state(b), scale);
       if (!(piece.error <= worst.error)) worst = std::move(piece);
