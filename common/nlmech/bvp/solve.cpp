@@ -28,25 +28,82 @@ void check_options(const Options& o) {
   require(o.verification_tolerance > 0, "verification_tolerance", o.verification_tolerance);
 }
 
+constexpr double integration_tolerance = 1e-13;         // of integrations that verify a solution
 constexpr int most_meshes = 20, most_iterations = 100;  // most_iterations: Newton iterations per mesh
 constexpr double least_damping = 1e-6;                  // a smaller damping factor ends with newton_diverged
 
-/// 1 + max |x_i| over the mesh, and 1 + |p_i|.
-struct Scales {
-  explicit Scales(const Unknowns& y)
-      : states(VectorXd::Ones(y.intervals.front().values.rows())),
-        parameters(y.parameters.cwiseAbs().array() + 1) {
-    for (const Interval& i : y.intervals) {
-      states = states.cwiseMax((i.values.cwiseAbs().rowwise().maxCoeff().array() + 1).matrix());
+constexpr double unit_roundoff = std::numeric_limits<double>::epsilon() / 2;
+/// Errors of rounding are below this, relative to the sum of all terms.
+constexpr double rounding = 200 * unit_roundoff;
+/// Unknowns below this share of their largest size in an iteration tend to 0.
+constexpr double vanishing = 1e-12;
+
+/// max |x_i| over the mesh.
+VectorXd largest_values(const Unknowns& y) {
+  VectorXd largest = VectorXd::Zero(y.intervals.front().values.rows());
+  for (const Interval& i : y.intervals) largest = largest.cwiseMax(i.values.cwiseAbs().rowwise().maxCoeff());
+  return largest;
+}
+
+/// Largest sizes in an iteration from its start on.
+struct History {
+  VectorXd states, parameters, terms, condition_terms;
+
+  void add(const Unknowns& y, const NewtonSystem& system) {
+    const auto update = [](VectorXd& largest, const VectorXd& now) {
+      if (largest.size() == 0)
+        largest = now;
+      else
+        largest = largest.cwiseMax(now);
+    };
+    update(states, largest_values(y));
+    update(parameters, y.parameters.cwiseAbs());
+    update(terms, system.terms());
+    update(condition_terms, system.condition_terms());
+  }
+};
+
+/// Change of each parameter that changes an equation or a condition by the size of its terms.
+VectorXd parameter_changes(const NewtonSystem& system) {
+  const Eigen::MatrixXd& influence = system.influence();
+  VectorXd terms(influence.rows());
+  terms << system.terms(), system.condition_terms();
+  VectorXd changes = VectorXd::Zero(influence.cols());
+  for (Index j = 0; j < influence.cols(); ++j) {
+    double least = std::numeric_limits<double>::infinity();
+    for (Index i = 0; i < influence.rows(); ++i) {
+      if (influence(i, j) > 0) least = std::min(least, terms[i] / influence(i, j));
     }
+    if (std::isfinite(least)) changes[j] = least;
+  }
+  return changes;
+}
+
+/// Sizes by which updates are measured: max |x_i| over the mesh and |p_j|, of the iterate or of the next one,
+/// but not less than the rounding errors of their equations.
+struct Scales {
+  Scales(const Unknowns& y, const Unknowns& next, const NewtonSystem& system, const History& history,
+         double tolerance)
+      : states(largest_values(y).cwiseMax(largest_values(next))),
+        parameters(y.parameters.cwiseAbs().cwiseMax(next.parameters.cwiseAbs())) {
+    const double least = rounding / tolerance,
+                 span = y.intervals.back().t0 + y.intervals.back().h - y.intervals.front().t0;
+    states = states.cwiseMax(vanishing * history.states).cwiseMax(least * span * system.terms());
+    parameters =
+        parameters.cwiseMax(vanishing * history.parameters).cwiseMax(least * parameter_changes(system));
   }
   VectorXd states, parameters;
 };
 
+/// 1 / s_i, and 0 for a size of 0, which only an unknown that is 0 throughout has.
+VectorXd weights(const VectorXd& sizes) {
+  return sizes.unaryExpr([](double s) { return s > 0 ? 1 / s : 0; });
+}
+
 /// Root mean square of the scaled components of a - fraction b.
 double length(const Unknowns& a, const Unknowns& b, double fraction, const Scales& scales) {
   double sum = 0, count = 0;
-  const VectorXd weight = scales.states.cwiseInverse();
+  const VectorXd weight = weights(scales.states);
   for (std::size_t k = 0; k < a.intervals.size(); ++k) {
     const auto difference = a.intervals[k].values - fraction * b.intervals[k].values;
     sum += (weight.asDiagonal() * difference).squaredNorm();
@@ -54,7 +111,7 @@ double length(const Unknowns& a, const Unknowns& b, double fraction, const Scale
   }
   if (a.parameters.size() > 0) {
     // The parameters have the weight of all states together: they may be as important as a trajectory.
-    const VectorXd part = (a.parameters - fraction * b.parameters).cwiseQuotient(scales.parameters);
+    const VectorXd part = (a.parameters - fraction * b.parameters).cwiseProduct(weights(scales.parameters));
     sum += part.squaredNorm() / static_cast<double>(part.size()) * count;
     count += count;
   }
@@ -88,13 +145,6 @@ Status singular(const NewtonSystem& system, Index conditions, int iteration) {
       system.pivot_ratio(), iteration);
 }
 
-Status diverged(int iteration, double damping, double update) {
-  return failed_with(Outcome::newton_diverged,
-                     "bvp: at iteration {} Newton's step is not admissible even shortened to {:.2g} of its "
-                     "length {:.3g}; start elsewhere",
-                     iteration, damping, update);
-}
-
 Status not_finite(int iteration) {
   return failed_with(
       Outcome::non_finite,
@@ -102,13 +152,50 @@ Status not_finite(int iteration) {
       iteration);
 }
 
+/// Names the unknown that nothing determines at the result, if there is one.
+Status check_determined(const Problem& problem, NewtonSystem& system, Unknowns& y, const History& history) {
+  if (!system.residual(y) || !system.factorise(y)) return not_finite(0);
+  const int n = problem.states();
+  const Eigen::MatrixXd& influence = system.influence();
+  VectorXd terms(influence.rows());
+  terms << history.terms, history.condition_terms;
+  for (Index j = 0; j < influence.cols(); ++j) {
+    // The largest effect of the parameter, relative to what its equations were in the iteration.
+    const VectorXd effect = (influence.col(j) * history.parameters[j]).cwiseProduct(weights(terms));
+    if (effect.maxCoeff() > 1e-3 * unit_roundoff) continue;
+    const bool rests = (largest_values(y).array() <= vanishing * history.states.array()).all();
+    return failed_with(Outcome::singular_matrix,
+                       "bvp: nothing determines {}: at the result{} neither the equations nor the conditions "
+                       "depend on it; change the conditions, or start elsewhere",
+                       problem.unknown_name(n + static_cast<int>(j)),
+                       rests ? ", where all states are 0," : "");
+  }
+  if (system.pivot_ratio() > 1e-13) return {};
+  VectorXd sizes(n + y.parameters.size());
+  sizes << largest_values(y), y.parameters.cwiseAbs();
+  return failed_with(Outcome::singular_matrix,
+                     "bvp: nothing determines {}: Newton's matrix is singular at the result (pivots 1 to "
+                     "{:.2g}), so that there are other solutions near it; change the conditions, or start "
+                     "elsewhere",
+                     problem.unknown_name(static_cast<int>(system.loosest_unknown(sizes))),
+                     system.pivot_ratio());
+}
+
+Status diverged(int iteration, double damping, double update) {
+  return failed_with(Outcome::newton_diverged,
+                     "bvp: at iteration {} Newton's step is not admissible even shortened to {:.2g} of its "
+                     "length {:.3g}; start elsewhere",
+                     iteration, damping, update);
+}
+
 /// Damped Newton iteration on one mesh.
 class Run {
  public:
-  Run(NewtonSystem& system, Unknowns& y, const Options& options, Statistics& statistics)
+  Run(NewtonSystem& system, Unknowns& y, const Options& options, History& history, Statistics& statistics)
       : system_(system),
         y_(y),
         options_(options),
+        history_(history),
         statistics_(statistics),
         step_(y),
         simplified_(y),
@@ -124,7 +211,9 @@ class Run {
       pivot_ratio = system_.pivot_ratio();
       if (!(pivot_ratio > 1e-13)) return singular(system_, conditions, k);
       system_.solve(step_);
-      const Scales scales(y_);
+      history_.add(y_, system_);
+      advance(y_, 1, step_, trial_);
+      const Scales scales(y_, trial_, system_, history_, options_.newton_tolerance);
       const double update = length(step_, step_, 0, scales);
       if (!std::isfinite(update)) return singular(system_, conditions, k);
       if (update <= options_.newton_tolerance) return finish();
@@ -183,7 +272,7 @@ class Run {
     std::swap(y_.intervals, trial_.intervals);
     std::swap(y_.parameters, trial_.parameters);
     before_ = update;
-    if (damping_ == 1 && simplified_length_ <= options_.newton_tolerance) {
+    if (damping_ == 1 && is_last_step()) {
       advance(y_, 1, simplified_, y_);
       done_ = true;
       if (!system_.residual(y_)) return not_finite(k);
@@ -191,9 +280,18 @@ class Run {
     return {};
   }
 
+  /// Is the simplified step within the tolerance, also relative to the new iterate if that is smaller?
+  bool is_last_step() {
+    if (!(simplified_length_ <= options_.newton_tolerance)) return false;
+    advance(y_, 1, simplified_, trial_);
+    const Scales scales(y_, trial_, system_, history_, options_.newton_tolerance);
+    return length(simplified_, simplified_, 0, scales) <= options_.newton_tolerance;
+  }
+
   NewtonSystem& system_;
   Unknowns& y_;
   const Options& options_;
+  History& history_;
   Statistics& statistics_;
   Unknowns step_, simplified_, trial_;
   double damping_ = 1, before_ = 0, simplified_length_ = 0;
@@ -201,10 +299,10 @@ class Run {
 };
 
 /// Newton's iteration from @p y, which is replaced by the root or the last iterate.
-Status iterate(NewtonSystem& system, Unknowns& y, const Options& options, Statistics& statistics,
-               double& pivot_ratio) {
+Status iterate(NewtonSystem& system, Unknowns& y, const Options& options, History& history,
+               Statistics& statistics, double& pivot_ratio) {
   const auto before = system.evaluations();
-  Run run(system, y, options, statistics);
+  Run run(system, y, options, history, statistics);
   const Index phases = y.intervals.back().phase + 1;
   const Index conditions = y.intervals.front().values.rows() * phases + y.parameters.size();
   Status status = run.run(conditions, pivot_ratio);
@@ -281,17 +379,14 @@ Unknowns transfer(const Solution& old, const std::vector<double>& mesh, const st
   return y;
 }
 
-/// max |u' - f(t, u)| / (1 + max |f|) between the nodes, for each interval, or its effect over the interval,
-/// h |u' - f(t, u)| / (1 + max |x|), if that is larger: outside a layer, whose slopes are far larger.
-std::vector<double> residuals(const Problem& problem, const Solution& solution) {
+/// Solution::residual for each interval. Outside a layer, whose slopes are far larger, the effect of a
+/// residual on the states counts.
+std::vector<double> residuals(const Problem& problem, const Solution& solution, double tolerance) {
   const auto& all = solution.unknowns.intervals;
   const Scheme& s = *solution.scheme;
-  VectorXd scale = VectorXd::Ones(problem.states()), f(problem.states()), u(problem.states());
-  VectorXd size = scale;
-  for (const Interval& i : all) {
-    scale = scale.cwiseMax((i.slopes.cwiseAbs().rowwise().maxCoeff().array() + 1).matrix());
-    size = size.cwiseMax((i.values.cwiseAbs().rowwise().maxCoeff().array() + 1).matrix());
-  }
+  const VectorXd least = rounding / tolerance * solution.terms, size = largest_values(solution.unknowns);
+  VectorXd f(problem.states()), u(problem.states()), slope = VectorXd::Zero(problem.states());
+  for (const Interval& i : all) slope = slope.cwiseMax(i.slopes.cwiseAbs().rowwise().maxCoeff());
   std::vector<double> result;
   for (const Interval& i : all) {
     const MatrixXd at = (i.h * (i.slopes * s.probe_slope.transpose())).colwise() + i.values.col(0);
@@ -300,8 +395,8 @@ std::vector<double> residuals(const Problem& problem, const Solution& solution) 
     for (Index j = 0; j < s.probes.size(); ++j) {
       u = at.col(j);
       problem.rhs(i.t0 + s.probes[j] * i.h, u, solution.parameters(), f);
-      const double part =
-          (dot.col(j) - f).cwiseQuotient(scale.cwiseMin(size / i.h)).lpNorm<Eigen::Infinity>();
+      const VectorXd scale = slope.cwiseMin(size / i.h).cwiseMax(least);
+      const double part = (dot.col(j) - f).cwiseProduct(weights(scale)).lpNorm<Eigen::Infinity>();
       largest = part <= largest ? largest : part;  // keeps a NaN
     }
     result.push_back(largest);
@@ -367,12 +462,15 @@ Status mesh_limit(const Options& options, const Solution& solution) {
 /// Solves on successively refined meshes.
 Status refine(const Problem& problem, const Options& options, Solution& solution) {
   const std::vector<double> points = problem.points();
+  History history;
   for (int k = 1;; ++k) {
     NewtonSystem system(problem, *solution.scheme);
-    Status status = iterate(system, solution.unknowns, options, solution.statistics, solution.pivot_ratio);
+    Status status =
+        iterate(system, solution.unknowns, options, history, solution.statistics, solution.pivot_ratio);
     ++solution.statistics.steps;
     if (!status.ok()) return status;
-    std::vector<double> residual = residuals(problem, solution);
+    solution.terms = system.terms().cwiseMax(vanishing * history.terms);
+    std::vector<double> residual = residuals(problem, solution, options.tolerance);
     solution.residual = *std::max_element(residual.begin(), residual.end());
     for (std::size_t i = 0; i < residual.size(); ++i) {
       if (residual[i] > options.tolerance &&
@@ -380,7 +478,7 @@ Status refine(const Problem& problem, const Options& options, Solution& solution
         residual[i] = options.tolerance;
     }
     if (std::ranges::all_of(residual, [&](double r) { return r <= options.tolerance; }) || !options.refine)
-      return {};
+      return check_determined(problem, system, solution.unknowns, history);
     const std::vector<double> mesh = next_mesh(solution, residual, options.tolerance);
     if (k == most_meshes || static_cast<int>(mesh.size()) - 1 > options.most_intervals) {
       return mesh_limit(options, solution);
@@ -397,37 +495,43 @@ Status spurious(double t, double error, const Options& options) {
                      error, t, options.verification_tolerance);
 }
 
-/// Right-hand side for the integrators, with fixed parameters.
+/// Right-hand side for the integrators, with fixed parameters and states in units of `scale`.
 struct WithParameters {
   static constexpr int dimension = Eigen::Dynamic;
   const Problem* problem;
-  Eigen::VectorXd parameters;
+  Eigen::VectorXd parameters, scale;
 
   [[nodiscard]] int size() const { return problem->states(); }
   void operator()(const double& t, const Eigen::VectorXd& x, Eigen::VectorXd& dxdt) const {
-    problem->rhs(t, x, parameters, dxdt);
+    problem->rhs(t, scale.cwiseProduct(x), parameters, dxdt);
+    dxdt = dxdt.cwiseQuotient(scale);
   }
   void jacobian(double t, const Eigen::VectorXd& x, Eigen::MatrixXd& j) const {
     Eigen::MatrixXd by_parameter(size(), problem->parameters());
-    problem->jacobian(t, x, parameters, j, by_parameter);
+    problem->jacobian(t, scale.cwiseProduct(x), parameters, j, by_parameter);
+    j = scale.cwiseInverse().asDiagonal() * j * scale.asDiagonal();
   }
 };
 
 }  // namespace
 
-Integration integrate_at(const Problem& problem, const Eigen::VectorXd& x0, const Eigen::VectorXd& p,
-                         std::span<const double> times) {
+namespace {
+
+/// integrate_at() with states in units of @p scale.
+Integration integrate_scaled(const Problem& problem, const Eigen::VectorXd& x0, const Eigen::VectorXd& p,
+                             std::span<const double> times, const Eigen::VectorXd& scale) {
   if (x0.size() != problem.states() || p.size() != problem.parameters()) {
     throw invalid_argument("integrate_at: {} states and {} parameters for a problem of {} and {}", x0.size(),
                            p.size(), problem.states(), problem.parameters());
   }
-  const ivp::System system(WithParameters{&problem, p});
-  const ivp::AdaptiveCollocation method{.relative_tolerance = 1e-13, .absolute_tolerance = 1e-13};
+  const ivp::System system(WithParameters{&problem, p, scale});
+  const ivp::AdaptiveCollocation method{.relative_tolerance = integration_tolerance,
+                                        .absolute_tolerance = integration_tolerance};
   // A trajectory that needs more steps between two times cannot have been resolved by the mesh.
   const ivp::Limits limits{.steps = 20'000};
   Integration result;
   result.states.resize(x0.size(), static_cast<Eigen::Index>(times.size()));
-  Eigen::VectorXd x = x0;
+  Eigen::VectorXd x = x0.cwiseQuotient(scale);
   for (std::size_t k = 0; k < times.size(); ++k) {
     if (k > 0) {
       const auto arc = ivp::integrate(system, x, times[k - 1], times[k], method, {}, limits);
@@ -439,9 +543,16 @@ Integration integrate_at(const Problem& problem, const Eigen::VectorXd& x0, cons
       }
       x = arc.x;
     }
-    result.states.col(static_cast<Eigen::Index>(k)) = x;
+    result.states.col(static_cast<Eigen::Index>(k)) = scale.cwiseProduct(x);
   }
   return result;
+}
+
+}  // namespace
+
+Integration integrate_at(const Problem& problem, const Eigen::VectorXd& x0, const Eigen::VectorXd& p,
+                         std::span<const double> times) {
+  return integrate_scaled(problem, x0, p, times, VectorXd::Ones(x0.size()));
 }
 
 namespace {
@@ -456,20 +567,25 @@ struct Piece {
 
 Piece integrate_piece(const Problem& problem, const VectorXd& p, const std::vector<double>& times,
                       const VectorXd& from, const VectorXd& to, const VectorXd& scale) {
-  const Integration arc = integrate_at(problem, from, p, times);
+  const Integration arc = integrate_scaled(problem, from, p, times, scale);
   if (!arc.status.ok()) return {arc.status, std::numeric_limits<double>::infinity(), times.back()};
   const VectorXd end = arc.states.col(1);
   return {arc.status, (end - to).cwiseQuotient(scale).lpNorm<Eigen::Infinity>(), times.back(), end};
 }
 
+/// Nodes between which an interval is verified, and their times.
+struct Span {
+  Index first, last;
+  double begin, end;
+};
+
 /// Exponents by which adjacent trajectories part over an interval, forwards and backwards: real parts of
-/// eigenvalues of df/dx at its ends and in its middle.
+/// eigenvalues of df/dx at three nodes.
 std::pair<double, double> growth_over(const Problem& problem, const Solution& solution,
-                                      const Interval& interval) {
+                                      const Interval& interval, const Span& span) {
   MatrixXd by_state(problem.states(), problem.states()), by_parameter(problem.states(), problem.parameters());
-  const Index last = interval.values.cols() - 1;
   double forward = 0, backward = 0;
-  for (const Index j : {Index{0}, last / 2, last}) {
+  for (const Index j : {span.first, (span.first + span.last) / 2, span.last}) {
     problem.jacobian(interval.t0 + solution.scheme->nodes[j] * interval.h, interval.values.col(j),
                      solution.parameters(), by_state, by_parameter);
     if (!by_state.allFinite()) continue;
@@ -484,31 +600,32 @@ std::pair<double, double> growth_over(const Problem& problem, const Solution& so
 /// both, as in a layer between growing and decaying solutions, each part of it that is short enough is
 /// integrated from the solution.
 Piece verify_interval(const Problem& problem, const Options& options, const Solution& solution,
-                      const Interval& interval, const VectorXd& scale) {
-  const auto [forward, backward] = growth_over(problem, solution, interval);
+                      const Interval& interval, const Span& span, const VectorXd& scale) {
+  const auto [forward, backward] = growth_over(problem, solution, interval, span);
   constexpr double growth = 4;  // exponent of a part
   int parts = static_cast<int>(std::clamp(std::ceil(std::min(forward, backward) / growth), 1., 1000.));
   // At the end of a phase f is the limit from the left.
-  const double last = interval.t0 + interval.h;
-  const double end = problem.phases() > 1 ? std::nextafter(last, interval.t0) : last;
+  const double end = problem.phases() > 1 ? std::nextafter(span.end, span.begin) : span.end;
   Piece worst;
   for (int attempt = 0; attempt < 2; ++attempt, parts *= 8) {
     worst = {};
+    const auto time = [&](int k) {
+      return k == parts ? end : span.begin + (span.end - span.begin) * k / parts;
+    };
     const auto state = [&](int i) -> VectorXd {
-      return i == 0       ? VectorXd(interval.values.col(0))
-             : i == parts ? VectorXd(interval.values.rightCols(1))
-                          : solution.at(interval.t0 + interval.h * i / parts);
+      return i == 0       ? VectorXd(interval.values.col(span.first))
+             : i == parts ? VectorXd(interval.values.col(span.last))
+                          : solution.at(time(i));
     };
     for (int i = 0; i < parts && worst.error <= options.verification_tolerance; ++i) {
       const int a = backward < forward ? i + 1 : i, b = backward < forward ? i : i + 1;
-      const auto time = [&](int k) { return k == parts ? end : interval.t0 + interval.h * k / parts; };
       Piece piece =
           integrate_piece(problem, solution.parameters(), {time(a), time(b)}, state(a), state(b), scale);
       if (!(piece.error <= worst.error)) worst = std::move(piece);
     }
     if (worst.error <= options.verification_tolerance) break;
   }
-  worst.reached = interval.values.rightCols(1);
+  worst.reached = interval.values.col(span.last);
   return worst;
 }
 
@@ -516,21 +633,30 @@ Piece verify_interval(const Problem& problem, const Options& options, const Solu
 
 void verify_by_integration(const Problem& problem, const Options& options, Solution& solution) {
   const auto& all = solution.unknowns.intervals;
-  VectorXd scale = VectorXd::Ones(problem.states());
-  for (const Interval& i : all) {
-    scale = scale.cwiseMax((i.values.cwiseAbs().rowwise().maxCoeff().array() + 1).matrix());
-  }
+  const VectorXd sizes = largest_values(solution.unknowns);
   VectorXd x = solution.first();
   double worst = 0, where = solution.begin();
   for (std::size_t k = 0; k < all.size(); ++k) {
     if (k > 0 && all[k].phase != all[k - 1].phase) {
       x += all[k].values.col(0) - all[k - 1].values.rightCols(1);
     }
-    const double end = k + 1 < all.size() ? all[k + 1].t0 : all[k].t0 + all[k].h;
-    const Piece piece = options.verification == Verification::pieces
-                            ? verify_interval(problem, options, solution, all[k], scale)
-                            : integrate_piece(problem, solution.parameters(), {all[k].t0, end}, x,
-                                              all[k].values.rightCols(1), scale);
+    // At singular ends from and to the nodes beside them.
+    const Scheme& scheme = *solution.scheme;
+    const Index last_node = scheme.nodes.size() - 1 - (k + 1 == all.size() ? scheme.skipped : 0);
+    if (k == 0) x = all[k].values.col(scheme.skipped);
+    const Span span{k == 0 ? scheme.skipped : 0, last_node,
+                    all[k].t0 + (k == 0 ? scheme.nodes[scheme.skipped] * all[k].h : 0),
+                    k + 1 < all.size() ? all[k + 1].t0 : all[k].t0 + scheme.nodes[last_node] * all[k].h};
+    const bool is_piece = options.verification == Verification::pieces;
+    // Errors of integration in one state have an effect on the others.
+    VectorXd scale = sizes;
+    if (solution.terms.size() > 0)
+      scale = scale.cwiseMax(10 * integration_tolerance / options.verification_tolerance *
+                             (is_piece ? all[k].h : span.end - solution.begin()) * solution.terms);
+    scale = scale.unaryExpr([](double s) { return s > 0 ? s : 1; });
+    const Piece piece = is_piece ? verify_interval(problem, options, solution, all[k], span, scale)
+                                 : integrate_piece(problem, solution.parameters(), {span.begin, span.end}, x,
+                                                   all[k].values.col(last_node), scale);
     if (!piece.status.ok()) {
       solution.integration_error = std::numeric_limits<double>::infinity();
       solution.status = failed_with(Outcome::spurious_root,
@@ -560,7 +686,8 @@ Solution solve(const Problem& problem, const Start& start, const Options& option
   }
   const Stopwatch watch;
   Solution solution;
-  solution.scheme = std::make_shared<const Scheme>(lobatto_scheme(options.nodes));
+  solution.scheme = std::make_shared<const Scheme>(
+      problem.is_singular_at_ends() ? gauss_scheme(options.nodes + 2) : lobatto_scheme(options.nodes));
   const std::vector<double> points = problem.points();
   const std::vector<double> mesh = first_mesh(points, start, options.intervals);
   solution.unknowns = on_mesh(mesh, points, *solution.scheme, problem.states());

@@ -37,7 +37,7 @@ struct Search {
   Status first;                      ///< status from the guess
 };
 
-/// Solves from a guess and then from random cubics of sizes 0.1, 1, 10, 100, 0.1, ...
+/// Solves from a guess and then from random cubics of sizes 0.1, 0.3, 0.9, ..., 218.7, 0.1, ...
 /// @param starts number of starts, the guess included
 /// @param most number of different solutions after which to stop
 [[nodiscard]] Search find_solutions(TypedProblem& problem, const Start& guess, int starts, std::size_t most,
