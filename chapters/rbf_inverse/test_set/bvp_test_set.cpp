@@ -10,6 +10,8 @@
 
 #include "chapters/rbf_inverse/control/shooting_methods.hpp"
 #include "chapters/rbf_inverse/test_set/test_set.hpp"
+#include "nlmech/scene/program/csv.hpp"
+#include "nlmech/scene/program/files.hpp"
 #include "nlmech/scene/scene.hpp"
 #include "nlmech/support/stopwatch.hpp"
 
@@ -145,6 +147,22 @@ double faster(const std::vector<Row>& rows, double Times::*digits) {
   }));
 }
 
+/// Number of problems, at their moderate values, that collocation solves to so many digits before all peers,
+/// by the stored times, which include those of SciPy's solve_bvp.
+double stored_ahead(const std::string& digits) {
+  const auto file = scene::data_folder() / "tables" / "reference" / "bvp_test_set_times.csv";
+  const std::vector<scene::CsvRecord> table = scene::parse_csv(scene::read_whole(file), file.string());
+  const auto time = [](const std::string& cell) { return cell.empty() ? HUGE_VAL : std::stod(cell); };
+  return static_cast<double>(std::ranges::count_if(test_problems(), [&](const TestProblem& test) {
+    return std::ranges::any_of(table, [&](const scene::CsvRecord& row) {
+      // problem, value, digits, collocation, multiple shooting, single shooting, solve_bvp
+      const std::vector<std::string>& c = row.cells;
+      return c[0] == fmt::format("bvpT{}", test.number) && c[2] == digits &&
+             std::stod(c[1]) == test.moderate && time(c[3]) < std::min({time(c[4]), time(c[5]), time(c[6])});
+    });
+  }));
+}
+
 void put(const std::vector<Row>& rows, scene::Show& show) {
   plot(rows, show);
   const auto ms = [](Times Row::*times, double Times::*digits) {
@@ -181,6 +199,11 @@ void put(const std::vector<Row>& rows, scene::Show& show) {
                "run times: no bound");
   show.between("problems with 9 digits before both ways of shooting", faster(rows, &Times::nine), 0, problems,
                "run times: no bound");
+  const auto all_problems = static_cast<double>(test_problems().size());
+  show.between("problems with 6 digits before all peers, stored times", stored_ahead("6"), 0, all_problems,
+               "tables/reference/bvp_test_set_times.csv");
+  show.between("problems with 9 digits before all peers, stored times", stored_ahead("9"), 0, all_problems,
+               "tables/reference/bvp_test_set_times.csv");
 }
 
 }  // namespace
