@@ -122,6 +122,7 @@ std::vector<Row> compute(bool quick) {
 
 void plot(const std::vector<Row>& rows, scene::Show& show) {
   scene::Panel& panel = show.plot("Nine digits of the test set: time by problem", "problem", "run time (ms)");
+  show.figure().columns({"curve", "problem", "time_ms"});
   panel.log_y().key("below");
   const auto curve = [&](const char* name, bool is_hard, Times Row::*times) {
     std::vector<double> x, y;
@@ -137,14 +138,6 @@ void plot(const std::vector<Row>& rows, scene::Show& show) {
   curve("collocation, smaller eps", true, &Row::collocation);
   curve("multiple shooting, CVODE", false, &Row::multiple);
   curve("single shooting, ode45", false, &Row::single);
-}
-
-/// Rows of the moderate values in which collocation needs less time than both ways of shooting.
-double faster(const std::vector<Row>& rows, double Times::*digits) {
-  return static_cast<double>(std::ranges::count_if(rows, [&](const Row& row) {
-    const double shot = std::fmin(row.multiple.*digits, row.single.*digits);
-    return !row.is_hard() && row.collocation.*digits > 0 && !(shot <= row.collocation.*digits);
-  }));
 }
 
 /// Number of problems, at their moderate values, that collocation solves to so many digits before all peers,
@@ -177,12 +170,12 @@ void put(const std::vector<Row>& rows, scene::Show& show) {
               {"outcome", &Row::outcome},
               {"digits", [](const Row& row) { return std::isnan(row.digits) ? scene::Cell() : row.digits; }},
               {"intervals", [](const Row& row) { return static_cast<double>(row.intervals); }},
-              {"6 digits, ms", ms(&Row::collocation, &Times::six)},
-              {"9 digits, ms", ms(&Row::collocation, &Times::nine)},
-              {"multiple shooting, 6 digits, ms", ms(&Row::multiple, &Times::six)},
-              {"multiple shooting, 9 digits, ms", ms(&Row::multiple, &Times::nine)},
-              {"single shooting, 6 digits, ms", ms(&Row::single, &Times::six)},
-              {"single shooting, 9 digits, ms", ms(&Row::single, &Times::nine)}});
+              {"time to 6 digits (ms)", ms(&Row::collocation, &Times::six)},
+              {"time to 9 digits (ms)", ms(&Row::collocation, &Times::nine)},
+              {"multiple shooting, 6 digits (ms)", ms(&Row::multiple, &Times::six)},
+              {"multiple shooting, 9 digits (ms)", ms(&Row::multiple, &Times::nine)},
+              {"single shooting, 6 digits (ms)", ms(&Row::single, &Times::six)},
+              {"single shooting, 9 digits (ms)", ms(&Row::single, &Times::nine)}});
   double solved = 0, least = 14;
   for (const Row& row : rows) {
     if (row.outcome != "success") continue;
@@ -194,11 +187,6 @@ void put(const std::vector<Row>& rows, scene::Show& show) {
                "problem 35 multiplies errors by 5e21 at eps = 0.01 and is refused");
   show.between("least digits of a solved case", least, 8, 14,
                "a tolerance of 1e-9; closed forms, and multiple shooting in 24 digits");
-  const double problems = all / 2;
-  show.between("problems with 6 digits before both ways of shooting", faster(rows, &Times::six), 0, problems,
-               "run times: no bound");
-  show.between("problems with 9 digits before both ways of shooting", faster(rows, &Times::nine), 0, problems,
-               "run times: no bound");
   const auto all_problems = static_cast<double>(test_problems().size());
   show.between("problems with 6 digits before all peers, stored times", stored_ahead("6"), 0, all_problems,
                "tables/reference/bvp_test_set_times.csv");
