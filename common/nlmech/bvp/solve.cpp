@@ -100,6 +100,16 @@ VectorXd weights(const VectorXd& sizes) {
   return sizes.unaryExpr([](double s) { return s > 0 ? 1 / s : 0; });
 }
 
+/// Sizes without those of states that are rounding so far and that @p step makes larger by ten digits: they
+/// have no size yet by which to compare two steps.
+Scales without_new_states(Scales scales, const Unknowns& step) {
+  const VectorXd change = largest_values(step);
+  for (Index i = 0; i < change.size(); ++i) {
+    if (change[i] > 1e10 * scales.states[i]) scales.states[i] = 0;
+  }
+  return scales;
+}
+
 /// Root mean square of the scaled components of a - fraction b.
 double length(const Unknowns& a, const Unknowns& b, double fraction, const Scales& scales) {
   double sum = 0, count = 0;
@@ -253,10 +263,12 @@ class Run {
       double theta = 2, next = damping_ / 2;
       if (system_.residual(trial_)) {
         system_.solve(simplified_);
-        simplified_length_ = length(simplified_, simplified_, 0, scales);
-        theta = simplified_length_ / update;
-        const double bend = length(simplified_, step_, 1 - damping_, scales);
-        if (bend > 0) next = std::min(next, update * damping_ * damping_ / (2 * bend));
+        const Scales known = without_new_states(scales, simplified_);
+        const double step = length(step_, step_, 0, known);
+        simplified_length_ = length(simplified_, simplified_, 0, known);
+        if (step > 0) theta = simplified_length_ / step;
+        const double bend = length(simplified_, step_, 1 - damping_, known);
+        if (bend > 0) next = std::min(next, step * damping_ * damping_ / (2 * bend));
       }
       if (theta <= 1 - damping_ / 4) break;
       // At the level of rounding the steps no longer decrease: the last iterate is the root.
