@@ -57,7 +57,8 @@ void declare(scene::Options& options, BvpOptions& typed) {
               "zeros, then random cubics, the same in each run");
   options
       .add("--starts", typed.starts,
-           "solve from so many starts, the guess and random cubics, and print every different solution, with "
+           "solve from so many starts, the guess, random cubics and multiples of a solution, and print every "
+           "different solution, with "
            "a column solution")
       .range(1, 10'000);
   options.add("--from-parameter", typed.from_parameter,

@@ -92,6 +92,11 @@ struct Scales {
     parameters =
         parameters.cwiseMax(vanishing * history.parameters).cwiseMax(least * parameter_changes(system));
   }
+  /// Without rounding errors, which are not known before the matrix of the iterate is.
+  Scales(const Unknowns& y, const History& history)
+      : states(largest_values(y).cwiseMax(vanishing * history.states)),
+        parameters(y.parameters.cwiseAbs().cwiseMax(vanishing * history.parameters)) {}
+
   VectorXd states, parameters;
 };
 
@@ -295,8 +300,7 @@ class Run {
   /// Is the simplified step within the tolerance, also relative to the new iterate if that is smaller?
   bool is_last_step() {
     if (!(simplified_length_ <= options_.newton_tolerance)) return false;
-    advance(y_, 1, simplified_, trial_);
-    const Scales scales(y_, trial_, system_, history_, options_.newton_tolerance);
+    const Scales scales(y_, history_);
     return length(simplified_, simplified_, 0, scales) <= options_.newton_tolerance;
   }
 

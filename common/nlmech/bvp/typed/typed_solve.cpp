@@ -1,6 +1,7 @@
 #include "nlmech/bvp/typed/typed_solve.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <utility>
@@ -137,6 +138,16 @@ Solution solve_infinite(TypedProblem& problem, const Start& start, double tolera
   return before;
 }
 
+/// The states of a solution times @p factor.
+Start scaled(const Solution& solution, double factor) {
+  Start start = start_from(solution);
+  start.states = [states = start.states, factor](double t, VectorXd& x) {
+    states(t, x);
+    x *= factor;
+  };
+  return start;
+}
+
 bool is_known(const std::vector<FoundSolution>& known, const Solution& solution) {
   constexpr double same = 1e-5;
   return std::ranges::any_of(known, [&](const FoundSolution& other) {
@@ -158,10 +169,15 @@ Solution solve_typed(TypedProblem& problem, const Start& start, double tolerance
 Search find_solutions(TypedProblem& problem, const Start& guess, int starts, std::size_t most,
                       double tolerance) {
   constexpr int sizes = 8;
+  constexpr std::array factors = {-1., 3., 10., 30., -3., -10., 100., -30., 300.};
   Search search;
   for (int k = 0; k < starts && search.found.size() < most; ++k) {
     const double size = k == 0 ? 0 : 0.1 * std::pow(3, (k - 1) % sizes);
-    const Start start = k == 0 ? guess : problem.random_guess(size, static_cast<unsigned>(k));
+    const bool scales = k > 0 && k % 2 == 0 && !search.found.empty();
+    const Start start = k == 0   ? guess
+                        : scales ? scaled(search.found.front().solution,
+                                          factors[static_cast<std::size_t>(k / 2 - 1) % factors.size()])
+                                 : problem.random_guess(size, static_cast<unsigned>(k));
     Solution solution = solve_typed(problem, start, tolerance);
     if (k == 0) search.first = solution.status;
     if (solution.status.ok() && !is_known(search.found, solution))
