@@ -81,6 +81,8 @@ if(NLMECH_CHAPTERS_SELECTED)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/chapters/homotopy/frames DESTINATION ${data_dir}/chapters/homotopy)
   install(FILES ${PROJECT_SOURCE_DIR}/tables/reference/problem_set.csv
                 ${PROJECT_SOURCE_DIR}/tables/reference/problem_set_conditions.csv
-                ${PROJECT_SOURCE_DIR}/tables/reference/method_times.csv DESTINATION ${data_dir}/tables/reference)
+                ${PROJECT_SOURCE_DIR}/tables/reference/method_times.csv
+                ${PROJECT_SOURCE_DIR}/tables/reference/bvp_test_set.csv
+                ${PROJECT_SOURCE_DIR}/tables/reference/bvp_test_set_times.csv DESTINATION ${data_dir}/tables/reference)
   install(FILES ${PROJECT_SOURCE_DIR}/tables/places.csv DESTINATION ${data_dir}/tables)
 endif()

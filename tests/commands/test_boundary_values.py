@@ -44,9 +44,58 @@ def test_linear_problems_with_known_solutions(seed):
     def x(t):
         return p * math.sin(q * t + r)
 
-    text = run(program("rbf_inverse"), "bvp", "--equation", f"x'' = {g!r} x - {(q * q + g) * p!r} sin({q!r} t + {r!r})", "--begin",
-               f"x - {c!r} x' = {x(0) - c * p * q * math.cos(r)!r}", "--end", f"x = {x(until)!r}", "--until", repr(until)).stdout
+    text = run(program("rbf_inverse"), "bvp", "--equation", f"x'' = {g!r} x - {(q * q + g) * p!r} sin({q!r} t + {r!r})",
+               "--conditions", f"x(0) - {c!r} x'(0) = {x(0) - c * p * q * math.cos(r)!r}, x({until!r}) = {x(until)!r}").stdout
     rows = list(csv.DictReader(text.splitlines()))
     assert len(rows) > 2
     for row in rows:
         assert abs(float(row["x"]) - x(float(row["t"]))) <= 1e-9 * (1 + p * q * q) * (1 + until * until)
+
+
+def transfer_guess(end, turned, share, time):
+    """Levi-Civita's variables move harmonically: through (1, 0) and `end` with the phase pi (turned + share), scaled to the time."""
+    phase = math.pi * (turned + share)
+    sines = [(math.sin(phase * (1 - q)) / math.sin(phase), math.sin(phase * q) / math.sin(phase)) for q in [(i + 0.5) / 400 for i in range(400)]]
+    length = time / (sum((a + b * end[0]) ** 2 + (b * end[1]) ** 2 for a, b in sines) / 400)
+    w, s = phase / length, math.sin(phase)
+    return (f"u = (sin({phase!r} - {w!r} t) + {end[0]!r} sin({w!r} t))/({s!r}), v = {end[1]!r} sin({w!r} t)/({s!r}), "
+            f"clock = {time!r} t/{length!r}, h = {-2 * w * w!r}, S = {length!r}")
+
+
+def collocated_transfers(radius, angle, time, revolutions):
+    """Velocities at (1, 0) of all orbits to the radius and angle found by collocation. With x + i y = (u + i v)^2 and dt = r ds Kepler's
+    equations are u'' = h u/2, without the singularity of the centre; the energy h and the length S in s are unknown."""
+    found = []
+    for direction in (1, -1):
+        swept = angle if direction > 0 else angle - 2 * math.pi
+        for k in range(revolutions + 1):
+            half = (swept + direction * 2 * math.pi * k) / 2
+            end = math.sqrt(radius) * math.cos(half), math.sqrt(radius) * math.sin(half)
+            for share in (0.1, 0.25, 0.4, 0.6, 0.75, 0.9):
+                done = run(program("rbf_inverse"), "bvp", "--equation", "u'' = h u/2; v'' = h v/2; clock' = u^2 + v^2", "--unknown", "h, S",
+                           "--until", "S", "--guess", transfer_guess(end, k, share, time), "--conditions",
+                           f"u(0) = 1; v(0) = 0; clock(0) = 0; u(S) = {end[0]!r}; v(S) = {end[1]!r}; clock(S) = {time!r}; "
+                           "h (u(0)^2 + v(0)^2) = 2 (u'(0)^2 + v'(0)^2) - 1", code=None)
+                if done.returncode == 0:
+                    first = next(csv.DictReader(done.stdout.splitlines()))
+                    found.append((2 * float(first["u'"]), 2 * float(first["v'"])))
+    return found
+
+
+@pytest.mark.parametrize("radius, angle, time", [(1.5, math.pi / 2, 26), (0.7, 2.5, 17), (2.2, 1, 60)])
+def test_transfers_of_up_to_three_revolutions(radius, angle, time):
+    """Every arc of `lambert`, a closed form, is found from starts that nobody typed, and nothing else."""
+    end = f"{radius * math.cos(angle)!r},{radius * math.sin(angle)!r},0"
+    known = []
+    for way in ([], ["--long-way"]):
+        for k in range(4):
+            for branch in [[]] if k == 0 else [["--branch", "low"], ["--branch", "high"]]:
+                done = run(program("rbf_inverse"), "lambert", "--from", "1,0,0", "--to", end, "--time", repr(time), "--mu", "1",
+                           "--revolutions", str(k), *branch, *way, code=None)
+                if done.returncode == 0:
+                    row = next(csv.DictReader(done.stdout.splitlines()))
+                    known.append((float(row["vx0"]), float(row["vy0"])))
+    found = collocated_transfers(radius, angle, time, 3)
+    assert len(known) >= 8
+    assert all(any(math.dist(a, b) < 1e-6 for b in found) for a in known)
+    assert all(any(math.dist(a, b) < 1e-6 for a in known) for b in found)

@@ -1,5 +1,6 @@
 #include "nlmech/bvp/solve.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -27,25 +28,97 @@ void check_options(const Options& o) {
   require(o.verification_tolerance > 0, "verification_tolerance", o.verification_tolerance);
 }
 
+constexpr double integration_tolerance = 1e-13;         // of integrations that verify a solution
 constexpr int most_meshes = 20, most_iterations = 100;  // most_iterations: Newton iterations per mesh
 constexpr double least_damping = 1e-6;                  // a smaller damping factor ends with newton_diverged
 
-/// 1 + max |x_i| over the mesh, and 1 + |p_i|.
-struct Scales {
-  explicit Scales(const Unknowns& y)
-      : states(VectorXd::Ones(y.intervals.front().values.rows())),
-        parameters(y.parameters.cwiseAbs().array() + 1) {
-    for (const Interval& i : y.intervals) {
-      states = states.cwiseMax((i.values.cwiseAbs().rowwise().maxCoeff().array() + 1).matrix());
-    }
+constexpr double unit_roundoff = std::numeric_limits<double>::epsilon() / 2;
+/// Errors of rounding are below this, relative to the sum of all terms.
+constexpr double rounding = 200 * unit_roundoff;
+/// Unknowns below this share of their largest size in an iteration tend to 0.
+constexpr double vanishing = 1e-12;
+
+/// max |x_i| over the mesh.
+VectorXd largest_values(const Unknowns& y) {
+  VectorXd largest = VectorXd::Zero(y.intervals.front().values.rows());
+  for (const Interval& i : y.intervals) largest = largest.cwiseMax(i.values.cwiseAbs().rowwise().maxCoeff());
+  return largest;
+}
+
+/// Largest sizes in an iteration from its start on.
+struct History {
+  VectorXd states, parameters, terms, condition_terms;
+
+  void add(const Unknowns& y, const NewtonSystem& system) {
+    const auto update = [](VectorXd& largest, const VectorXd& now) {
+      if (largest.size() == 0)
+        largest = now;
+      else
+        largest = largest.cwiseMax(now);
+    };
+    update(states, largest_values(y));
+    update(parameters, y.parameters.cwiseAbs());
+    update(terms, system.terms());
+    update(condition_terms, system.condition_terms());
   }
+};
+
+/// Change of each parameter that changes an equation or a condition by the size of its terms.
+VectorXd parameter_changes(const NewtonSystem& system) {
+  const Eigen::MatrixXd& influence = system.influence();
+  VectorXd terms(influence.rows());
+  terms << system.terms(), system.condition_terms();
+  VectorXd changes = VectorXd::Zero(influence.cols());
+  for (Index j = 0; j < influence.cols(); ++j) {
+    double least = std::numeric_limits<double>::infinity();
+    for (Index i = 0; i < influence.rows(); ++i) {
+      if (influence(i, j) > 0) least = std::min(least, terms[i] / influence(i, j));
+    }
+    if (std::isfinite(least)) changes[j] = least;
+  }
+  return changes;
+}
+
+/// Sizes by which updates are measured: max |x_i| over the mesh and |p_j|, of the iterate or of the next one,
+/// but not less than the rounding errors of their equations.
+struct Scales {
+  Scales(const Unknowns& y, const Unknowns& next, const NewtonSystem& system, const History& history,
+         double tolerance)
+      : states(largest_values(y).cwiseMax(largest_values(next))),
+        parameters(y.parameters.cwiseAbs().cwiseMax(next.parameters.cwiseAbs())) {
+    const double least = rounding / tolerance,
+                 span = y.intervals.back().t0 + y.intervals.back().h - y.intervals.front().t0;
+    states = states.cwiseMax(vanishing * history.states).cwiseMax(least * span * system.terms());
+    parameters =
+        parameters.cwiseMax(vanishing * history.parameters).cwiseMax(least * parameter_changes(system));
+  }
+  /// Without rounding errors, which are not known before the matrix of the iterate is.
+  Scales(const Unknowns& y, const History& history)
+      : states(largest_values(y).cwiseMax(vanishing * history.states)),
+        parameters(y.parameters.cwiseAbs().cwiseMax(vanishing * history.parameters)) {}
+
   VectorXd states, parameters;
 };
+
+/// 1 / s_i, and 0 for a size of 0, which only an unknown that is 0 throughout has.
+VectorXd weights(const VectorXd& sizes) {
+  return sizes.unaryExpr([](double s) { return s > 0 ? 1 / s : 0; });
+}
+
+/// Sizes without those of states that are rounding so far and that @p step makes larger by ten digits: they
+/// have no size yet by which to compare two steps.
+Scales without_new_states(Scales scales, const Unknowns& step) {
+  const VectorXd change = largest_values(step);
+  for (Index i = 0; i < change.size(); ++i) {
+    if (change[i] > 1e10 * scales.states[i]) scales.states[i] = 0;
+  }
+  return scales;
+}
 
 /// Root mean square of the scaled components of a - fraction b.
 double length(const Unknowns& a, const Unknowns& b, double fraction, const Scales& scales) {
   double sum = 0, count = 0;
-  const VectorXd weight = scales.states.cwiseInverse();
+  const VectorXd weight = weights(scales.states);
   for (std::size_t k = 0; k < a.intervals.size(); ++k) {
     const auto difference = a.intervals[k].values - fraction * b.intervals[k].values;
     sum += (weight.asDiagonal() * difference).squaredNorm();
@@ -53,7 +126,7 @@ double length(const Unknowns& a, const Unknowns& b, double fraction, const Scale
   }
   if (a.parameters.size() > 0) {
     // The parameters have the weight of all states together: they may be as important as a trajectory.
-    const VectorXd part = (a.parameters - fraction * b.parameters).cwiseQuotient(scales.parameters);
+    const VectorXd part = (a.parameters - fraction * b.parameters).cwiseProduct(weights(scales.parameters));
     sum += part.squaredNorm() / static_cast<double>(part.size()) * count;
     count += count;
   }
@@ -87,13 +160,6 @@ Status singular(const NewtonSystem& system, Index conditions, int iteration) {
       system.pivot_ratio(), iteration);
 }
 
-Status diverged(int iteration, double damping, double update) {
-  return failed_with(Outcome::newton_diverged,
-                     "bvp: at iteration {} Newton's step is not admissible even shortened to {:.2g} of its "
-                     "length {:.3g}; start elsewhere",
-                     iteration, damping, update);
-}
-
 Status not_finite(int iteration) {
   return failed_with(
       Outcome::non_finite,
@@ -101,13 +167,50 @@ Status not_finite(int iteration) {
       iteration);
 }
 
+/// Names the unknown that nothing determines at the result, if there is one.
+Status check_determined(const Problem& problem, NewtonSystem& system, Unknowns& y, const History& history) {
+  if (!system.residual(y) || !system.factorise(y)) return not_finite(0);
+  const int n = problem.states();
+  const Eigen::MatrixXd& influence = system.influence();
+  VectorXd terms(influence.rows());
+  terms << history.terms, history.condition_terms;
+  for (Index j = 0; j < influence.cols(); ++j) {
+    // The largest effect of the parameter, relative to what its equations were in the iteration.
+    const VectorXd effect = (influence.col(j) * history.parameters[j]).cwiseProduct(weights(terms));
+    if (effect.maxCoeff() > 1e-3 * unit_roundoff) continue;
+    const bool rests = (largest_values(y).array() <= vanishing * history.states.array()).all();
+    return failed_with(Outcome::singular_matrix,
+                       "bvp: nothing determines {}: at the result{} neither the equations nor the conditions "
+                       "depend on it; change the conditions, or start elsewhere",
+                       problem.unknown_name(n + static_cast<int>(j)),
+                       rests ? ", where all states are 0," : "");
+  }
+  if (system.pivot_ratio() > 1e-13) return {};
+  VectorXd sizes(n + y.parameters.size());
+  sizes << largest_values(y), y.parameters.cwiseAbs();
+  return failed_with(Outcome::singular_matrix,
+                     "bvp: nothing determines {}: Newton's matrix is singular at the result (pivots 1 to "
+                     "{:.2g}), so that there are other solutions near it; change the conditions, or start "
+                     "elsewhere",
+                     problem.unknown_name(static_cast<int>(system.loosest_unknown(sizes))),
+                     system.pivot_ratio());
+}
+
+Status diverged(int iteration, double damping, double update) {
+  return failed_with(Outcome::newton_diverged,
+                     "bvp: at iteration {} Newton's step is not admissible even shortened to {:.2g} of its "
+                     "length {:.3g}; start elsewhere",
+                     iteration, damping, update);
+}
+
 /// Damped Newton iteration on one mesh.
 class Run {
  public:
-  Run(NewtonSystem& system, Unknowns& y, const Options& options, Statistics& statistics)
+  Run(NewtonSystem& system, Unknowns& y, const Options& options, History& history, Statistics& statistics)
       : system_(system),
         y_(y),
         options_(options),
+        history_(history),
         statistics_(statistics),
         step_(y),
         simplified_(y),
@@ -123,7 +226,9 @@ class Run {
       pivot_ratio = system_.pivot_ratio();
       if (!(pivot_ratio > 1e-13)) return singular(system_, conditions, k);
       system_.solve(step_);
-      const Scales scales(y_);
+      history_.add(y_, system_);
+      advance(y_, 1, step_, trial_);
+      const Scales scales(y_, trial_, system_, history_, options_.newton_tolerance);
       const double update = length(step_, step_, 0, scales);
       if (!std::isfinite(update)) return singular(system_, conditions, k);
       if (update <= options_.newton_tolerance) return finish();
@@ -163,13 +268,19 @@ class Run {
       double theta = 2, next = damping_ / 2;
       if (system_.residual(trial_)) {
         system_.solve(simplified_);
-        simplified_length_ = length(simplified_, simplified_, 0, scales);
-        theta = simplified_length_ / update;
-        const double bend = length(simplified_, step_, 1 - damping_, scales);
-        if (bend > 0) next = std::min(next, update * damping_ * damping_ / (2 * bend));
+        const Scales known = without_new_states(scales, simplified_);
+        const double step = length(step_, step_, 0, known);
+        simplified_length_ = length(simplified_, simplified_, 0, known);
+        if (step > 0) theta = simplified_length_ / step;
+        const double bend = length(simplified_, step_, 1 - damping_, known);
+        if (bend > 0) next = std::min(next, step * damping_ * damping_ / (2 * bend));
       }
       if (theta <= 1 - damping_ / 4) break;
-      // At the level of rounding the steps no longer decrease.
+      // At the level of rounding the steps no longer decrease: the last iterate is the root.
+      if (update <= 10 * options_.newton_tolerance && damping_ == 1) {
+        done_ = true;
+        return system_.residual(y_) ? Status() : not_finite(k);
+      }
       if (update <= 100 * options_.newton_tolerance && damping_ == 1 && theta < 2) break;
       ++statistics_.rejected;
       if (damping_ <= least_damping) return diverged(k, damping_, update);
@@ -178,7 +289,7 @@ class Run {
     std::swap(y_.intervals, trial_.intervals);
     std::swap(y_.parameters, trial_.parameters);
     before_ = update;
-    if (damping_ == 1 && simplified_length_ <= options_.newton_tolerance) {
+    if (damping_ == 1 && is_last_step()) {
       advance(y_, 1, simplified_, y_);
       done_ = true;
       if (!system_.residual(y_)) return not_finite(k);
@@ -186,9 +297,17 @@ class Run {
     return {};
   }
 
+  /// Is the simplified step within the tolerance, also relative to the new iterate if that is smaller?
+  bool is_last_step() {
+    if (!(simplified_length_ <= options_.newton_tolerance)) return false;
+    const Scales scales(y_, history_);
+    return length(simplified_, simplified_, 0, scales) <= options_.newton_tolerance;
+  }
+
   NewtonSystem& system_;
   Unknowns& y_;
   const Options& options_;
+  History& history_;
   Statistics& statistics_;
   Unknowns step_, simplified_, trial_;
   double damping_ = 1, before_ = 0, simplified_length_ = 0;
@@ -196,10 +315,10 @@ class Run {
 };
 
 /// Newton's iteration from @p y, which is replaced by the root or the last iterate.
-Status iterate(NewtonSystem& system, Unknowns& y, const Options& options, Statistics& statistics,
-               double& pivot_ratio) {
+Status iterate(NewtonSystem& system, Unknowns& y, const Options& options, History& history,
+               Statistics& statistics, double& pivot_ratio) {
   const auto before = system.evaluations();
-  Run run(system, y, options, statistics);
+  Run run(system, y, options, history, statistics);
   const Index phases = y.intervals.back().phase + 1;
   const Index conditions = y.intervals.front().values.rows() * phases + y.parameters.size();
   Status status = run.run(conditions, pivot_ratio);
@@ -276,14 +395,14 @@ Unknowns transfer(const Solution& old, const std::vector<double>& mesh, const st
   return y;
 }
 
-/// max |u' - f(t, u)| / (1 + max |f|) between the nodes, for each interval.
-std::vector<double> residuals(const Problem& problem, const Solution& solution) {
+/// Solution::residual for each interval. Outside a layer, whose slopes are far larger, the effect of a
+/// residual on the states counts.
+std::vector<double> residuals(const Problem& problem, const Solution& solution, double tolerance) {
   const auto& all = solution.unknowns.intervals;
   const Scheme& s = *solution.scheme;
-  VectorXd scale = VectorXd::Ones(problem.states()), f(problem.states()), u(problem.states());
-  for (const Interval& i : all) {
-    scale = scale.cwiseMax((i.slopes.cwiseAbs().rowwise().maxCoeff().array() + 1).matrix());
-  }
+  const VectorXd least = rounding / tolerance * solution.terms, size = largest_values(solution.unknowns);
+  VectorXd f(problem.states()), u(problem.states()), slope = VectorXd::Zero(problem.states());
+  for (const Interval& i : all) slope = slope.cwiseMax(i.slopes.cwiseAbs().rowwise().maxCoeff());
   std::vector<double> result;
   for (const Interval& i : all) {
     const MatrixXd at = (i.h * (i.slopes * s.probe_slope.transpose())).colwise() + i.values.col(0);
@@ -292,12 +411,37 @@ std::vector<double> residuals(const Problem& problem, const Solution& solution) 
     for (Index j = 0; j < s.probes.size(); ++j) {
       u = at.col(j);
       problem.rhs(i.t0 + s.probes[j] * i.h, u, solution.parameters(), f);
-      const double part = (dot.col(j) - f).cwiseQuotient(scale).lpNorm<Eigen::Infinity>();
+      const VectorXd scale = slope.cwiseMin(size / i.h).cwiseMax(least);
+      const double part = (dot.col(j) - f).cwiseProduct(weights(scale)).lpNorm<Eigen::Infinity>();
       largest = part <= largest ? largest : part;  // keeps a NaN
     }
     result.push_back(largest);
   }
   return result;
+}
+
+/// Whether a small relative change of the states explains the residual of an interval: a hundredth of the
+/// tolerance or 1024 roundings, in each component of |df/dx| |x|. Where f is a difference of large terms, as
+/// in stiff equations, the residual of the exact solution, rounded, is no smaller.
+bool is_change_of_states(const Problem& problem, const Solution& solution, const Interval& interval,
+                         double tolerance) {
+  const double change = std::max(1e-2 * tolerance, 1024 * std::numeric_limits<double>::epsilon());
+  const Scheme& s = *solution.scheme;
+  const Index n = problem.states();
+  MatrixXd by_state(n, n), by_parameter(n, problem.parameters());
+  const MatrixXd at =
+      (interval.h * (interval.slopes * s.probe_slope.transpose())).colwise() + interval.values.col(0);
+  const MatrixXd dot = interval.slopes * s.probe_slope_dot.transpose();
+  VectorXd f(n), u(n);
+  for (Index j = 0; j < s.probes.size(); ++j) {
+    u = at.col(j);
+    const double t = interval.t0 + s.probes[j] * interval.h;
+    problem.rhs(t, u, solution.parameters(), f);
+    problem.jacobian(t, u, solution.parameters(), by_state, by_parameter);
+    const VectorXd level = by_state.cwiseAbs() * interval.values.cwiseAbs().rowwise().maxCoeff();
+    if (!((dot.col(j) - f).cwiseAbs().array() <= change * level.array()).all()) return false;
+  }
+  return true;
 }
 
 /// Next mesh: divides or joins intervals by their residuals.
@@ -334,14 +478,23 @@ Status mesh_limit(const Options& options, const Solution& solution) {
 /// Solves on successively refined meshes.
 Status refine(const Problem& problem, const Options& options, Solution& solution) {
   const std::vector<double> points = problem.points();
+  History history;
   for (int k = 1;; ++k) {
     NewtonSystem system(problem, *solution.scheme);
-    Status status = iterate(system, solution.unknowns, options, solution.statistics, solution.pivot_ratio);
+    Status status =
+        iterate(system, solution.unknowns, options, history, solution.statistics, solution.pivot_ratio);
     ++solution.statistics.steps;
     if (!status.ok()) return status;
-    const std::vector<double> residual = residuals(problem, solution);
+    solution.terms = system.terms().cwiseMax(vanishing * history.terms);
+    std::vector<double> residual = residuals(problem, solution, options.tolerance);
     solution.residual = *std::max_element(residual.begin(), residual.end());
-    if (solution.residual <= options.tolerance || !options.refine) return {};
+    for (std::size_t i = 0; i < residual.size(); ++i) {
+      if (residual[i] > options.tolerance &&
+          is_change_of_states(problem, solution, solution.unknowns.intervals[i], options.tolerance))
+        residual[i] = options.tolerance;
+    }
+    if (std::ranges::all_of(residual, [&](double r) { return r <= options.tolerance; }) || !options.refine)
+      return check_determined(problem, system, solution.unknowns, history);
     const std::vector<double> mesh = next_mesh(solution, residual, options.tolerance);
     if (k == most_meshes || static_cast<int>(mesh.size()) - 1 > options.most_intervals) {
       return mesh_limit(options, solution);
@@ -358,37 +511,43 @@ Status spurious(double t, double error, const Options& options) {
                      error, t, options.verification_tolerance);
 }
 
-/// Right-hand side for the integrators, with fixed parameters.
+/// Right-hand side for the integrators, with fixed parameters and states in units of `scale`.
 struct WithParameters {
   static constexpr int dimension = Eigen::Dynamic;
   const Problem* problem;
-  Eigen::VectorXd parameters;
+  Eigen::VectorXd parameters, scale;
 
   [[nodiscard]] int size() const { return problem->states(); }
   void operator()(const double& t, const Eigen::VectorXd& x, Eigen::VectorXd& dxdt) const {
-    problem->rhs(t, x, parameters, dxdt);
+    problem->rhs(t, scale.cwiseProduct(x), parameters, dxdt);
+    dxdt = dxdt.cwiseQuotient(scale);
   }
   void jacobian(double t, const Eigen::VectorXd& x, Eigen::MatrixXd& j) const {
     Eigen::MatrixXd by_parameter(size(), problem->parameters());
-    problem->jacobian(t, x, parameters, j, by_parameter);
+    problem->jacobian(t, scale.cwiseProduct(x), parameters, j, by_parameter);
+    j = scale.cwiseInverse().asDiagonal() * j * scale.asDiagonal();
   }
 };
 
 }  // namespace
 
-Integration integrate_at(const Problem& problem, const Eigen::VectorXd& x0, const Eigen::VectorXd& p,
-                         std::span<const double> times) {
+namespace {
+
+/// integrate_at() with states in units of @p scale.
+Integration integrate_scaled(const Problem& problem, const Eigen::VectorXd& x0, const Eigen::VectorXd& p,
+                             std::span<const double> times, const Eigen::VectorXd& scale) {
   if (x0.size() != problem.states() || p.size() != problem.parameters()) {
     throw invalid_argument("integrate_at: {} states and {} parameters for a problem of {} and {}", x0.size(),
                            p.size(), problem.states(), problem.parameters());
   }
-  const ivp::System system(WithParameters{&problem, p});
-  const ivp::AdaptiveCollocation method{.relative_tolerance = 1e-13, .absolute_tolerance = 1e-13};
+  const ivp::System system(WithParameters{&problem, p, scale});
+  const ivp::AdaptiveCollocation method{.relative_tolerance = integration_tolerance,
+                                        .absolute_tolerance = integration_tolerance};
   // A trajectory that needs more steps between two times cannot have been resolved by the mesh.
   const ivp::Limits limits{.steps = 20'000};
   Integration result;
   result.states.resize(x0.size(), static_cast<Eigen::Index>(times.size()));
-  Eigen::VectorXd x = x0;
+  Eigen::VectorXd x = x0.cwiseQuotient(scale);
   for (std::size_t k = 0; k < times.size(); ++k) {
     if (k > 0) {
       const auto arc = ivp::integrate(system, x, times[k - 1], times[k], method, {}, limits);
@@ -400,42 +559,132 @@ Integration integrate_at(const Problem& problem, const Eigen::VectorXd& x0, cons
       }
       x = arc.x;
     }
-    result.states.col(static_cast<Eigen::Index>(k)) = x;
+    result.states.col(static_cast<Eigen::Index>(k)) = scale.cwiseProduct(x);
   }
   return result;
 }
 
+}  // namespace
+
+Integration integrate_at(const Problem& problem, const Eigen::VectorXd& x0, const Eigen::VectorXd& p,
+                         std::span<const double> times) {
+  return integrate_scaled(problem, x0, p, times, VectorXd::Ones(x0.size()));
+}
+
+namespace {
+
+/// Integration over one piece.
+struct Piece {
+  Status status;          ///< of the integrator
+  double error = 0;       ///< deviation from the solution at the other end, relative to the scale
+  double where = 0;       ///< time of that end
+  VectorXd reached = {};  ///< integrated state there
+};
+
+Piece integrate_piece(const Problem& problem, const VectorXd& p, const std::vector<double>& times,
+                      const VectorXd& from, const VectorXd& to, const VectorXd& scale) {
+  const Integration arc = integrate_scaled(problem, from, p, times, scale);
+  if (!arc.status.ok()) return {arc.status, std::numeric_limits<double>::infinity(), times.back()};
+  const VectorXd end = arc.states.col(1);
+  return {arc.status, (end - to).cwiseQuotient(scale).lpNorm<Eigen::Infinity>(), times.back(), end};
+}
+
+/// Nodes between which an interval is verified, and their times.
+struct Span {
+  Index first, last;
+  double begin, end;
+};
+
+/// Exponents by which adjacent trajectories part over an interval, forwards and backwards: real parts of
+/// eigenvalues of df/dx at three nodes.
+std::pair<double, double> growth_over(const Problem& problem, const Solution& solution,
+                                      const Interval& interval, const Span& span) {
+  MatrixXd by_state(problem.states(), problem.states()), by_parameter(problem.states(), problem.parameters());
+  double forward = 0, backward = 0;
+  for (const Index j : {span.first, (span.first + span.last) / 2, span.last}) {
+    problem.jacobian(interval.t0 + solution.scheme->nodes[j] * interval.h, interval.values.col(j),
+                     solution.parameters(), by_state, by_parameter);
+    if (!by_state.allFinite()) continue;
+    const VectorXd rates = by_state.eigenvalues().real();
+    forward = std::max(forward, rates.maxCoeff() * interval.h);
+    backward = std::max(backward, -rates.minCoeff() * interval.h);
+  }
+  return {forward, backward};
+}
+
+/// Integrates over an interval in the direction in which adjacent trajectories part less. Where they part in
+/// both, as in a layer between growing and decaying solutions, each part of it that is short enough is
+/// integrated from the solution.
+Piece verify_interval(const Problem& problem, const Options& options, const Solution& solution,
+                      const Interval& interval, const Span& span, const VectorXd& scale) {
+  const auto [forward, backward] = growth_over(problem, solution, interval, span);
+  constexpr double growth = 4;  // exponent of a part
+  int parts = static_cast<int>(std::clamp(std::ceil(std::min(forward, backward) / growth), 1., 1000.));
+  // At the end of a phase f is the limit from the left.
+  const double end = problem.phases() > 1 ? std::nextafter(span.end, span.begin) : span.end;
+  Piece worst;
+  for (int attempt = 0; attempt < 2; ++attempt, parts *= 8) {
+    worst = {};
+    const auto time = [&](int k) {
+      return k == parts ? end : span.begin + (span.end - span.begin) * k / parts;
+    };
+    const auto state = [&](int i) -> VectorXd {
+      return i == 0       ? VectorXd(interval.values.col(span.first))
+             : i == parts ? VectorXd(interval.values.col(span.last))
+                          : solution.at(time(i));
+    };
+    for (int i = 0; i < parts && worst.error <= options.verification_tolerance; ++i) {
+      const int a = backward < forward ? i + 1 : i, b = backward < forward ? i : i + 1;
+      Piece piece =
+          integrate_piece(problem, solution.parameters(), {time(a), time(b)}, state(a), state(b), scale);
+      if (!(piece.error <= worst.error)) worst = std::move(piece);
+    }
+    if (worst.error <= options.verification_tolerance) break;
+  }
+  worst.reached = interval.values.col(span.last);
+  return worst;
+}
+
+}  // namespace
+
 void verify_by_integration(const Problem& problem, const Options& options, Solution& solution) {
   const auto& all = solution.unknowns.intervals;
-  VectorXd scale = VectorXd::Ones(problem.states());
-  for (const Interval& i : all) {
-    scale = scale.cwiseMax((i.values.cwiseAbs().rowwise().maxCoeff().array() + 1).matrix());
-  }
+  const VectorXd sizes = largest_values(solution.unknowns);
   VectorXd x = solution.first();
   double worst = 0, where = solution.begin();
   for (std::size_t k = 0; k < all.size(); ++k) {
-    if (options.verification == Verification::pieces) {
-      x = all[k].values.col(0);
-    } else if (k > 0 && all[k].phase != all[k - 1].phase) {
+    if (k > 0 && all[k].phase != all[k - 1].phase) {
       x += all[k].values.col(0) - all[k - 1].values.rightCols(1);
     }
-    const double end = k + 1 < all.size() ? all[k + 1].t0 : all[k].t0 + all[k].h;
-    const std::vector<double> times{all[k].t0, end};
-    const Integration arc = integrate_at(problem, x, solution.parameters(), times);
-    if (!arc.status.ok()) {
+    // At singular ends from and to the nodes beside them.
+    const Scheme& scheme = *solution.scheme;
+    const Index last_node = scheme.nodes.size() - 1 - (k + 1 == all.size() ? scheme.skipped : 0);
+    if (k == 0) x = all[k].values.col(scheme.skipped);
+    const Span span{k == 0 ? scheme.skipped : 0, last_node,
+                    all[k].t0 + (k == 0 ? scheme.nodes[scheme.skipped] * all[k].h : 0),
+                    k + 1 < all.size() ? all[k + 1].t0 : all[k].t0 + scheme.nodes[last_node] * all[k].h};
+    const bool is_piece = options.verification == Verification::pieces;
+    // Errors of integration in one state have an effect on the others.
+    VectorXd scale = sizes;
+    if (solution.terms.size() > 0)
+      scale = scale.cwiseMax(10 * integration_tolerance / options.verification_tolerance *
+                             (is_piece ? all[k].h : span.end - solution.begin()) * solution.terms);
+    scale = scale.unaryExpr([](double s) { return s > 0 ? s : 1; });
+    const Piece piece = is_piece ? verify_interval(problem, options, solution, all[k], span, scale)
+                                 : integrate_piece(problem, solution.parameters(), {span.begin, span.end}, x,
+                                                   all[k].values.col(last_node), scale);
+    if (!piece.status.ok()) {
       solution.integration_error = std::numeric_limits<double>::infinity();
       solution.status = failed_with(Outcome::spurious_root,
                                     "bvp: the root cannot be integrated from its own initial values ({}); "
                                     "refine the mesh, or start elsewhere",
-                                    arc.status.sentence());
+                                    piece.status.sentence());
       return;
     }
-    x = arc.states.col(1);
-    const VectorXd difference = x - all[k].values.rightCols(1);
-    const double error = difference.cwiseQuotient(scale).lpNorm<Eigen::Infinity>();
-    if (!(error <= worst)) {
-      worst = error;
-      where = end;
+    x = piece.reached;
+    if (!(piece.error <= worst)) {
+      worst = piece.error;
+      where = piece.where;
     }
   }
   solution.integration_error = worst;
@@ -453,7 +702,8 @@ Solution solve(const Problem& problem, const Start& start, const Options& option
   }
   const Stopwatch watch;
   Solution solution;
-  solution.scheme = std::make_shared<const Scheme>(lobatto_scheme(options.nodes));
+  solution.scheme = std::make_shared<const Scheme>(
+      problem.is_singular_at_ends() ? gauss_scheme(options.nodes + 2) : lobatto_scheme(options.nodes));
   const std::vector<double> points = problem.points();
   const std::vector<double> mesh = first_mesh(points, start, options.intervals);
   solution.unknowns = on_mesh(mesh, points, *solution.scheme, problem.states());

@@ -22,6 +22,10 @@ struct ProblemText {
 /// All library problems in alphabetical order.
 [[nodiscard]] std::span<const ProblemText> problem_texts();
 
+/// The boundary value problems of Mazzia and Cash's test set, `bvpT1` to `bvpT35`: equations, a parameter and
+/// conditions, for bvp::read_problem(). `tables/reference/bvp_test_set.csv` has values of their solutions.
+[[nodiscard]] std::span<const ProblemText> boundary_texts();
+
 /// Problem from a text with its initial state, times and parameters, for every type of number and for
 /// ivp::System. Numbers of the text are doubles in every precision: 0.1 is the nearest double, so that a
 /// reference in extended precision solves the same problem as methods in double precision.
