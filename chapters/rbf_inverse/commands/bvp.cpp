@@ -4,18 +4,21 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "chapters/rbf_inverse/commands/commands.hpp"
-#include "chapters/rbf_inverse/commands/typed_boundary.hpp"
-#include "nlmech/bvp/solve.hpp"
+#include "nlmech/bvp/typed/typed_solve.hpp"
 #include "nlmech/comparison/commands/run_figure.hpp"
 #include "nlmech/comparison/commands/user_problem.hpp"
 #include "nlmech/scene/picture.hpp"
+#include "nlmech/scene/program/csv.hpp"
+#include "nlmech/scene/program/files.hpp"
 #include "nlmech/scene/program/this_process.hpp"
+#include "nlmech/scene/program/typed.hpp"
 #include "nlmech/scene/table.hpp"
 #include "nlmech/support/quoted_input.hpp"
 #include "nlmech/support/sentences.hpp"
@@ -23,28 +26,42 @@
 namespace nlmech::chapters::rbf_inverse {
 namespace {
 
+using bvp::TypedProblem;
+
 struct BvpOptions {
-  std::string equation, file, begin, end, guess, plot;
+  std::string equation, file, conditions, unknown, from, until, guess, from_parameter, plot;
   std::vector<std::string> set;
-  double from = 0, until = 0, tolerance = 1e-9;
+  double tolerance = 1e-9;
+  std::optional<int> starts;
   std::optional<double> every;
 };
 
 void declare(scene::Options& options, BvpOptions& typed) {
   options.add("--equation", typed.equation,
-              "an equation, or several separated by ;: \"x'' + a exp(x) = 0; a = 1\". An unknown constant is "
-              "a component: k' = 0");
-  options.add("--file", typed.file, "a file of equations and definitions");
+              "equations, definitions and conditions separated by ;: \"x'' + a exp(x) = 0; a = 1; x(0) = 0; "
+              "x(1) = 0\"");
+  options.add("--file", typed.file, "a file of equations, definitions and conditions");
   options.add("--set", typed.set, "name=value of a parameter; separate several by blanks");
-  options.add("--begin", typed.begin, "conditions at --from, separated by commas: \"x = 0, x' + 2 x = 1\"");
-  options.add("--end", typed.end, "conditions at --until");
-  options.add("--from", typed.from, "start of the interval");
-  options.add("--until", typed.until, "end of the interval, later than --from").required();
-  options.add(
-      "--guess", typed.guess,
-      "initial guess as functions of t: \"x = sin(pi t), k = 10\". A component without a function is the "
-      "derivative of a given one, or 0. Default: zeros, then random cubics, the same in each run");
-  options.add("--tolerance", typed.tolerance, "tolerance on x' - f, relative to 1 and the largest f")
+  options.add("--conditions", typed.conditions,
+              "further conditions, separated by ; or commas: \"x(0) = x(1); x'(0.3) = 7; integral(x^2) = 1\". "
+              "One for each component of the state and each unknown constant");
+  options.add("--unknown", typed.unknown, "names of unknown constants, separated by commas: \"k, T\"");
+  options.add("--from", typed.from, "start of the interval (default: the first time of a condition)");
+  options.add("--until", typed.until,
+              "end of the interval: a number, an unknown constant, or inf (default: the last time of a "
+              "condition)");
+  options.add("--guess", typed.guess,
+              "initial guess as functions of t: \"x = sin(pi t), k = 10\". A component without a function is "
+              "the derivative of a given one, or 0. Or NAME.csv with columns t,x,..., as printed. Default: "
+              "zeros, then random cubics, the same in each run");
+  options
+      .add("--starts", typed.starts,
+           "solve from so many starts, the guess and random cubics, and print every different solution, with "
+           "a column solution")
+      .range(1, 10'000);
+  options.add("--from-parameter", typed.from_parameter,
+              "follow the solution in a parameter from one value to another: \"eps = 1 : 1e-4\"");
+  options.add("--tolerance", typed.tolerance, "tolerance on x' - f, relative to the size of f and of x")
       .range(1e-13, 0.1);
   options.add("--every", typed.every, "time between rows (default: rows at the nodes of the collocation)")
       .positive();
@@ -52,86 +69,146 @@ void declare(scene::Options& options, BvpOptions& typed) {
               "NAME.svg: plot of the unknowns against time; replaces only an older such picture");
 }
 
-TypedBoundary problem_of(const BvpOptions& typed) {
-  if (typed.equation.empty() == typed.file.empty())
-    throw InputError("give one of --equation TEXT and --file NAME.ode");
-  if (!(typed.until > typed.from))
-    throw input_error("--until {}: must be later than --from {}", typed.until, typed.from);
-  program::SourceText source = typed.file.empty()
-                                   ? program::SourceText("--equation", typed.equation)
-                                   : program::SourceText(typed.file, comparison::read_equations(typed.file));
-  return {program::Equations(std::move(source), comparison::settings_of(typed.set)), typed.from, typed.until,
-          typed.begin, typed.end};
-}
+bool names_file(const std::string& guess) { return guess.ends_with(".csv"); }
 
-bvp::Options options_of(const BvpOptions& typed) {
-  bvp::Options options;
-  options.tolerance = typed.tolerance;
-  options.verification = bvp::Verification::pieces;
-  options.verification_tolerance = std::max(1e-10, 100 * typed.tolerance);
-  return options;
-}
-
-/// Each interval divided into four.
-std::vector<double> quartered(const std::vector<double>& times) {
-  std::vector<double> finer;
-  for (std::size_t i = 0; i + 1 < times.size(); ++i) {
-    for (int k = 0; k < 4; ++k) finer.push_back(times[i] + (times[i + 1] - times[i]) * k / 4);
+/// The problem as typed, with @p settings in addition.
+TypedProblem problem_of(const BvpOptions& typed, const program::Settings& settings) {
+  bvp::ProblemText text;
+  text.name = typed.file.empty() ? "--equation" : typed.file;
+  text.equations = typed.file.empty() ? typed.equation : comparison::read_equations(typed.file);
+  text.settings = comparison::settings_of(typed.set);
+  for (const auto& [name, value] : settings) {
+    if (!text.settings.emplace(name, value).second)
+      throw input_error("--from-parameter {}: --set gives it too", quoted_input(name));
   }
-  finer.push_back(times.back());
-  return finer;
+  text.conditions = typed.conditions;
+  text.unknowns = typed.unknown;
+  text.from = typed.from;
+  text.until = typed.until;
+  return bvp::read_problem(text, names_file(typed.guess) ? "" : typed.guess);
 }
 
-/// Solves, and divides the intervals by four as long as the integration deviates from the solution within one
-/// of them: in and after a boundary layer adjacent trajectories diverge within a fraction of the interval.
-bvp::Solution solve_on_finer_meshes(const TypedBoundary& problem, bvp::Start start, const BvpOptions& typed) {
-  start.mesh = problem.mesh();
-  bvp::Options options = options_of(typed);
-  options.most_intervals = 20'000;
-  bvp::Solution solution = solve(problem, start, options);
-  options.refine = false;
-  for (int i = 0; i < 5 && solution.status.outcome() == Outcome::spurious_root; ++i) {
-    bvp::Start finer = start_from(solution);
-    finer.mesh = quartered(solution.mesh());
-    if (finer.mesh.size() > static_cast<std::size_t>(options.most_intervals)) break;
-    solution = solve(problem, finer, options);
-  }
-  return solution;
-}
-
-/// Solves from the guess, or without one from zeros and then from random cubics of increasing size.
-bvp::Solution solve_from_guesses(const TypedBoundary& problem, const BvpOptions& typed, std::string& remark) {
-  bvp::Solution first = solve_on_finer_meshes(problem, problem.guess(typed.guess), typed);
-  if (first.status.ok()) return first;
-  if (typed.guess.empty()) {
-    unsigned seed = 0;
-    for (const double size : {0.1, 1., 10., 100.}) {
-      for (int i = 0; i < 5; ++i) {
-        const Eigen::VectorXd amplitudes = Eigen::VectorXd::Constant(problem.states(), size);
-        bvp::Solution next = solve_on_finer_meshes(
-            problem, bvp::random_start(amplitudes, typed.from, typed.until, ++seed), typed);
-        if (!next.status.ok()) continue;
-        remark = fmt::format(
-            "no solution was found from zeros; this one is from random cubic {} of size {}; for another one "
-            "give a --guess",
-            seed, size);
-        return next;
-      }
+/// Guess from rows of a file; components without a column are 0.
+bvp::Start guess_of_file(const TypedProblem& problem, const std::string& name) {
+  const std::vector<scene::CsvRecord> records = scene::parse_csv(scene::read_whole(name), name);
+  if (records.size() < 3) throw input_error("--guess {}: needs a header and two rows", echoed_path(name));
+  const std::vector<std::string>& header = records.front().cells;
+  const auto column = [&](const std::string& wanted) {
+    return static_cast<std::size_t>(std::ranges::find(header, wanted) - header.begin());
+  };
+  const std::size_t time = column("t");
+  if (time == header.size()) throw input_error("--guess {}: has no column t", echoed_path(name));
+  std::vector<double> times;
+  Eigen::MatrixXd values = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(problem.names().size()),
+                                                 static_cast<Eigen::Index>(records.size()) - 1);
+  for (std::size_t row = 1; row < records.size(); ++row) {
+    const std::string place = fmt::format("--guess {}:{}", echoed_path(name), records[row].line);
+    if (records[row].cells.size() != header.size())
+      throw input_error("{}: has {} cells, the header {}", place, records[row].cells.size(), header.size());
+    times.push_back(scene::typed_number(place, records[row].cells[time]));
+    if (row > 1 && !(times[row - 1] > times[row - 2]))
+      throw input_error("{}: t = {} is not after the row before", place, times.back());
+    for (std::size_t i = 0; i < problem.names().size(); ++i) {
+      const std::size_t at = column(problem.names()[i]);
+      if (at < header.size())
+        values(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(row) - 1) =
+            scene::typed_number(place, records[row].cells[at]);
     }
   }
-  throw Failure(Status::failure(
-      first.status.outcome(),
-      fmt::format("{}; {}", first.status.sentence(),
-                  typed.guess.empty() ? "no solution from 20 random cubics either; give a --guess"
-                                      : "give another --guess")));
+  return problem.guess_from(times, values);
+}
+
+/// "eps = 1 : 1e-4"
+struct ParameterRange {
+  std::string name;
+  double from, to;
+};
+
+ParameterRange range_of(const std::string& text) {
+  const std::size_t equals = text.find('='), colon = text.find(':');
+  if (equals == std::string::npos || colon == std::string::npos || colon < equals)
+    throw input_error("--from-parameter {}: must be NAME = FIRST : LAST", quoted_input(text));
+  return {scene::trimmed(text.substr(0, equals)),
+          scene::typed_number("--from-parameter", scene::trimmed(text.substr(equals + 1, colon - equals - 1))),
+          scene::typed_number("--from-parameter", scene::trimmed(text.substr(colon + 1)))};
+}
+
+/// A problem with its solutions.
+struct Solved {
+  TypedProblem problem;
+  std::vector<bvp::Solution> solutions;
+  std::vector<std::string> remarks;
+};
+
+/// Solves from the guess, or without one from zeros and then from random cubics.
+Solved solve_from_guesses(TypedProblem problem, const BvpOptions& typed) {
+  const bvp::Start guess =
+      names_file(typed.guess) ? guess_of_file(problem, typed.guess) : problem.guess();
+  constexpr int random_starts = 20;
+  const int starts = typed.starts.value_or(typed.guess.empty() ? 1 + random_starts : 1);
+  bvp::Search search = bvp::find_solutions(problem, guess, starts,
+                                           typed.starts ? static_cast<std::size_t>(starts) : 1,
+                                           typed.tolerance);
+  if (search.found.empty())
+    throw Failure(Status::failure(
+        search.first.outcome(),
+        fmt::format("{}; {}", search.first.sentence(),
+                    starts == 1 ? "give another --guess"
+                                : fmt::format("no solution from {} random cubics either; give a --guess",
+                                              starts - 1))));
+  Solved solved{std::move(problem), {}, {}};
+  const bvp::FoundSolution& first = search.found.front();
+  if (!typed.starts && first.start > 0)
+    solved.remarks.push_back(
+        fmt::format("no solution was found from zeros; this one is from random cubic {} of size {}; for "
+                    "another one give a --guess",
+                    first.start, first.size));
+  if (typed.starts)
+    solved.remarks.push_back(
+        fmt::format("{} different solutions from {} starts; there may be more", search.found.size(), starts));
+  for (bvp::FoundSolution& found : search.found) solved.solutions.push_back(std::move(found.solution));
+  return solved;
+}
+
+/// Solves with the first value of the parameter and follows that solution to the last one.
+Solved solve_by_continuation(const BvpOptions& typed) {
+  const ParameterRange range = range_of(typed.from_parameter);
+  if (typed.starts) throw InputError("--starts: cannot be combined with --from-parameter");
+  Solved first = solve_from_guesses(problem_of(typed, {{range.name, range.from}}), typed);
+  const double first_end = first.problem.points().back();
+  const auto make = [&](double value) {
+    TypedProblem problem = problem_of(typed, {{range.name, value}});
+    if (problem.is_infinite()) problem.truncate(first_end);
+    return problem;
+  };
+  bvp::Continuation followed =
+      bvp::follow_parameter(make, range.from, range.to, std::move(first.solutions.front()), typed.tolerance);
+  const Status& status = followed.solution.status;
+  if (!status.ok())
+    throw Failure(Status::failure(
+        status.outcome(),
+        fmt::format("{} = {:.9g} was reached in {} steps, and no solution near it was found beyond: the branch "
+                    "ends or turns back there, or needs another --guess ({})",
+                    range.name, followed.reached, followed.steps, status.sentence())));
+  TypedProblem problem = make(range.to);
+  if (problem.is_infinite()) problem.truncate(followed.solution.end());
+  return {std::move(problem), {std::move(followed.solution)}, std::move(first.remarks)};
+}
+
+Solved solve_as_typed(const BvpOptions& typed) {
+  if (typed.equation.empty() == typed.file.empty())
+    throw InputError("give one of --equation TEXT and --file NAME.ode");
+  if (!typed.from_parameter.empty()) return solve_by_continuation(typed);
+  return solve_from_guesses(problem_of(typed, {}), typed);
 }
 
 /// Result of an integration from the initial values to the end: empty if it agrees with the solution, else a
 /// message with the deviation.
-std::string check_whole_integration(const TypedBoundary& problem, const BvpOptions& typed,
+std::string check_whole_integration(const TypedProblem& problem, const BvpOptions& typed,
                                     const bvp::Solution& solution) {
-  bvp::Options options = options_of(typed);
+  bvp::Options options;
   options.verification = bvp::Verification::whole;
+  options.verification_tolerance = std::max(1e-10, 100 * typed.tolerance);
   bvp::Solution copy = solution;
   verify_by_integration(problem, options, copy);
   if (copy.status.ok()) return {};
@@ -142,55 +219,72 @@ std::string check_whole_integration(const TypedBoundary& problem, const BvpOptio
       solution.mesh().size() - 1, std::isfinite(off) ? fmt::format(" ({:.1g} off)", off) : "");
 }
 
-std::vector<double> times_of(const BvpOptions& typed, const bvp::Solution& solution) {
-  if (!typed.every) return solution.node_times();
-  const double length = typed.until - typed.from, count = std::ceil(length / *typed.every - 1e-9);
-  if (count > 1e6) throw input_error("--every {}: more than a million rows", *typed.every);
+std::vector<double> times_of(const TypedProblem& problem, const BvpOptions& typed,
+                             const bvp::Solution& solution) {
   std::vector<double> times;
-  for (int i = 0; i < static_cast<int>(count); ++i) times.push_back(typed.from + i * *typed.every);
-  times.push_back(typed.until);
+  if (!typed.every) {
+    for (const double s : solution.node_times()) times.push_back(problem.time(s, solution.parameters()));
+    return times;
+  }
+  const double from = problem.time(solution.begin(), solution.parameters()),
+               until = problem.time(solution.end(), solution.parameters());
+  const double count = std::ceil((until - from) / *typed.every - 1e-9);
+  if (count > 1e6) throw input_error("--every {}: more than a million rows", *typed.every);
+  for (int i = 0; i < static_cast<int>(count); ++i) times.push_back(from + i * *typed.every);
+  times.push_back(until);
   return times;
 }
 
-comparison::PlotSamples samples_of(const TypedBoundary& problem, const BvpOptions& typed,
-                                   const bvp::Solution& solution) {
+comparison::PlotSamples samples_of(const TypedProblem& problem, const bvp::Solution& solution) {
   comparison::PlotSamples samples;
   for (const std::string& name : problem.names()) samples.components.push_back({name, !name.ends_with('\'')});
-  samples.path = comparison::SampledPath(typed.from, typed.until);
+  const double from = problem.time(solution.begin(), solution.parameters()),
+               until = problem.time(solution.end(), solution.parameters());
+  samples.path = comparison::SampledPath(from, until);
   constexpr int count = 1000;
   for (int i = 0; i <= count; ++i) {
-    const double t = typed.from + (typed.until - typed.from) * i / count;
-    samples.path.add(t, solution.at(t));
+    const double t = from + (until - from) * i / count;
+    samples.path.add(t, problem.components_at(solution, t));
   }
   return samples;
 }
 
-void boundary_values(const BvpOptions& typed) {
-  const TypedBoundary problem = problem_of(typed);
-  const scene::Picture picture(typed.plot);
-  std::string remark;
-  const bvp::Solution solution = solve_from_guesses(problem, typed, remark);
-  const std::string length = check_whole_integration(problem, typed, solution);
-  std::string text = "t";
-  for (const std::string& name : problem.names()) text.append(",").append(scene::csv_field(name));
-  text += "\n";
-  const Eigen::VectorXd sizes = solution.node_values().cwiseAbs().rowwise().maxCoeff();
-  for (const double t : times_of(typed, solution)) {
-    text += fmt::format("{:.17g}", t);
-    const Eigen::VectorXd x = solution.at(t);
+/// Rows t,x,x',...; with @p prefix before each.
+std::string rows_of(const TypedProblem& problem, const BvpOptions& typed, const bvp::Solution& solution,
+                    const std::string& prefix) {
+  const Eigen::VectorXd sizes = problem.components(
+      solution.node_values().cwiseAbs().rowwise().maxCoeff(), solution.parameters());
+  std::string text;
+  for (const double t : times_of(problem, typed, solution)) {
+    text += fmt::format("{}{:.17g}", prefix, t);
+    const Eigen::VectorXd x = problem.components_at(solution, t);
     // A value prescribed as 0 has the rounding error of the solve.
     for (Eigen::Index i = 0; i < x.size(); ++i)
       text += fmt::format(",{:.17g}", std::abs(x[i]) < 1e-18 * sizes[i] ? 0 : x[i]);
     text += "\n";
   }
-  for (const std::string& said : {remark, length}) {
-    if (!said.empty()) scene::print_message("rbf_inverse: " + said);
+  return text;
+}
+
+void boundary_values(const BvpOptions& typed) {
+  const scene::Picture picture(typed.plot);
+  Solved solved = solve_as_typed(typed);
+  std::string text = typed.starts ? "solution,t" : "t";
+  for (const std::string& name : solved.problem.names()) text.append(",").append(scene::csv_field(name));
+  text += "\n";
+  for (std::size_t i = 0; i < solved.solutions.size(); ++i) {
+    const bvp::Solution& solution = solved.solutions[i];
+    if (solved.problem.is_infinite()) solved.problem.truncate(solution.end());
+    if (std::string said = check_whole_integration(solved.problem, typed, solution); !said.empty())
+      solved.remarks.push_back(std::move(said));
+    text += rows_of(solved.problem, typed, solution, typed.starts ? fmt::format("{},", i + 1) : "");
   }
+  for (const std::string& said : solved.remarks) scene::print_message("rbf_inverse: " + said);
   scene::print_result(text);
   if (picture.wanted())
     picture.draw([&] {
       return run_figure(
-          samples_of(problem, typed, solution),
+          samples_of(solved.problem, solved.solutions.front()),
           quoted_input(
               typed.file.empty() ? typed.equation : std::filesystem::path(typed.file).filename().string(),
               60));
@@ -201,7 +295,7 @@ void boundary_values(const BvpOptions& typed) {
 
 void add_bvp_command(scene::Commands& all) {
   all.add("bvp",
-          "Solve a boundary value problem, equations with conditions at two times, by collocation on a mesh "
+          "Solve a boundary value problem, equations with conditions at any times, by collocation on a mesh "
           "adapted to the residual; prints t,x,x',... as CSV, verified by integration",
           declare, boundary_values);
 }

@@ -121,7 +121,7 @@ void TypedControl::set_expressions(const std::vector<NodeId>& state_bounds,
   NodeId rate = graph.number(1);
   std::vector<NodeId> variables(equations_.state_names().size() + 1, Graph::time());
   if (has_free_end()) {
-    const NodeId log_length = Graph::state(problem_.states - 1), from = graph.number(text_.from);
+    const NodeId log_length = Graph::state(problem_.states - 1), from = graph.number(from_);
     rate = graph.call(Function::exp, log_length, log_length);
     variables[0] = graph.sum(from, graph.product(rate, Graph::time()));
     variables[program::index(end_component_ + 1)] = graph.sum(from, rate);
@@ -193,11 +193,27 @@ std::vector<NodeId> TypedControl::point_variables(int point) {
     variables[program::index(states_[i] + 1)] = Graph::state(point * n + static_cast<int>(i));
   variables[0] = ends.number(problem_.points[program::index(point)]);
   if (!has_free_end()) return variables;
-  const NodeId log_length = Graph::state(point * n + n - 1), from = ends.number(text_.from);
+  const NodeId log_length = Graph::state(point * n + n - 1), from = ends.number(from_);
   const NodeId end = ends.sum(from, ends.call(Function::exp, log_length, log_length));
   variables[program::index(end_component_ + 1)] = end;
   variables[0] = point == 0 ? from : end;
   return variables;
+}
+
+/// The interval as typed, otherwise from the first to the last time of a value.
+void TypedControl::set_interval(const Conditions& read) {
+  from_ = std::numeric_limits<double>::infinity();
+  until_ = -from_;
+  for (const Conditions::Value& value : read.values()) {
+    if (std::isinf(value.time)) continue;
+    from_ = std::min(from_, value.time);
+    until_ = std::max(until_, value.time);
+  }
+  if (!text_.from.empty()) from_ = equations_.number("--from", text_.from);
+  if (!text_.until.empty() && !has_free_end()) until_ = equations_.number("--until", text_.until);
+  if (!std::isfinite(from_)) throw InputError("--from: no condition has a time; give the start");
+  if (!has_free_end() && !(from_ < until_))
+    throw input_error("--until {:.6g}: must be later than the start {:.6g}", until_, from_);
 }
 
 std::vector<TypedControl::Integral> TypedControl::read_ends(const std::vector<ConditionText>& conditions) {
@@ -205,20 +221,21 @@ std::vector<TypedControl::Integral> TypedControl::read_ends(const std::vector<Co
   for (const ConditionText& condition : conditions) condition_texts_.push_back(condition.text);
   all.push_back({"--minimise", text_.minimise});
   const Conditions read(equations_, all, text_.end);
-  std::set<double> points{text_.from, text_.until};
+  set_interval(read);
+  std::set<double> points{from_, until_};
   if (has_free_end()) points = {0, 1};
   const auto time_of = [&](double time) {
-    if (std::isinf(time)) return has_free_end() ? 1 : text_.until;
-    return has_free_end() && time == text_.from ? 0 : time;
+    if (std::isinf(time)) return has_free_end() ? 1 : until_;
+    return has_free_end() && time == from_ ? 0 : time;
   };
   for (const Conditions::Value& value : read.values()) {
     const double time = time_of(value.time);
-    const bool is_inside = !has_free_end() && time > text_.from && time < text_.until;
+    const bool is_inside = !has_free_end() && time > from_ && time < until_;
     if (is_inside) points.insert(time);
     if (!is_inside && !points.contains(time))
       throw input_error("--conditions: the time {:.6g} of a value is not {}", value.time,
-                        has_free_end() ? fmt::format("the start {:.6g} or the free end {}", text_.from, text_.end)
-                                       : fmt::format("from {:.6g} to {:.6g}", text_.from, text_.until));
+                        has_free_end() ? fmt::format("the start {:.6g} or the free end {}", from_, text_.end)
+                                       : fmt::format("from {:.6g} to {:.6g}", from_, until_));
   }
   problem_.points.assign(points.begin(), points.end());
   problem_.ends = Graph(static_cast<int>(points.size()) * problem_.states);
@@ -240,27 +257,27 @@ std::vector<TypedControl::Integral> TypedControl::read_ends(const std::vector<Co
   const std::vector<NodeId> last = point_variables(static_cast<int>(points.size()) - 1);
   for (const int i : read.constants()) arguments.push_back(last[program::index(i + 1)]);
   for (std::size_t k = 0; k < conditions.size(); ++k) {
-    const NodeId node = read.nodes()[k];
-    const std::vector<bool> part = parts_of(read.graph(), {node});
+    const NodeId node = read.residual_nodes()[k];
+    const std::vector<bool> part = parts_of(read.residual_graph(), {node});
     for (std::size_t i = 0; i < read.integrands().size(); ++i) {
       if (part[read.values().size() + i + 1])
         throw input_error(
             "--conditions {}: instead of an integral give an equation y' = integrand, and y at both ends",
             quoted_input(conditions[k].text));
     }
-    problem_.conditions.push_back(substituted(read.graph(), {node}, problem_.ends, arguments).front());
+    problem_.conditions.push_back(substituted(read.residual_graph(), {node}, problem_.ends, arguments).front());
   }
   return read_cost(read, arguments);
 }
 
 std::vector<TypedControl::Integral> TypedControl::read_cost(const Conditions& read,
                                                             const std::vector<NodeId>& arguments) {
-  Graph residuals = read.graph();
-  const NodeId cost = read.nodes().back();
+  Graph residuals = read.residual_graph();
+  const NodeId cost = read.residual_nodes().back();
   for (std::size_t i = 0; i < read.constants().size(); ++i) {
     const bool is_control = std::ranges::find(controls_, read.constants()[i]) != controls_.end();
     const std::size_t argument = read.values().size() + read.integrands().size() + i + 1;
-    for (const NodeId node : read.nodes()) {
+    for (const NodeId node : read.residual_nodes()) {
       if (is_control && parts_of(residuals, {node})[argument])
         throw input_error("{}: a control has to stand in an integral",
                           node == cost ? "--minimise" : "--conditions");
@@ -282,14 +299,14 @@ std::vector<TypedControl::Integral> TypedControl::read_cost(const Conditions& re
 std::pair<double, double> TypedControl::true_time(double s, const VectorXd& x) const {
   if (!has_free_end()) return {s, 1};
   const double length = std::exp(x[problem_.states - 1]);
-  return {text_.from + length * s, length};
+  return {from_ + length * s, length};
 }
 
 std::vector<ControlGuess> TypedControl::guesses(const std::string& guess) const {
   VectorXd begin = VectorXd::Zero(problem_.states);
   Equations equations = equations_;
   std::map<std::size_t, Expressions> functions;
-  double length = has_free_end() ? 1 : text_.until - text_.from;
+  double length = has_free_end() ? 1 : until_ - from_;
   const VectorXd zero = VectorXd::Zero(equations.size());
   for (const std::string& part : parts_between(guess, ",;\n")) {
     const std::size_t equals = part.find('=');
@@ -303,7 +320,7 @@ std::vector<ControlGuess> TypedControl::guesses(const std::string& guess) const 
     const std::string value = part.substr(equals + 1);
     const NodeId node = equations.expression("--guess", value);
     const Expressions function(equations.graph(), {node});
-    const double at_start = function.values(text_.from, zero)[0];
+    const double at_start = function.values(from_, zero)[0];
     if (!std::isfinite(at_start))
       throw input_error("--guess {}: must be a finite function of t", quoted_input(part));
     if (control != text_.controls.end())
@@ -311,14 +328,14 @@ std::vector<ControlGuess> TypedControl::guesses(const std::string& guess) const 
     else if (state != state_names_.end())
       begin[state - state_names_.begin()] = at_start;
     else
-      length = at_start - text_.from;
+      length = at_start - from_;
   }
-  if (!(length > 0)) throw input_error("--guess: the end {} must be later than --from {:.6g}", text_.end, text_.from);
+  if (!(length > 0)) throw input_error("--guess: the end {} must be later than --from {:.6g}", text_.end, from_);
   if (has_free_end()) begin[problem_.states - 1] = std::log(length);
   std::vector<ControlGuess> automatic = control_guesses(problem_, begin, 1 / length);
   if (functions.empty()) return automatic;
   const auto typed = [this, functions, zero, length](double s, VectorXd& u) {
-    const double t = has_free_end() ? text_.from + s * length : s;
+    const double t = has_free_end() ? from_ + s * length : s;
     u.setZero();
     for (const auto& [i, function] : functions) u[static_cast<Eigen::Index>(i)] = function.values(t, zero)[0];
   };

@@ -22,9 +22,9 @@ struct ControlText {
   std::string conditions = {};        ///< "x(0) = 0; x(T) = 1"
   std::string bounds = {};            ///< bounds of controls: "-1 <= u <= 1"
   std::string state_bounds = {};      ///< bounds of states: "x <= 1.2; x + y <= 2"
-  double from = 0;                    ///< start of the interval
-  double until = 1;                   ///< end of the interval; ignored if it is free
-  std::string end = {};               ///< name of a free end; empty: the end is until
+  std::string from = {};   ///< start of the interval, a number; empty: the first time of a condition
+  std::string until = {};  ///< end of the interval, a number; empty: the last time of a condition
+  std::string end = {};    ///< name of a free end; empty: the end is known
 };
 
 /// Optimal control problem made from texts. With a free end T the time of the problem is (t - from)/(T -
@@ -60,6 +60,7 @@ class TypedControl {
     program::NodeId integrand;
   };
   [[nodiscard]] std::vector<program::NodeId> read_bounds();
+  void set_interval(const Conditions& read);
   [[nodiscard]] std::vector<Integral> read_ends(const std::vector<ConditionText>& conditions);
   [[nodiscard]] std::vector<Integral> read_cost(const Conditions& read,
                                                 const std::vector<program::NodeId>& arguments);
@@ -73,6 +74,7 @@ class TypedControl {
   std::vector<std::string> state_names_, condition_texts_, bound_texts_;
   std::vector<int> states_, controls_;  // components of the equations
   int end_component_ = -1;              // of the equations
+  double from_ = 0, until_ = 1;
 };
 
 }  // namespace nlmech::bvp

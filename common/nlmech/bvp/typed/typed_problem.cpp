@@ -1,0 +1,429 @@
+#include "nlmech/bvp/typed/typed_problem.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <utility>
+
+#include "nlmech/program/dual.hpp"
+#include "nlmech/program/switches.hpp"
+#include "nlmech/program/time_features.hpp"
+#include "nlmech/support/quoted_input.hpp"
+#include "nlmech/support/sentences.hpp"
+
+namespace nlmech::bvp {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+using program::Program;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+std::size_t index_of(int i) { return static_cast<std::size_t>(i); }
+
+/// Value and derivative of a function of time.
+Dual<double, 1> value_of_time(const Program& program, double t, const VectorXd& x) {
+  using D = Dual<double, 1>;
+  const Vector<D, Eigen::Dynamic> at = x.cast<D>();
+  D value;
+  program.run(D::variable(t, 0), at, 0, 1, [&](int, const D& v) { value = v; });
+  return value;
+}
+
+/// Whether the program depends on the state: a NaN state then yields NaN.
+bool depends_on_state(const Program& program, double t, int n) {
+  const auto plain = [&](double x) {
+    double value = 0;
+    program.run(t, VectorXd(VectorXd::Constant(n, x)), 0, 1, [&](int, double v) { value = v; });
+    return value;
+  };
+  return std::isnan(plain(std::numeric_limits<double>::quiet_NaN())) && !std::isnan(plain(0.5));
+}
+
+double value_of(const Program& program, double t, const VectorXd& x) {
+  double value = 0;
+  program.run(t, x, 0, 1, [&](int, double v) { value = v; });
+  return value;
+}
+
+std::vector<std::string> names_in(const std::string& text) {
+  std::vector<std::string> names;
+  std::string name;
+  for (const char c : text + ",") {
+    if (c != ',' && c != ' ' && c != ';') {
+      name += c;
+    } else if (!name.empty()) {
+      names.push_back(std::exchange(name, {}));
+    }
+  }
+  return names;
+}
+
+/// The point of @p points next to @p t: equal but for rounding. The number of points if there is none.
+std::size_t point_at(const std::vector<double>& points, double t) {
+  const double least = 1e-13 * std::max(std::abs(points.front()), std::abs(points.back()));
+  const auto same = [&](double point) { return std::abs(point - t) <= least; };
+  return static_cast<std::size_t>(std::ranges::find_if(points, same) - points.begin());
+}
+
+}  // namespace
+
+TypedProblem::TypedProblem(program::Equations equations, const std::vector<ConditionText>& conditions,
+                           const Interval& interval, const std::string& guess)
+    : equations_(std::move(equations)),
+      conditions_(equations_, conditions, unknown_end(interval.until)),
+      is_infinite_(interval.until == "inf") {
+  if (equations_.final_time() || !equations_.lower_bounds().empty() || !equations_.conserved().empty())
+    throw InputError(
+        "--equation: end, bounds and conserved quantities are for initial value problems; give the end by "
+        "--until");
+  const std::size_t given = index_of(conditions_.count()), needed = names().size();
+  if (given != needed)
+    throw input_error("--conditions: {} conditions, but {} are needed, one for each of {}", given, needed,
+                      quoted_input(fmt::format("{}", fmt::join(names(), ", ")), 200));
+  divide_components();
+  read_guess(guess);
+  set_points(interval);
+  place_values();
+}
+
+std::string TypedProblem::unknown_end(const std::string& until) const {
+  const bool is_unknown = std::ranges::find(names(), until) != names().end();
+  return is_unknown || until == "inf" ? until : std::string();
+}
+
+void TypedProblem::divide_components() {
+  const std::vector<int>& constants = conditions_.constants();
+  const bool all_are_constant = constants.size() == names().size() && conditions_.integrands().empty();
+  std::vector<program::NodeId> slopes;
+  for (int i = 0; i < equations_.size(); ++i) {
+    const bool is_parameter = !all_are_constant && std::ranges::find(constants, i) != constants.end();
+    std::vector<int>& list = is_parameter ? parameters_ : states_;
+    components_.push_back({is_parameter, static_cast<int>(list.size())});
+    list.push_back(i);
+    if (!is_parameter) slopes.push_back(equations_.slopes()[index_of(i)]);
+  }
+  slopes.insert(slopes.end(), conditions_.integrands().begin(), conditions_.integrands().end());
+  slopes_ = Program(equations_.graph(), slopes);
+}
+
+void TypedProblem::set_points(const Interval& interval) {
+  std::vector<double> times;
+  for (const Conditions::Value& value : conditions_.values()) {
+    if (value.time != infinity) times.push_back(value.time);
+  }
+  std::ranges::sort(times);
+  const auto number = [&](const char* option, const std::string& text, double otherwise) {
+    return text.empty() ? otherwise : equations_.number(option, text);
+  };
+  const bool has_times = !times.empty();
+  double from = number("--from", interval.from, has_times ? std::min(times.front(), times.back()) : 0);
+  const std::string end = unknown_end(interval.until);
+  double until = number("--until", end.empty() ? interval.until : "", has_times ? times.back() : from + 1);
+  if (!end.empty() && end != "inf") {
+    const auto component = std::ranges::find(names(), end) - names().begin();
+    const Component& found = components_[index_of(static_cast<int>(component))];
+    if (!found.is_parameter) throw input_error("--until {}: is no unknown constant", quoted_input(end));
+    end_ = found.index;
+    const auto& guessed = guess_[static_cast<std::size_t>(component)];
+    const double last = std::max(from, until);
+    until = guessed ? value_of(*guessed, from, VectorXd::Zero(equations_.size())) : last + 1;
+    if (!(until > last))
+      throw input_error("--guess {} = {}: must be later than {}, the last known point", end, until, last);
+  } else if (end == "inf") {
+    until = std::max(from, until) + 8;
+  } else if (!(until > from)) {
+    throw input_error("--until {}: must be later than {}, the start{}", until, from,
+                      interval.until.empty() ? "; the conditions have no later time" : "");
+  }
+  points_ = {from, until};
+  const std::vector<double> jumps =
+      program::Switches(equations_.graph(), equations_.slopes()).times(from, until);
+  if (jumps.size() <= most_jumps) times.insert(times.end(), jumps.begin(), jumps.end());
+  for (const double t : times) {
+    if (point_at(points_, t) < points_.size()) continue;
+    if (!(t > from && t < until))
+      throw input_error("--conditions: the time {} is outside the interval from {} to {}", t, from, until);
+    points_.insert(std::ranges::upper_bound(points_, t), t);
+  }
+}
+
+void TypedProblem::place_values() {
+  for (const Conditions::Value& value : conditions_.values()) {
+    const std::size_t point =
+        value.time == infinity ? points_.size() - 1 : point_at(points_, value.time);
+    const bool is_last = point + 1 == points_.size();
+    if (is_last && value.time != infinity && (is_infinite_ || end_ >= 0))
+      throw input_error("--conditions: the time {} is at the guess of the end; give another --guess of it",
+                        value.time);
+    const auto column = static_cast<Index>(2 * point) - (is_last ? 1 : 0);
+    values_.push_back({Program(equations_.graph(), {value.what}), point, column});
+  }
+}
+
+std::vector<double> TypedProblem::mesh() const {
+  std::vector<double> mesh =
+      program::TimeFeatures(equations_.graph(), equations_.slopes()).between(points_.front(), points_.back());
+  if (mesh.empty()) return mesh;
+  constexpr int intervals = 10;  // additional equal intervals
+  for (int k = 0; k <= intervals; ++k)
+    mesh.push_back(points_.front() + (points_.back() - points_.front()) * k / intervals);
+  std::ranges::sort(mesh);
+  return mesh;
+}
+
+void TypedProblem::read_guess(const std::string& text) {
+  guess_.resize(names().size());
+  program::Equations equations = equations_;
+  for (const ConditionText& piece : conditions_of("--guess", text)) {
+    const std::size_t equals = piece.text.find('=');
+    std::string name = piece.text.substr(0, equals);
+    name.erase(name.find_last_not_of(" \t\n") + 1);
+    const auto at = std::ranges::find(names(), name);
+    if (at == names().end())
+      throw input_error("--guess {}: must begin with a component and =; the components are {}",
+                        quoted_input(piece.text),
+                        quoted_input(fmt::format("{}", fmt::join(names(), ", ")), 200));
+    std::optional<Program>& one = guess_[static_cast<std::size_t>(at - names().begin())];
+    if (one) throw input_error("--guess {}: {} is given twice", quoted_input(piece.text), *at);
+    const program::NodeId node = equations.expression("--guess", piece.text.substr(equals + 1));
+    one = Program(equations.graph(), {node});
+    if (depends_on_state(*one, 0.5, equations_.size()))
+      throw input_error("--guess {}: must be a function of the time t only", quoted_input(piece.text));
+  }
+}
+
+Start TypedProblem::guess() const {
+  const VectorXd zero = VectorXd::Zero(equations_.size());
+  // For each missing component the given component of which it is the derivative.
+  std::vector<std::optional<std::size_t>> integral(names().size());
+  for (std::size_t i = 0; i < names().size(); ++i) {
+    for (std::size_t j = 0; j < names().size(); ++j) {
+      if (guess_[j] && names()[j] + "'" == names()[i]) integral[i] = j;
+    }
+  }
+  Start start;
+  start.parameters = VectorXd::Zero(parameters());
+  for (std::size_t k = 0; k < parameters_.size(); ++k) {
+    const auto& given = guess_[index_of(parameters_[k])];
+    if (given) start.parameters[static_cast<Index>(k)] = value_of(*given, points_.front(), zero);
+  }
+  if (end_ >= 0) start.parameters[end_] = points_.back();
+  start.states = [guess = guess_, states = states_, integral, zero](double t, VectorXd& x) {
+    x.setZero();
+    for (std::size_t k = 0; k < states.size(); ++k) {
+      const std::size_t i = index_of(states[k]);
+      double& value = x[static_cast<Index>(k)];
+      value = guess[i]      ? value_of_time(*guess[i], t, zero).value
+              : integral[i] ? value_of_time(*guess[*integral[i]], t, zero).partial[0]
+                            : 0;
+    }
+  };
+  return start;
+}
+
+Start TypedProblem::guess_from(const std::vector<double>& times, const MatrixXd& values) const {
+  Start start = guess();
+  for (std::size_t k = 0; k < parameters_.size(); ++k)
+    start.parameters[static_cast<Index>(k)] = values(parameters_[k], 0);
+  MatrixXd of_states = MatrixXd::Zero(states(), values.cols());
+  for (std::size_t k = 0; k < states_.size(); ++k)
+    of_states.row(static_cast<Index>(k)) = values.row(states_[k]);
+  std::vector<double> places;
+  for (const double t : times) places.push_back(place(t, start.parameters));
+  start.states = [places, of_states](double s, VectorXd& x) {
+    const auto after = std::ranges::upper_bound(places, s) - places.begin();
+    const Index i = std::clamp<Index>(after - 1, 0, of_states.cols() - 2);
+    const double a = places[static_cast<std::size_t>(i)], b = places[static_cast<std::size_t>(i) + 1];
+    const double share = std::clamp((s - a) / (b - a), 0.0, 1.0);
+    x = (1 - share) * of_states.col(i) + share * of_states.col(i + 1);
+  };
+  constexpr std::size_t most_intervals = 200;
+  const std::size_t every = (places.size() + most_intervals - 1) / most_intervals;
+  start.mesh = {points_.front()};
+  for (std::size_t i = 0; i < places.size(); i += every) {
+    if (places[i] > points_.front() && places[i] < points_.back()) start.mesh.push_back(places[i]);
+  }
+  start.mesh.push_back(points_.back());
+  return start;
+}
+
+Start TypedProblem::random_guess(double size, unsigned seed) const {
+  const VectorXd amplitudes = VectorXd::Constant(states() + parameters(), size);
+  Start all = random_start(amplitudes, points_.front(), points_.back(), seed);
+  VectorXd both(states() + parameters());
+  all.states((points_.front() + points_.back()) / 2, both);
+  Start start;
+  start.parameters = both.tail(parameters());
+  if (end_ >= 0) start.parameters[end_] = points_.back();
+  start.states = [all = std::move(all), both](double t, VectorXd& x) mutable {
+    all.states(t, both);
+    x = both.head(x.size());
+  };
+  return start;
+}
+
+std::vector<int> TypedProblem::components_at_infinity() const {
+  std::vector<int> all;
+  for (std::size_t i = 0; i < conditions_.values().size(); ++i) {
+    const Conditions::Value& value = conditions_.values()[i];
+    if (value.time != infinity) continue;
+    for (int k = 0; k < equations_.size(); ++k) {
+      if (value.what == program::Graph::state(k)) all.push_back(k);
+    }
+  }
+  return all;
+}
+
+std::optional<int> TypedProblem::end_parameter() const {
+  return end_ < 0 ? std::nullopt : std::optional(end_);
+}
+
+std::optional<int> TypedProblem::parameter_of(int i) const {
+  const Component& component = components_[index_of(i)];
+  return component.is_parameter ? std::optional(component.index) : std::nullopt;
+}
+
+// dt/ds.
+double TypedProblem::stretch(double s, const VectorXd& p) const {
+  const double last = points_[points_.size() - 2];
+  return end_ < 0 || s < last ? 1 : (p[end_] - last) / (points_.back() - last);
+}
+
+double TypedProblem::time(double s, const VectorXd& p) const {
+  const double last = points_[points_.size() - 2];
+  return end_ < 0 || s < last ? s : last + stretch(s, p) * (s - last);
+}
+
+double TypedProblem::place(double t, const VectorXd& p) const {
+  const double last = points_[points_.size() - 2];
+  return end_ < 0 || t < last ? t : last + (t - last) / stretch(last, p);
+}
+
+VectorXd TypedProblem::components(const VectorXd& x, const VectorXd& p) const {
+  VectorXd all(equations_.size());
+  for (Index i = 0; i < all.size(); ++i) {
+    const Component& c = components_[static_cast<std::size_t>(i)];
+    all[i] = c.is_parameter ? p[c.index] : x[c.index];
+  }
+  return all;
+}
+
+VectorXd TypedProblem::components_at(const Solution& solution, double t) const {
+  const VectorXd& p = solution.parameters();
+  return components(solution.at(place(t, p)), p);
+}
+
+void TypedProblem::rhs(double s, const VectorXd& x, const VectorXd& p, VectorXd& dxds) const {
+  slopes_.run(time(s, p), components(x, p), 0, slopes_.outputs(),
+              [&](int i, double value) { dxds[i] = value; });
+  if (end_ >= 0) dxds *= stretch(s, p);
+}
+
+void TypedProblem::jacobian(double s, const VectorXd& x, const VectorXd& p, MatrixXd& by_state,
+                            MatrixXd& by_parameter) const {
+  by_state.setZero();
+  by_parameter.setZero();
+  const double last = points_[points_.size() - 2];
+  const bool is_stretched = end_ >= 0 && s >= last;
+  const double factor = stretch(s, p), length = points_.back() - last;
+  differentiate(slopes_, time(s, p), components(x, p), is_stretched, [&](int i, int j, double value) {
+    if (j == equations_.size()) {
+      by_parameter(i, end_) += factor * value * (s - last) / length;
+      return;
+    }
+    const Component& c = components_[index_of(j)];
+    if (c.is_parameter)
+      by_parameter(i, c.index) += factor * value;
+    else
+      by_state(i, c.index) = factor * value;
+  });
+  if (!is_stretched) return;
+  VectorXd slope(states());
+  rhs(s, x, p, slope);
+  by_parameter.col(end_) += slope / (factor * length);
+}
+
+VectorXd TypedProblem::arguments(const MatrixXd& ends, const VectorXd& p) const {
+  VectorXd all(conditions_.arguments());
+  Index k = 0;
+  for (const Value& value : values_)
+    all[k++] = bvp::value_of(value.what, time(points_[value.point], p), components(ends.col(value.column), p));
+  const auto integrals = static_cast<Index>(conditions_.integrands().size());
+  all.segment(k, integrals) = ends.rightCols(1).bottomRows(integrals);
+  k += integrals;
+  const VectorXd first = components(ends.col(0), p);
+  for (const int i : conditions_.constants()) all[k++] = first[i];
+  return all;
+}
+
+// Conditions of the user, integrals from 0, then continuity of each state at each interior point.
+void TypedProblem::conditions(const MatrixXd& ends, const VectorXd& p, VectorXd& r) const {
+  const int n = states(), last = static_cast<int>(ends.cols()) - 1;
+  conditions_.residuals().run(0., arguments(ends, p), 0, conditions_.residuals().outputs(),
+                              [&](int i, double value) { r[i] = value; });
+  const auto integrals = static_cast<Index>(conditions_.integrands().size());
+  Index row = conditions_.count();
+  r.segment(row, integrals) = ends.col(0).tail(integrals);
+  row += integrals;
+  for (int k = 1; k < last; k += 2, row += n) r.segment(row, n) = ends.col(k) - ends.col(k + 1);
+}
+
+void TypedProblem::condition_jacobian(const MatrixXd& ends, const VectorXd& p, MatrixXd& by_ends,
+                                      MatrixXd& by_parameter) const {
+  const int n = states(), last = static_cast<int>(ends.cols()) - 1;
+  const auto integrals = static_cast<Index>(conditions_.integrands().size());
+  by_ends.setZero();
+  by_parameter.setZero();
+  MatrixXd by_argument(conditions_.count(), conditions_.arguments());
+  differentiate(conditions_.residuals(), 0, arguments(ends, p), false,
+                [&](int i, int j, double value) { by_argument(i, j) = value; });
+  const auto add = [&](Index argument, Index column, int component, double value) {
+    const Component& c = components_[index_of(component)];
+    if (c.is_parameter)
+      by_parameter.col(c.index).head(conditions_.count()) += value * by_argument.col(argument);
+    else
+      by_ends.col(column * n + c.index).head(conditions_.count()) += value * by_argument.col(argument);
+  };
+  Index k = 0;
+  for (const Value& value : values_) {
+    const bool moves = end_ >= 0 && value.point + 1 == points_.size();
+    differentiate(value.what, time(points_[value.point], p), components(ends.col(value.column), p), moves,
+                  [&](int, int j, double slope) {
+                    if (j < equations_.size())
+                      add(k, value.column, j, slope);
+                    else
+                      by_parameter.col(end_).head(conditions_.count()) += slope * by_argument.col(k);
+                  });
+    ++k;
+  }
+  for (Index i = 0; i < integrals; ++i, ++k)
+    by_ends.col(last * n + n - integrals + i).head(conditions_.count()) += by_argument.col(k);
+  for (const int i : conditions_.constants()) add(k++, 0, i, 1);
+  Index row = conditions_.count();
+  for (Index i = 0; i < integrals; ++i) by_ends(row++, n - integrals + i) = 1;
+  for (Index column = 1; column < last; column += 2, row += n) {
+    auto rows = by_ends.middleRows(row, n);
+    rows.middleCols(column * n, n).setIdentity();
+    rows.middleCols((column + 1) * n, n) = -MatrixXd::Identity(n, n);
+  }
+}
+
+TypedProblem read_problem(const ProblemText& text, const std::string& guess) {
+  const std::vector<std::string> unknowns = names_in(text.unknowns);
+  DividedText divided = divide(text.name, text.equations, unknowns);
+  for (const std::string& name : unknowns) divided.equations += fmt::format("\n{}' = 0", name);
+  std::vector<ConditionText> conditions = divided.conditions;
+  const std::vector<ConditionText> further = conditions_of("--conditions", text.conditions);
+  conditions.insert(conditions.end(), further.begin(), further.end());
+  program::Equations equations(program::SourceText(text.name, divided.equations), text.settings);
+  return {std::move(equations), conditions, {text.from, text.until}, guess};
+}
+
+}  // namespace nlmech::bvp
