@@ -419,7 +419,9 @@ void verify_by_integration(const Problem& problem, const Options& options, Solut
     } else if (k > 0 && all[k].phase != all[k - 1].phase) {
       x += all[k].values.col(0) - all[k - 1].values.rightCols(1);
     }
-    const double end = k + 1 < all.size() ? all[k + 1].t0 : all[k].t0 + all[k].h;
+    double end = k + 1 < all.size() ? all[k + 1].t0 : all[k].t0 + all[k].h;
+    // f may jump between phases, and rhs() is then the limit from the right.
+    if (k + 1 < all.size() && all[k + 1].phase != all[k].phase) end = std::nextafter(end, all[k].t0);
     const std::vector<double> times{all[k].t0, end};
     const Integration arc = integrate_at(problem, x, solution.parameters(), times);
     if (!arc.status.ok()) {

@@ -186,16 +186,6 @@ class Graph {
 [[nodiscard]] std::vector<NodeId> rates(Graph& graph, const std::vector<NodeId>& ids,
                                         const std::vector<NodeId>& slopes);
 
-/// The partial derivatives of @p id with respect to components @p first to @p first + @p count - 1 of the
-/// state. A choice has the derivative of the chosen operand.
-[[nodiscard]] std::vector<NodeId> partials(Graph& graph, NodeId id, int first, int count);
-
-/// The expressions @p ids of the graph @p from as nodes of the graph @p to, with nodes of @p to in place of
-/// the time (@p variables[0]) and of each component i (@p variables[i + 1]). A table needs the time of @p to
-/// as time.
-[[nodiscard]] std::vector<NodeId> substituted(const Graph& from, const std::vector<NodeId>& ids, Graph& to,
-                                              const std::vector<NodeId>& variables);
-
 /// The derivative of a function with respect to its argument @p a, where it has the value @p value.
 [[nodiscard]] NodeId derivative(Graph& graph, Function function, NodeId value, NodeId a);
 

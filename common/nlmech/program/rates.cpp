@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "nlmech/program/graph.hpp"
+#include "nlmech/program/partials.hpp"
 
 namespace nlmech::program {
 namespace {

@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <Eigen/QR>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -122,12 +123,6 @@ void ArcFlow::differentiate(const Expressions& expressions, double t, const Vect
   by = all.leftCols(1 + z.size()) + all.rightCols(count) * response;
 }
 
-namespace {
-
-bool is_known_time(JunctionKind kind) { return kind == JunctionKind::point; }
-
-}  // namespace
-
 ArcProblem::ArcProblem(std::shared_ptr<const NecessaryConditions> conditions, const std::vector<Arc>& arcs,
                        std::vector<Junction> junctions)
     : necessary_(std::move(conditions)),
@@ -186,7 +181,7 @@ void ArcProblem::add_junction(std::size_t j) {
     for (const NodeId slope : partials(graph, node, 0, n_)) nodes.push_back(slope);
   }
   made.conditions = Expressions(graph, nodes);
-  if (!is_known_time(junction.kind)) made.time = parameters_++;
+  if (junction.kind != JunctionKind::point) made.time = parameters_++;
   made.multipliers = parameters_;
   parameters_ += made.jumps;
   joined_.push_back(std::move(made));

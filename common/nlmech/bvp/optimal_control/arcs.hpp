@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "nlmech/bvp/optimal_control/necessary_conditions.hpp"

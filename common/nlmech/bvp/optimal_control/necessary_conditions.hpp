@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "nlmech/bvp/optimal_control/expressions.hpp"
-#include "nlmech/program/graph.hpp"
+#include "nlmech/program/partials.hpp"
 
 namespace nlmech::bvp {
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 
 #include "nlmech/bvp/optimal_control/arc_structure.hpp"
 #include "nlmech/bvp/optimal_control/graph_model.hpp"

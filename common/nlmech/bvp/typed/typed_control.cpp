@@ -6,7 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <memory>
+#include <map>
+#include <optional>
 #include <set>
 
 #include "nlmech/bvp/typed/conditions.hpp"
@@ -111,6 +112,24 @@ TypedControl::TypedControl(const ControlText& text)
     conditions.push_back(condition);
   const std::vector<Integral> integrals = read_ends(conditions);
   set_expressions(state_bounds, integrals);
+  check_controls();
+}
+
+/// Refuses bounds on which no control acts, and controls that nothing determines.
+void TypedControl::check_controls() const {
+  std::optional<NecessaryConditions> necessary;
+  try {
+    necessary.emplace(problem_);
+  } catch (const std::invalid_argument& error) {
+    throw input_error("--state-bounds {}: {}", quoted_input(text_.state_bounds), error.what());
+  }
+  for (std::size_t i = 0; i < controls_.size(); ++i) {
+    if (necessary->linear[i] && !std::isfinite(problem_.high[i] - problem_.low[i]))
+      throw input_error(
+          "--control {}: equations and cost are linear in it, so it has no least cost between bounds; give both "
+          "by --bounds",
+          quoted_input(text_.controls[i]));
+  }
 }
 
 /// Sets f, L and S in the variables of the problem: with a free end, time and slopes are scaled.

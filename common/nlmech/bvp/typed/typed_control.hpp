@@ -2,7 +2,6 @@
 /// Optimal control problem given as text.
 #pragma once
 
-#include <map>
 #include <string>
 #include <vector>
 
@@ -42,6 +41,8 @@ class TypedControl {
   [[nodiscard]] const std::vector<std::string>& control_names() const { return text_.controls; }
   /// Is the end free?
   [[nodiscard]] bool has_free_end() const { return !text_.end.empty(); }
+  /// Name of the free end; empty if the end is known.
+  [[nodiscard]] const std::string& end_name() const { return text_.end; }
   /// Texts of the conditions, in the order of their multipliers.
   [[nodiscard]] const std::vector<std::string>& condition_texts() const { return condition_texts_; }
   /// Texts of the bounds on states, in the order of the problem.
@@ -60,6 +61,7 @@ class TypedControl {
     program::NodeId integrand;
   };
   [[nodiscard]] std::vector<program::NodeId> read_bounds();
+  void check_controls() const;
   void set_interval(const Conditions& read);
   [[nodiscard]] std::vector<Integral> read_ends(const std::vector<ConditionText>& conditions);
   [[nodiscard]] std::vector<Integral> read_cost(const Conditions& read,
