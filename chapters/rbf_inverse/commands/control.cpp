@@ -26,8 +26,8 @@ using bvp::ControlSolution;
 using bvp::TypedControl;
 
 struct ControlOptions {
-  std::string equation, file, control, minimise, conditions, bounds, state_bounds, unknown, from, until, guess,
-      plot;
+  std::string equation, file, control, minimise, conditions, bounds, state_bounds, unknown, from, until,
+      guess, plot;
   std::vector<std::string> set;
   double tolerance = 1e-9;
   std::optional<double> every;
@@ -41,7 +41,8 @@ void declare_control(scene::Options& options, ControlOptions& typed) {
   options.add("--control", typed.control, "names of the controls, separated by commas").required();
   options
       .add("--minimise", typed.minimise,
-           "the cost: integrals over the whole interval, values at points, and the free end: \"integral(u^2/2) + "
+           "the cost: integrals over the whole interval, values at points, and the free end: "
+           "\"integral(u^2/2) + "
            "x(2)^2\", \"T\"")
       .required();
   options.add("--conditions", typed.conditions,
@@ -51,11 +52,13 @@ void declare_control(scene::Options& options, ControlOptions& typed) {
               "bounds of states at all times: \"x <= 1.2; x^2 + y^2 <= 4\"");
   options.add("--unknown", typed.unknown, "name of the end of the interval, if it is free: \"T\"");
   options.add("--from", typed.from, "start of the interval (default: the first time of a condition)");
-  options.add("--until", typed.until,
-              "end of the interval: a number, or the name of --unknown (default: the last time of a condition)");
-  options.add("--guess", typed.guess,
-              "functions of t for the controls, initial values of states, the free end: \"u = sin(t), x = 1, T "
-              "= 3\". Default: several controls, zeros, 1 after the start");
+  options.add(
+      "--until", typed.until,
+      "end of the interval: a number, or the name of --unknown (default: the last time of a condition)");
+  options.add(
+      "--guess", typed.guess,
+      "functions of t for the controls, initial values of states, the free end: \"u = sin(t), x = 1, T "
+      "= 3\". Default: several controls and ends, zeros");
   options.add("--tolerance", typed.tolerance, "tolerance on x' - f, relative to the size of f")
       .range(1e-13, 0.1);
   options.add("--every", typed.every, "time between rows (default: rows at the nodes of the collocation)")
@@ -188,10 +191,10 @@ void print_arcs(const TypedControl& problem, const ControlSolution& found) {
     const Eigen::VectorXd pi = found.problem->jump_multipliers(j, p);
     if (pi.size() == 0) continue;
     const bool touches = junctions[j].kind == bvp::JunctionKind::contact;
-    scene::print_message(fmt::format(
-        "rbf_inverse: at {:.10g} {} {}: multipliers {:.10g}", true_time(times[j + 1]),
-        touches ? "contact with" : "entry to",
-        problem.bound_texts()[static_cast<std::size_t>(junctions[j].index)], fmt::join(pi, ", ")));
+    scene::print_message(fmt::format("rbf_inverse: at {:.10g} {} {}: multipliers {:.10g}",
+                                     true_time(times[j + 1]), touches ? "contact with" : "entry to",
+                                     problem.bound_texts()[static_cast<std::size_t>(junctions[j].index)],
+                                     fmt::join(pi, ", ")));
   }
   for (std::size_t k = 0; k < problem.condition_texts().size(); ++k)
     scene::print_message(fmt::format("rbf_inverse: multiplier of {}: {:.10g}", problem.condition_texts()[k],
@@ -202,8 +205,8 @@ void print_summary(const TypedControl& problem, const ControlSolution& found) {
   std::string text = fmt::format("rbf_inverse: cost {:.12g}", found.cost);
   const double last = static_cast<double>(found.problem->phases());
   if (problem.has_free_end())
-    text += fmt::format(", {} = {:.12g}", problem.end_name(),
-                        problem.true_time(1, found.solution.first()).first);
+    text +=
+        fmt::format(", {} = {:.12g}", problem.end_name(), problem.true_time(1, found.solution.first()).first);
   double least = found.hamiltonian(0), most = least;
   for (const double s : found.solution.node_times()) {
     for (const bvp::Side side : {bvp::Side::before, bvp::Side::after}) {
@@ -213,8 +216,8 @@ void print_summary(const TypedControl& problem, const ControlSolution& found) {
     }
   }
   const double rate = problem.true_time(0, found.solution.first()).second;
-  text += fmt::format("; Hamiltonian from {:.10g} to {:.10g}; deviation of an integration {:.1g}", least / rate,
-                      most / rate, found.solution.integration_error);
+  text += fmt::format("; Hamiltonian from {:.10g} to {:.10g}; deviation of an integration {:.1g}",
+                      least / rate, most / rate, found.solution.integration_error);
   if (found.second_order.kind != bvp::Kind::untested)
     text += fmt::format("; second variation: {}", to_string(found.second_order.kind));
   if (found.extremals > 1) text += fmt::format("; the least of {} extremals found", found.extremals);
@@ -242,19 +245,22 @@ void control(const ControlOptions& typed) {
   const TypedControl problem = problem_of_control(typed);
   bvp::Options options;
   options.tolerance = typed.tolerance;
+  options.newton_tolerance = typed.tolerance;
   options.verification = bvp::Verification::pieces;
   options.verification_tolerance = std::max(1e-10, 100 * typed.tolerance);
   const ControlSolution found = solve_control(problem.problem(), problem.guesses(typed.guess), options);
   if (!found.status.ok()) throw Failure(found.status);
   std::string text = "t";
   for (const std::string& name : problem.state_names()) text.append(",").append(scene::csv_field(name));
-  for (const std::string& name : problem.state_names()) text.append(",lambda_").append(scene::csv_field(name));
+  for (const std::string& name : problem.state_names())
+    text.append(",lambda_").append(scene::csv_field(name));
   for (const std::string& name : problem.control_names()) text.append(",").append(name);
   for (std::size_t k = 1; k <= problem.bound_texts().size(); ++k) text += fmt::format(",mu_{}", k);
   text += "\n";
   for (const ControlRow& row : rows_of_control(problem, found, typed.every)) {
     text += fmt::format("{:.17g}", row.t);
-    for (const double value : row.values) text += fmt::format(",{:.17g}", std::abs(value) < 1e-18 ? 0 : value);
+    for (const double value : row.values)
+      text += fmt::format(",{:.17g}", std::abs(value) < 1e-18 ? 0 : value);
     text += "\n";
   }
   print_summary(problem, found);
@@ -264,7 +270,8 @@ void control(const ControlOptions& typed) {
       return run_figure(
           samples_of_control(problem, rows_of_control(problem, found, {})),
           quoted_input(
-              typed.file.empty() ? typed.equation : std::filesystem::path(typed.file).filename().string(), 60));
+              typed.file.empty() ? typed.equation : std::filesystem::path(typed.file).filename().string(),
+              60));
     });
 }
 

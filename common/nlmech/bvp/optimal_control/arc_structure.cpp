@@ -80,8 +80,7 @@ class StructureFinder {
     }
     if (variants.size() > 2) {
       variants.push_back(contact);
-      for (std::size_t i = 0; i < runs_.size(); ++i)
-        variants.back()[i] = runs_[i].may_touch != contact[i];
+      for (std::size_t i = 0; i < runs_.size(); ++i) variants.back()[i] = runs_[i].may_touch != contact[i];
     }
     std::vector<ArcStructure> structures;
     for (const std::vector<bool>& variant : variants) structures.push_back(structure(variant));
@@ -184,9 +183,8 @@ class StructureFinder {
     for (std::size_t k = 0; k < runs_.size(); ++k) {
       const EqualRun& run = runs_[k].pieces;
       if (contact[k])
-        changes.push_back({{JunctionKind::contact, runs_[k].bound,
-                            time(static_cast<double>(run.from + run.to) / 2)},
-                           {}});
+        changes.push_back(
+            {{JunctionKind::contact, runs_[k].bound, time(static_cast<double>(run.from + run.to) / 2)}, {}});
     }
     for (std::size_t j = 1; j + 1 < c_.points.size(); ++j)
       changes.push_back({{JunctionKind::point, static_cast<int>(j), c_.points[j]}, {}});

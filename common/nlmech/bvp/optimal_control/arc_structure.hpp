@@ -13,8 +13,8 @@ struct ArcStructure {
   std::vector<Junction> junctions;  ///< K - 1
 };
 
-/// Sequences of arcs that the result of direct_start() suggests, the likeliest first. Short runs on a bound on
-/// states may be arcs or contacts.
+/// Sequences of arcs that the result of direct_start() suggests, the likeliest first. Short runs on a bound
+/// on states may be arcs or contacts.
 [[nodiscard]] std::vector<ArcStructure> arc_structures(const NecessaryConditions& conditions,
                                                        const DirectResult& direct);
 

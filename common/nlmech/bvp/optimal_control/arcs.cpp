@@ -119,7 +119,8 @@ void ArcFlow::differentiate(const Expressions& expressions, double t, const Vect
   const Index count = wide.size() - z.size();
   expressions.differentiate(t, wide, values, all);
   pointwise_.differentiate(t, wide, r, equations);
-  const MatrixXd response = -equations.rightCols(count).partialPivLu().solve(equations.leftCols(1 + z.size()));
+  const MatrixXd response =
+      -equations.rightCols(count).partialPivLu().solve(equations.leftCols(1 + z.size()));
   by = all.leftCols(1 + z.size()) + all.rightCols(count) * response;
 }
 
@@ -147,7 +148,9 @@ void ArcProblem::add_junction(std::size_t j) {
   const Arc &last = flows_[j].arc(), &next = flows_[j + 1].arc();
   JunctionConditions made;
   std::vector<NodeId> nodes, jumping;
-  const auto is_bound = [](ControlMode mode) { return mode == ControlMode::low || mode == ControlMode::high; };
+  const auto is_bound = [](ControlMode mode) {
+    return mode == ControlMode::low || mode == ControlMode::high;
+  };
   switch (junction.kind) {
     case JunctionKind::point:
       made.point = junction.index;
@@ -157,8 +160,14 @@ void ArcProblem::add_junction(std::size_t j) {
       nodes = {c.by_control[index]};
       made.before = is_bound(last.controls[index]);
       break;
-    case JunctionKind::singular_entry: nodes = {c.switching[0], c.switching[1]}; break;
-    case JunctionKind::singular_exit: break;
+    case JunctionKind::singular_entry:
+      // On an arc to the end dH/du is zero there, as lambda is: a second condition would repeat that.
+      if (j + 2 < flows_.size()) nodes.push_back(c.switching[0]);
+      nodes.push_back(c.switching[1]);
+      break;
+    case JunctionKind::singular_exit:
+      if (j == 0) nodes = {c.switching[1]};
+      break;
     case JunctionKind::exit: nodes = {Graph::state(2 * c.n + c.q + junction.index)}; break;
     case JunctionKind::contact:
       jumping = {c.tangency[index].front()};
@@ -295,7 +304,8 @@ void ArcProblem::condition_jacobian(const MatrixXd& ends, const VectorXd& p, Mat
   ends_.differentiate(0, end_state(ends, p), values, psi);
   const auto add_ends = [&](Index row, Index from, Index count, double sign) {
     for (int j = 0; j < points; ++j)
-      by_ends.block(row, column_of(j) * size, count, n_) += sign * psi.block(from, 1 + Index{j} * n_, count, n_);
+      by_ends.block(row, column_of(j) * size, count, n_) +=
+          sign * psi.block(from, 1 + Index{j} * n_, count, n_);
     by_parameter.block(row, 0, count, m) += sign * psi.block(from, 1 + Index{points} * n_, count, m);
   };
   const MatrixXd one = MatrixXd::Identity(n_, n_);

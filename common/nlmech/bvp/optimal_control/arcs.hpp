@@ -21,8 +21,8 @@ enum class ControlMode : std::uint8_t {
 
 /// Active bounds of an arc.
 struct Arc {
-  std::vector<ControlMode> controls;  ///< mode of each control
-  std::vector<bool> on_bound;         ///< for each bound on states: does the arc lie on it?
+  std::vector<ControlMode> controls;            ///< mode of each control
+  std::vector<bool> on_bound;                   ///< for each bound on states: does the arc lie on it?
   bool operator==(const Arc&) const = default;  ///< are all modes equal?
 };
 
@@ -74,8 +74,8 @@ class ArcFlow {
 };
 
 /// Boundary value problem of a sequence of K arcs. Arc k is mapped to times from k to k + 1. Unknown
-/// constants: the multipliers nu of the conditions, the unknown times of junctions, the multipliers of entries
-/// and contacts. Unknown functions: z = (x, lambda).
+/// constants: the multipliers nu of the conditions, the unknown times of junctions, the multipliers of
+/// entries and contacts. Unknown functions: z = (x, lambda).
 class ArcProblem final : public Problem {
  public:
   /// @param junctions one fewer than @p arcs, in order of time
@@ -111,8 +111,8 @@ class ArcProblem final : public Problem {
                           Eigen::MatrixXd& by_parameter) const override;
 
  private:
-  /// Conditions of a junction, on one side, and the gradients of the expressions whose multipliers make lambda
-  /// jump.
+  /// Conditions of a junction, on one side, and the gradients of the expressions whose multipliers make
+  /// lambda jump.
   struct JunctionConditions {
     Expressions conditions;  // then the gradients by x, n for each multiplier
     int count = 0;           // of conditions

@@ -215,7 +215,8 @@ class Descent {
     while (!free.empty()) {
       const Eigen::LLT<MatrixXd> llt(quu(free, free));
       if (llt.info() != Eigen::Success) return false;
-      // Controls that the step takes beyond a bound stop there; the others take the best of the remaining step.
+      // Controls that the step takes beyond a bound stop there; the others take the best of the remaining
+      // step.
       VectorXd rest = qu;
       for (Index i = 0; i < q_; ++i) {
         if (std::ranges::find(free, i) == free.end()) rest += change[i] * quu.col(i);
@@ -306,6 +307,24 @@ class Descent {
     }
   }
 
+  /// Co-states along now_ from the multipliers of the prescribed values.
+  [[nodiscard]] MatrixXd adjoint() const {
+    MatrixXd all(n_, steps_ + 1), a, b;
+    VectorXd lambda =
+        model_.end_cost(now_.x.col(0), now_.x.col(steps_), task_.final_time).gradient.segment(n_, n_);
+    for (Index k = steps_;; --k) {
+      for (const Target& target : targets_) {
+        if (target.step == k) lambda[target.component] += target.multiplier;
+      }
+      all.col(k) = lambda;
+      if (k == 0) return all;
+      const VectorXd x = now_.x.col(k - 1), u = now_.u.col(k - 1);
+      const auto l = model_.expand(time(k - 1), x, u, VectorXd::Zero(n_), task_.mu, task_.constraints);
+      linearise(k - 1, a, b);
+      lambda = h_ * l.gradient.head(n_) + a.transpose() * lambda;
+    }
+  }
+
   void finish(DirectResult& result) {
     damping_ = 1e-9;
     (void)integrate(now_);
@@ -321,6 +340,7 @@ class Descent {
     MatrixXd z(2 * n_, steps_ + 1);
     z << now_.x, costates_;
     result.controls = now_.u;
+    result.adjoint = adjoint();
     const double t0 = task_.begin_time, h = h_;
     result.start.states = [z, t0, h](double t, VectorXd& at) {
       const double s = std::clamp((t - t0) / h, 0.0, static_cast<double>(z.cols() - 1));

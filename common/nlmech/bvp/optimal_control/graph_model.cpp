@@ -44,16 +44,17 @@ GraphModel::GraphModel(const ControlProblem& problem, std::shared_ptr<const Nece
   for (int i = 0; i < q_; ++i) {
     const auto k = static_cast<std::size_t>(i);
     if (!necessary_->linear[k] || regularisation.control == 0) continue;
-    const double middle = (problem.low[k] + problem.high[k]) / 2, half = (problem.high[k] - problem.low[k]) / 2;
-    const NodeId off = graph.quotient(graph.difference(Graph::state(2 * n_ + i), graph.number(middle)),
-                                      graph.number(half));
+    const double middle = (problem.low[k] + problem.high[k]) / 2,
+                 half = (problem.high[k] - problem.low[k]) / 2;
+    const NodeId off =
+        graph.quotient(graph.difference(Graph::state(2 * n_ + i), graph.number(middle)), graph.number(half));
     cost = graph.sum(cost, half_square(graph, off, regularisation.control));
   }
   made.resize(static_cast<std::size_t>(n_));
   NodeId hamiltonian = cost;
   for (int i = 0; i < n_; ++i)
-    hamiltonian = graph.sum(
-        hamiltonian, graph.product(Graph::state(n_ + i), made[static_cast<std::size_t>(i)]));
+    hamiltonian =
+        graph.sum(hamiltonian, graph.product(Graph::state(n_ + i), made[static_cast<std::size_t>(i)]));
   std::vector<NodeId> all = made;
   all.push_back(cost);
   dynamics_ = Expressions(graph, all);

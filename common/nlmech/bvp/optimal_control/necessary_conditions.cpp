@@ -49,8 +49,8 @@ std::vector<PrescribedValue> prescribed_values(const ControlProblem& problem) {
     }
     if (count != 1 || place < 0) continue;
     const double rest = Expressions(graph, {problem.conditions[k]}).values(0, zero)[0];
-    values.push_back({k, place / problem.states, place % problem.states,
-                      0.0 - rest / graph[slopes[at(place)]].c});
+    values.push_back(
+        {k, place / problem.states, place % problem.states, 0.0 - rest / graph[slopes[at(place)]].c});
   }
   return values;
 }
@@ -75,8 +75,8 @@ NecessaryConditions::NecessaryConditions(const ControlProblem& problem)
   std::vector<NodeId> costates, bound_multipliers;
   for (int i = 0; i < n; ++i) costates.push_back(Graph::state(n + i));
   for (int k = 0; k < bounds; ++k) bound_multipliers.push_back(Graph::state(2 * n + q + k));
-  hamiltonian = graph.sum(graph.sum(running_cost, dot(graph, costates, flow)),
-                          dot(graph, bound_multipliers, path));
+  hamiltonian =
+      graph.sum(graph.sum(running_cost, dot(graph, costates, flow)), dot(graph, bound_multipliers, path));
   by_control = partials(graph, hamiltonian, 2 * n, q);
   for (const NodeId rate : negated(graph, partials(graph, hamiltonian, 0, n))) flow.push_back(rate);
   for (int i = 0; i < q; ++i)
@@ -153,8 +153,7 @@ void NecessaryConditions::derive_ends(const ControlProblem& problem) {
   const int values = problem.ends.size();
   std::vector<NodeId> ids = problem.conditions, nu;
   ids.push_back(problem.end_cost);
-  std::vector<NodeId> made =
-      substituted(problem.ends, ids, ends, variables_of(values, 0, 0));
+  std::vector<NodeId> made = substituted(problem.ends, ids, ends, variables_of(values, 0, 0));
   end_cost = made.back();
   made.pop_back();
   for (std::size_t k = 0; k < multipliers; ++k) nu.push_back(Graph::state(values + static_cast<int>(k)));

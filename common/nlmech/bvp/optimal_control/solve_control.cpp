@@ -92,6 +92,8 @@ class ArcCheck {
       if (!(u >= c_.low[k] - small && u <= c_.high[k] + small)) return "a control leaves its bounds";
       if (arc.controls[k] == ControlMode::low && slope[i] < -tolerance * slope_)
         return "H decreases from the lower bound of a control";
+      if (arc.controls[k] == ControlMode::singular && std::abs(slope[i]) > tolerance * slope_)
+        return "dH/du is not zero on a singular arc";
       if (arc.controls[k] == ControlMode::high && slope[i] > tolerance * slope_)
         return "H decreases from the upper bound of a control";
     }
@@ -127,33 +129,68 @@ class ArcCheck {
   double slope_ = 0, bound_ = 0, mu_ = 0;
 };
 
-/// Result of a direct method with decreasing regularisation.
+/// A stage of the direct method.
+struct Stage {
+  Regularisation regularisation;
+  bool holds_constants = false;  // are states with the slope 0, such as a free end, held at their guess?
+};
+
+/// First with a free end held, since the cost may be least without any motion as long as the weights of the
+/// conditions are small; then with decreasing regularisation.
+std::vector<Stage> stages_of(const ControlProblem& problem, const NecessaryConditions& necessary) {
+  const bool is_regular =
+      necessary.bounds == 0 && std::ranges::find(necessary.linear, true) == necessary.linear.end();
+  const bool has_constants = std::ranges::any_of(
+      problem.slopes, [&](program::NodeId slope) { return problem.graph.is_number(slope, 0); });
+  std::vector<Stage> stages;
+  if (has_constants) stages.push_back({is_regular ? Regularisation{} : Regularisation{0.1, 10}, true});
+  if (is_regular)
+    stages.push_back({});
+  else
+    for (const Regularisation& next : {Regularisation{0.1, 10}, {1e-2, 1e3}, {1e-3, 1e4}})
+      stages.push_back({next});
+  return stages;
+}
+
+/// Result of a direct method, with co-states by the adjoint equation.
 DirectResult direct_result(const ControlProblem& problem,
                            const std::shared_ptr<const NecessaryConditions>& necessary, ControlGuess guess) {
   const auto to_vector = [](const std::vector<double>& v) {
     return VectorXd(Eigen::Map<const VectorXd>(v.data(), static_cast<Index>(v.size())));
   };
   DirectOptions options{.pieces = 200, .low = to_vector(problem.low), .high = to_vector(problem.high)};
-  const bool is_linear = std::ranges::find(necessary->linear, true) != necessary->linear.end();
-  std::vector<Regularisation> stages{{}};
-  if (is_linear || necessary->bounds > 0) stages = {{0.1, 10}, {1e-2, 1e3}, {1e-3, 1e4}};
+  const double t0 = problem.points.front(), t1 = problem.points.back();
+  const auto piece = [t0, t1, pieces = options.pieces](double t) { return (t - t0) / (t1 - t0) * pieces; };
   DirectResult result;
-  for (const Regularisation& stage : stages) {
-    const ExtremalProblem task(std::make_shared<const GraphModel>(problem, necessary, stage),
-                               task_of(problem));
-    result = direct_start(task, guess, options);
+  for (const Stage& stage : stages_of(problem, *necessary)) {
+    ControlTask task = task_of(problem);
+    for (std::size_t i = 0; i < task.begin.size(); ++i) {
+      if (stage.holds_constants && problem.graph.is_number(problem.slopes[i], 0))
+        task.begin[i] = task.begin[i].value_or(guess.begin[static_cast<Index>(i)]);
+    }
+    result = direct_start(
+        ExtremalProblem(std::make_shared<const GraphModel>(problem, necessary, stage.regularisation), task),
+        guess, options);
     if (!result.status.ok()) return result;
-    const double t0 = problem.points.front(), t1 = problem.points.back();
     VectorXd z(2 * problem.states);
     result.start.states(t0, z);
     guess.begin = z.head(problem.states);
-    guess.control = [controls = result.controls, t0, t1](double t, VectorXd& u) {
-      const auto count = static_cast<double>(controls.cols());
-      u = controls.col(static_cast<Index>(std::clamp((t - t0) / (t1 - t0) * count, 0.0, count - 1)));
+    guess.control = [controls = result.controls, piece](double t, VectorXd& u) {
+      u = controls.col(
+          static_cast<Index>(std::clamp(piece(t), 0.0, static_cast<double>(controls.cols() - 1))));
     };
-    options.first_weight = 100;
-    options.rounds = 5;
+    options.first_weight = 1000;
+    options.rounds = 4;
   }
+  result.start.states = [states = result.start.states, adjoint = result.adjoint, t0, t1](double t,
+                                                                                         VectorXd& z) {
+    states(t, z);
+    const auto last = static_cast<double>(adjoint.cols() - 1);
+    const double at = std::clamp((t - t0) / (t1 - t0), 0.0, 1.0) * last;
+    const Index k = std::min<Index>(static_cast<Index>(at), adjoint.cols() - 2);
+    const double share = at - static_cast<double>(k);
+    z.tail(adjoint.rows()) = (1 - share) * adjoint.col(k) + share * adjoint.col(k + 1);
+  };
   return result;
 }
 
@@ -180,8 +217,8 @@ double cost_of(const ControlSolution& found) {
   for (std::size_t j = 0, arc = 0; j < points.size(); ++j) {
     while (arc + 1 < times.size() && times[arc] < points[j]) ++arc;
     ends.segment(static_cast<Index>(j) * c.n, c.n) =
-        (j + 1 == points.size() ? found.solution.last()
-                                : found.solution.at(static_cast<double>(arc))).head(c.n);
+        (j + 1 == points.size() ? found.solution.last() : found.solution.at(static_cast<double>(arc)))
+            .head(c.n);
   }
   return sum + Expressions(c.ends, {c.end_cost}).values(0, ends)[0];
 }
@@ -217,7 +254,13 @@ ControlSolution solve_arcs(const std::shared_ptr<const NecessaryConditions>& nec
                            const ArcStructure& structure, const DirectResult& direct,
                            const Options& options) {
   ControlSolution found;
-  const auto problem = std::make_shared<const ArcProblem>(necessary, structure.arcs, structure.junctions);
+  std::shared_ptr<const ArcProblem> problem;
+  try {
+    problem = std::make_shared<const ArcProblem>(necessary, structure.arcs, structure.junctions);
+  } catch (const std::invalid_argument& error) {
+    found.status = Status::failure(Outcome::not_converged, error.what());
+    return found;
+  }
   MatrixXd at_points(2 * necessary->n, static_cast<Index>(necessary->points.size()));
   VectorXd z(2 * necessary->n);
   for (Index j = 0; j < at_points.cols(); ++j) {
@@ -225,7 +268,8 @@ ControlSolution solve_arcs(const std::shared_ptr<const NecessaryConditions>& nec
     at_points.col(j) = z;
   }
   const VectorXd p = problem->parameters_from(at_points);
-  const Start start{[&](double s, VectorXd& x) { direct.start.states(problem->place(s, p).first, x); }, p, {}};
+  const Start start{
+      [&](double s, VectorXd& x) { direct.start.states(problem->place(s, p).first, x); }, p, {}};
   found.problem = problem;
   found.solution = solve(*problem, start, options);
   found.status = found.solution.status;
@@ -240,28 +284,74 @@ ControlSolution solve_arcs(const std::shared_ptr<const NecessaryConditions>& nec
 
 }  // namespace
 
+namespace {
+
+/// Is H quadratic in x and u with constant coefficients, and are all conditions values? Then there is one
+/// extremal, as long as H is convex.
+bool is_linear_quadratic(const ControlProblem& problem, const NecessaryConditions& necessary) {
+  program::Graph graph = necessary.graph;
+  std::vector<int> variables;
+  for (int i = 0; i < necessary.n; ++i) variables.push_back(i);
+  for (int i = 0; i < necessary.q; ++i) variables.push_back(2 * necessary.n + i);
+  for (const int i : variables) {
+    const program::NodeId slope = partials(graph, necessary.hamiltonian, i, 1).front();
+    for (const int j : variables) {
+      if (!graph.is_number(partials(graph, slope, j, 1).front())) return false;
+    }
+  }
+  return prescribed_values(problem).size() == problem.conditions.size();
+}
+
+/// Guesses with the control @p middle and different values of each state that is free at the start.
+void add_free_begins(const ControlProblem& problem, const VectorXd& begin, const VectorXd& middle,
+                     std::vector<ControlGuess>& guesses) {
+  double size = 1;
+  std::vector<bool> known(static_cast<std::size_t>(problem.states));
+  for (const PrescribedValue& value : prescribed_values(problem)) {
+    size = std::max(size, std::abs(value.value));
+    if (value.point == 0) known[static_cast<std::size_t>(value.component)] = true;
+  }
+  for (int i = 0; i < problem.states; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    if (known[k] || problem.graph.is_number(problem.slopes[k], 0)) continue;
+    for (const double share : {0.2, 0.4, 0.7, 1., 1.5, 2., 3., 4.}) {
+      for (const double sign : {1., -1.}) {
+        VectorXd other = begin;
+        other[i] += sign * share * size;
+        guesses.push_back({other, [middle](double, VectorXd& u) { u = middle; }});
+      }
+    }
+  }
+}
+
+}  // namespace
+
 std::vector<ControlGuess> control_guesses(const ControlProblem& problem, const VectorXd& begin, double size) {
   const auto q = static_cast<Index>(problem.controls());
   VectorXd middle(q), half(q);
+  bool is_bounded = true;
   for (Index i = 0; i < q; ++i) {
     const auto k = static_cast<std::size_t>(i);
     const double low = problem.low[k], high = problem.high[k];
     const bool bounded = std::isfinite(high - low);
     middle[i] = bounded ? (low + high) / 2 : std::clamp(0.0, low, high);
     half[i] = bounded ? (high - low) / 2 : size;
+    is_bounded = is_bounded && bounded;
   }
-  std::vector<ControlGuess> guesses;
-  for (const double share : {0., 1., -1.})
-    guesses.push_back({begin, [=](double, VectorXd& u) { u = middle + share * half; }});
+  std::vector<ControlGuess> guesses{{begin, [middle](double, VectorXd& u) { u = middle; }}};
   const double t0 = problem.points.front(), length = problem.points.back() - t0;
-  for (const int waves : {1, 2, 3}) {
-    for (const double sign : {1., -1.}) {
-      guesses.push_back({begin, [=](double t, VectorXd& u) {
-                           u = middle +
-                               sign * std::cos(std::numbers::pi * waves * (t - t0) / length) * half;
-                         }});
+  for (const double scale : {1., 5.}) {
+    if (scale > 1 && is_bounded) break;
+    for (const int waves : {0, 1, 2, 3}) {
+      for (const double sign : {scale, -scale}) {
+        guesses.push_back({begin, [=](double t, VectorXd& u) {
+                             u = middle +
+                                 sign * std::cos(std::numbers::pi * waves * (t - t0) / length) * half;
+                           }});
+      }
     }
   }
+  add_free_begins(problem, begin, middle, guesses);
   return guesses;
 }
 
@@ -272,10 +362,20 @@ ControlSolution solve_control(const ControlProblem& problem, const std::vector<C
   ControlSolution failed;
   failed.status = Status::failure(Outcome::not_converged, "no guess");
   std::vector<double> costs;
+  const bool is_convex = is_linear_quadratic(problem, *necessary);
   for (const ControlGuess& guess : guesses) {
+    if (best && is_convex) break;
     const DirectResult direct = direct_result(problem, necessary, guess);
     if (!direct.status.ok()) {
       failed.status = direct.status;
+      continue;
+    }
+    if (direct.miss > 1e-2) {
+      failed.status =
+          failed_with(Outcome::infeasible,
+                      "no control was found that leads to the prescribed values: the nearest is {:.2g} "
+                      "off; loosen bounds or conditions, or give a --guess",
+                      direct.miss);
       continue;
     }
     for (const ArcStructure& structure : arc_structures(*necessary, direct)) {
@@ -284,7 +384,9 @@ ControlSolution solve_control(const ControlProblem& problem, const std::vector<C
         failed.status = found.status;
         continue;
       }
-      const auto is_same = [&](double cost) { return std::abs(cost - found.cost) <= 1e-7 * (1 + std::abs(cost)); };
+      const auto is_same = [&](double cost) {
+        return std::abs(cost - found.cost) <= 1e-7 * (1 + std::abs(cost));
+      };
       if (std::ranges::none_of(costs, is_same)) costs.push_back(found.cost);
       if (!best || found.cost < best->cost) best = std::move(found);
       break;

@@ -25,7 +25,8 @@ struct ControlSolution {
   [[nodiscard]] double hamiltonian(double s, Side side = Side::after) const;
 };
 
-/// Finds the extremal of least cost that is reached from several controls.
+/// Finds the extremal of least cost that is reached from several controls; with linear equations and a
+/// quadratic cost, the first.
 ///
 /// From each guess direct_start() minimises the cost over piecewise constant controls, with penalties for
 /// bounds on states and small quadratic costs of controls in which H is linear. Its controls show the arcs:
@@ -42,7 +43,8 @@ struct ControlSolution {
                                             const std::vector<ControlGuess>& guesses,
                                             const Options& options = {});
 
-/// Controls to start from: the middle of the bounds, both bounds or +-@p size, and harmonic functions of time.
+/// Controls to start from: the middle of the bounds, both bounds or +-@p size, and harmonic functions of
+/// time.
 /// @param begin initial values of the states, used where they are free
 [[nodiscard]] std::vector<ControlGuess> control_guesses(const ControlProblem& problem,
                                                         const Eigen::VectorXd& begin, double size);

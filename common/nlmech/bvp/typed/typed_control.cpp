@@ -11,7 +11,6 @@
 #include <set>
 
 #include "nlmech/bvp/typed/conditions.hpp"
-#include "nlmech/program/switches.hpp"
 #include "nlmech/support/quoted_input.hpp"
 #include "nlmech/support/sentences.hpp"
 
@@ -88,8 +87,7 @@ DividedText divided_text(const ControlText& text) {
 }  // namespace
 
 TypedControl::TypedControl(const ControlText& text)
-    : text_(text),
-      equations_(program::SourceText(text.name, divided_text(text).equations), text.settings) {
+    : text_(text), equations_(program::SourceText(text.name, divided_text(text).equations), text.settings) {
   if (equations_.initial_time() || equations_.final_time() || !equations_.lower_bounds().empty())
     throw input_error("{}: give times and bounds by --conditions, --until, --bounds and --state-bounds",
                       text.name);
@@ -126,7 +124,8 @@ void TypedControl::check_controls() const {
   for (std::size_t i = 0; i < controls_.size(); ++i) {
     if (necessary->linear[i] && !std::isfinite(problem_.high[i] - problem_.low[i]))
       throw input_error(
-          "--control {}: equations and cost are linear in it, so it has no least cost between bounds; give both "
+          "--control {}: equations and cost are linear in it, so it has no least cost between bounds; give "
+          "both "
           "by --bounds",
           quoted_input(text_.controls[i]));
   }
@@ -153,21 +152,30 @@ void TypedControl::set_expressions(const std::vector<NodeId>& state_bounds,
   for (const int i : states_) ids.push_back(equations_.slopes()[program::index(i)]);
   for (const Integral& integral : integrals) ids.push_back(integral.integrand);
   ids.insert(ids.end(), state_bounds.begin(), state_bounds.end());
-  if (program::Switches(equations_.graph(), equations_.slopes(), ids).count() > 0)
-    throw input_error(
-        "{}: abs, sign, min, max and conditions on the motion have no derivative where they switch; write "
-        "abs(u) as the sum of two controls, each at least 0",
-        text_.name);
+  refuse_switches(ids);
   const std::vector<NodeId> made = substituted(equations_.graph(), ids, graph, variables);
   auto next = made.begin();
-  for (std::size_t i = 0; i < states_.size(); ++i)
-    problem_.slopes.push_back(graph.product(rate, *next++));
+  for (std::size_t i = 0; i < states_.size(); ++i) problem_.slopes.push_back(graph.product(rate, *next++));
   if (has_free_end()) problem_.slopes.push_back(graph.number(0));
   NodeId cost = graph.number(0);
   for (const Integral& integral : integrals)
     cost = graph.sum(cost, graph.product(graph.number(integral.factor), *next++));
   problem_.running_cost = graph.product(rate, cost);
   problem_.state_bounds.assign(next, made.end());
+}
+
+void TypedControl::refuse_switches(const std::vector<NodeId>& ids) const {
+  const std::vector<bool> part = parts_of(equations_.graph(), ids);
+  for (NodeId i = 0; i < equations_.graph().nodes(); ++i) {
+    const program::Operation operation = equations_.graph()[i].operation;
+    if (part[program::index(i)] &&
+        (operation == program::Operation::choice || operation == program::Operation::floor))
+      throw input_error(
+          "{}: abs, sign, min, max, if and floor have no derivative where they switch; write abs(u) as the "
+          "sum "
+          "of two controls, each at least 0, a bound by --bounds or --state-bounds",
+          text_.name);
+  }
 }
 
 std::vector<NodeId> TypedControl::read_bounds() {
@@ -268,9 +276,9 @@ std::vector<TypedControl::Integral> TypedControl::read_ends(const std::vector<Co
         throw input_error("--conditions: the control {} can jump, so it cannot be prescribed at a time",
                           text_.controls[i]);
     }
-    arguments.push_back(substituted(equations_.graph(), {value.what}, problem_.ends,
-                                    point_variables(static_cast<int>(point)))
-                            .front());
+    arguments.push_back(
+        substituted(equations_.graph(), {value.what}, problem_.ends, point_variables(static_cast<int>(point)))
+            .front());
   }
   for (std::size_t k = 0; k < read.integrands().size(); ++k) arguments.push_back(problem_.ends.number(0));
   const std::vector<NodeId> last = point_variables(static_cast<int>(points.size()) - 1);
@@ -284,7 +292,8 @@ std::vector<TypedControl::Integral> TypedControl::read_ends(const std::vector<Co
             "--conditions {}: instead of an integral give an equation y' = integrand, and y at both ends",
             quoted_input(conditions[k].text));
     }
-    problem_.conditions.push_back(substituted(read.residual_graph(), {node}, problem_.ends, arguments).front());
+    problem_.conditions.push_back(
+        substituted(read.residual_graph(), {node}, problem_.ends, arguments).front());
   }
   return read_cost(read, arguments);
 }
@@ -303,8 +312,8 @@ std::vector<TypedControl::Integral> TypedControl::read_cost(const Conditions& re
     }
   }
   std::vector<Integral> integrals;
-  const std::vector<NodeId> slopes =
-      partials(residuals, cost, static_cast<int>(read.values().size()), static_cast<int>(read.integrands().size()));
+  const std::vector<NodeId> slopes = partials(residuals, cost, static_cast<int>(read.values().size()),
+                                              static_cast<int>(read.integrands().size()));
   for (std::size_t i = 0; i < slopes.size(); ++i) {
     if (!residuals.is_number(slopes[i]))
       throw input_error("--minimise {}: the factor of an integral has to be a number",
@@ -326,6 +335,7 @@ std::vector<ControlGuess> TypedControl::guesses(const std::string& guess) const 
   Equations equations = equations_;
   std::map<std::size_t, Expressions> functions;
   double length = has_free_end() ? 1 : until_ - from_;
+  bool gives_end = false;
   const VectorXd zero = VectorXd::Zero(equations.size());
   for (const std::string& part : parts_between(guess, ",;\n")) {
     const std::size_t equals = part.find('=');
@@ -346,13 +356,30 @@ std::vector<ControlGuess> TypedControl::guesses(const std::string& guess) const 
       functions[static_cast<std::size_t>(control - text_.controls.begin())] = function;
     else if (state != state_names_.end())
       begin[state - state_names_.begin()] = at_start;
-    else
+    else {
       length = at_start - from_;
+      gives_end = true;
+    }
   }
-  if (!(length > 0)) throw input_error("--guess: the end {} must be later than --from {:.6g}", text_.end, from_);
+  if (!(length > 0))
+    throw input_error("--guess: the end {} must be later than the start {:.6g}", text_.end, from_);
+  std::vector<double> lengths{length};
+  if (has_free_end() && !gives_end) lengths = {1, 3, 10, 0.3, 30};
+  if (functions.empty()) {
+    std::vector<ControlGuess> automatic;
+    double size = 1;
+    for (const PrescribedValue& value : prescribed_values(problem_))
+      size = std::max(size, std::abs(value.value));
+    for (const double one : lengths) {
+      if (has_free_end()) begin[problem_.states - 1] = std::log(one);
+      std::vector<ControlGuess> more = control_guesses(problem_, begin, size / one);
+      // Several lengths with few controls, or one with many.
+      if (lengths.size() > 1) more.resize(3);
+      automatic.insert(automatic.end(), more.begin(), more.end());
+    }
+    return automatic;
+  }
   if (has_free_end()) begin[problem_.states - 1] = std::log(length);
-  std::vector<ControlGuess> automatic = control_guesses(problem_, begin, 1 / length);
-  if (functions.empty()) return automatic;
   const auto typed = [this, functions, zero, length](double s, VectorXd& u) {
     const double t = has_free_end() ? from_ + s * length : s;
     u.setZero();

@@ -50,8 +50,8 @@ class TypedControl {
   /// Time and its rate by the time @p s of the problem, for the states @p x.
   [[nodiscard]] std::pair<double, double> true_time(double s, const Eigen::VectorXd& x) const;
   /// Initial values and controls to start from. @param guess functions of t for controls, values at the start
-  /// for states, the value of a free end (default 1 after the start): "u = sin(t), x = 1, T = 3". Without a
-  /// control: control_guesses(). @throws InputError naming `--guess`
+  /// for states, the value of a free end (default: several): "u = sin(t), x = 1, T = 3". Without a control:
+  /// control_guesses(). @throws InputError naming `--guess`
   [[nodiscard]] std::vector<ControlGuess> guesses(const std::string& guess) const;
 
  private:
@@ -62,6 +62,7 @@ class TypedControl {
   };
   [[nodiscard]] std::vector<program::NodeId> read_bounds();
   void check_controls() const;
+  void refuse_switches(const std::vector<program::NodeId>& ids) const;
   void set_interval(const Conditions& read);
   [[nodiscard]] std::vector<Integral> read_ends(const std::vector<ConditionText>& conditions);
   [[nodiscard]] std::vector<Integral> read_cost(const Conditions& read,
