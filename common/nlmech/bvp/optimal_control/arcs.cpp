@@ -63,10 +63,15 @@ void ArcFlow::minimise(double t, VectorXd& wide) const {
     const VectorXd slope = r(free);
     if (!curvature.allFinite() || !slope.allFinite()) break;
     const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(curvature);
-    const double least = 1e-14 * eigen.eigenvalues().cwiseAbs().maxCoeff();
+    const double most_curved = eigen.eigenvalues().cwiseAbs().maxCoeff(), least = 1e-14 * most_curved;
     const VectorXd sizes = eigen.eigenvalues().cwiseAbs().cwiseMax(least);
     VectorXd step = -eigen.eigenvectors() * (eigen.eigenvectors().transpose() * slope).cwiseQuotient(sizes);
     const double size = 1 + wide.segment(first, q).norm();
+    // From a maximum or a saddle along the direction in which H decreases most.
+    if (step.norm() <= 1e-6 * size && eigen.eigenvalues()[0] < -1e-6 * most_curved)
+      step += 0.1 * size * eigen.eigenvectors().col(0);
+    // A long step could pass minima of an H that is not quadratic, such as one of angles.
+    if (!conditions_.quadratic && step.norm() > size) step *= size / step.norm();
     if (step.norm() > 1e-6 * size) {
       const double before = hamiltonian_.values(t, wide)[0];
       VectorXd trial = wide;

@@ -79,8 +79,11 @@ NecessaryConditions::NecessaryConditions(const ControlProblem& problem)
       graph.sum(graph.sum(running_cost, dot(graph, costates, flow)), dot(graph, bound_multipliers, path));
   by_control = partials(graph, hamiltonian, 2 * n, q);
   for (const NodeId rate : negated(graph, partials(graph, hamiltonian, 0, n))) flow.push_back(rate);
-  for (int i = 0; i < q; ++i)
-    linear.push_back(graph.is_number(partials(graph, by_control[at(i)], 2 * n + i, 1).front(), 0));
+  for (int i = 0; i < q; ++i) {
+    const std::vector<NodeId> curvature = partials(graph, by_control[at(i)], 2 * n, q);
+    linear.push_back(graph.is_number(curvature[at(i)], 0));
+    for (const NodeId second : curvature) quadratic = quadratic && !has_control(second);
+  }
   if (q == 1 && linear.front()) derive_switching(problem);
   derive_ends(problem);
 }

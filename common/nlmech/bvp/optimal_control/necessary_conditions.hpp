@@ -60,6 +60,7 @@ struct NecessaryConditions {
   std::vector<std::vector<program::NodeId>> tangency;  ///< for each bound S, S', ... without a control
   std::vector<program::NodeId> path;                   ///< for each bound its first derivative with a control
   std::vector<bool> linear;                            ///< is H linear in the control?
+  bool quadratic = true;                               ///< is H at most quadratic in the controls?
   /// For one control in which H is linear: dH/du, its first, and its second time derivative, which is linear
   /// in u along singular arcs; otherwise empty.
   std::vector<program::NodeId> switching;

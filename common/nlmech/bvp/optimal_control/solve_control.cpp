@@ -314,7 +314,7 @@ void add_free_begins(const ControlProblem& problem, const VectorXd& begin, const
   for (int i = 0; i < problem.states; ++i) {
     const auto k = static_cast<std::size_t>(i);
     if (known[k] || problem.graph.is_number(problem.slopes[k], 0)) continue;
-    for (const double share : {0.2, 0.4, 0.7, 1., 1.5, 2., 3., 4.}) {
+    for (const double share : {0.2, 0.4, 0.7, 1., 1.5, 2., 3., 4., 6., 10.}) {
       for (const double sign : {1., -1.}) {
         VectorXd other = begin;
         other[i] += sign * share * size;
