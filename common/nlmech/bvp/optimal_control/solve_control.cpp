@@ -255,6 +255,16 @@ ControlSolution solve_arcs(const std::shared_ptr<const NecessaryConditions>& nec
                            const Options& options) {
   ControlSolution found;
   std::shared_ptr<const ArcProblem> problem;
+  for (const Arc& arc : structure.arcs) {
+    for (std::size_t i = 0; i < arc.controls.size(); ++i) {
+      const bool is_on_bound = std::ranges::find(arc.on_bound, true) != arc.on_bound.end();
+      if (arc.controls[i] != ControlMode::interior || !necessary->linear[i] || is_on_bound) continue;
+      found.status = Status::failure(Outcome::not_converged,
+                                     "a control in which H is linear stays between its bounds: singular arcs "
+                                     "are found for one control only");
+      return found;
+    }
+  }
   try {
     problem = std::make_shared<const ArcProblem>(necessary, structure.arcs, structure.junctions);
   } catch (const std::invalid_argument& error) {
