@@ -61,8 +61,8 @@ def test_linear_problems_with_known_solutions(seed):
     def x(t):
         return p * math.sin(q * t + r)
 
-    text = run(program("rbf_inverse"), "bvp", "--equation", f"x'' = {g!r} x - {(q * q + g) * p!r} sin({q!r} t + {r!r})", "--begin",
-               f"x - {c!r} x' = {x(0) - c * p * q * math.cos(r)!r}", "--end", f"x = {x(until)!r}", "--until", repr(until)).stdout
+    text = run(program("rbf_inverse"), "bvp", "--equation", f"x'' = {g!r} x - {(q * q + g) * p!r} sin({q!r} t + {r!r})",
+               "--conditions", f"x(0) - {c!r} x'(0) = {x(0) - c * p * q * math.cos(r)!r}, x({until!r}) = {x(until)!r}").stdout
     rows = list(csv.DictReader(text.splitlines()))
     assert len(rows) > 2
     for row in rows:

@@ -42,9 +42,10 @@ void declare(scene::Options& options, BvpOptions& typed) {
               "x(1) = 0\"");
   options.add("--file", typed.file, "a file of equations, definitions and conditions");
   options.add("--set", typed.set, "name=value of a parameter; separate several by blanks");
-  options.add("--conditions", typed.conditions,
-              "further conditions, separated by ; or commas: \"x(0) = x(1); x'(0.3) = 7; integral(x^2) = 1\". "
-              "One for each component of the state and each unknown constant");
+  options.add(
+      "--conditions", typed.conditions,
+      "further conditions, separated by ; or commas: \"x(0) = x(1); x'(0.3) = 7; integral(x^2) = 1\". "
+      "One for each component of the state and each unknown constant");
   options.add("--unknown", typed.unknown, "names of unknown constants, separated by commas: \"k, T\"");
   options.add("--from", typed.from, "start of the interval (default: the first time of a condition)");
   options.add("--until", typed.until,
@@ -56,7 +57,8 @@ void declare(scene::Options& options, BvpOptions& typed) {
               "zeros, then random cubics, the same in each run");
   options
       .add("--starts", typed.starts,
-           "solve from so many starts, the guess and random cubics, and print every different solution, with "
+           "solve from so many starts, the guess, random cubics and multiples of a solution, and print every "
+           "different solution, with "
            "a column solution")
       .range(1, 10'000);
   options.add("--from-parameter", typed.from_parameter,
@@ -128,9 +130,10 @@ ParameterRange range_of(const std::string& text) {
   const std::size_t equals = text.find('='), colon = text.find(':');
   if (equals == std::string::npos || colon == std::string::npos || colon < equals)
     throw input_error("--from-parameter {}: must be NAME = FIRST : LAST", quoted_input(text));
-  return {scene::trimmed(text.substr(0, equals)),
-          scene::typed_number("--from-parameter", scene::trimmed(text.substr(equals + 1, colon - equals - 1))),
-          scene::typed_number("--from-parameter", scene::trimmed(text.substr(colon + 1)))};
+  return {
+      scene::trimmed(text.substr(0, equals)),
+      scene::typed_number("--from-parameter", scene::trimmed(text.substr(equals + 1, colon - equals - 1))),
+      scene::typed_number("--from-parameter", scene::trimmed(text.substr(colon + 1)))};
 }
 
 /// A problem with its solutions.
@@ -142,13 +145,12 @@ struct Solved {
 
 /// Solves from the guess, or without one from zeros and then from random cubics.
 Solved solve_from_guesses(TypedProblem problem, const BvpOptions& typed) {
-  const bvp::Start guess =
-      names_file(typed.guess) ? guess_of_file(problem, typed.guess) : problem.guess();
+  const bvp::Start guess = names_file(typed.guess) ? guess_of_file(problem, typed.guess) : problem.guess();
   constexpr int random_starts = 20;
-  const int starts = typed.starts.value_or(typed.guess.empty() ? 1 + random_starts : 1);
-  bvp::Search search = bvp::find_solutions(problem, guess, starts,
-                                           typed.starts ? static_cast<std::size_t>(starts) : 1,
-                                           typed.tolerance);
+  const bool is_guessed = names_file(typed.guess) || problem.has_guess_of_states();
+  const int starts = typed.starts.value_or(is_guessed ? 1 : 1 + random_starts);
+  bvp::Search search = bvp::find_solutions(
+      problem, guess, starts, typed.starts ? static_cast<std::size_t>(starts) : 1, typed.tolerance);
   if (search.found.empty())
     throw Failure(Status::failure(
         search.first.outcome(),
@@ -187,9 +189,10 @@ Solved solve_by_continuation(const BvpOptions& typed) {
   if (!status.ok())
     throw Failure(Status::failure(
         status.outcome(),
-        fmt::format("{} = {:.9g} was reached in {} steps, and no solution near it was found beyond: the branch "
-                    "ends or turns back there, or needs another --guess ({})",
-                    range.name, followed.reached, followed.steps, status.sentence())));
+        fmt::format(
+            "{} = {:.9g} was reached in {} steps, and no solution near it was found beyond: the branch "
+            "ends or turns back there, or needs another --guess ({})",
+            range.name, followed.reached, followed.steps, status.sentence())));
   TypedProblem problem = make(range.to);
   if (problem.is_infinite()) problem.truncate(followed.solution.end());
   return {std::move(problem), {std::move(followed.solution)}, std::move(first.remarks)};
@@ -252,8 +255,8 @@ comparison::PlotSamples samples_of(const TypedProblem& problem, const bvp::Solut
 /// Rows t,x,x',...; with @p prefix before each.
 std::string rows_of(const TypedProblem& problem, const BvpOptions& typed, const bvp::Solution& solution,
                     const std::string& prefix) {
-  const Eigen::VectorXd sizes = problem.components(
-      solution.node_values().cwiseAbs().rowwise().maxCoeff(), solution.parameters());
+  const Eigen::VectorXd sizes =
+      problem.components(solution.node_values().cwiseAbs().rowwise().maxCoeff(), solution.parameters());
   std::string text;
   for (const double t : times_of(problem, typed, solution)) {
     text += fmt::format("{}{:.17g}", prefix, t);

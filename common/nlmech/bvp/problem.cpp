@@ -8,6 +8,10 @@
 
 namespace nlmech::bvp {
 
+std::string Problem::unknown_name(int i) const {
+  return i < states() ? "state " + std::to_string(i) : "parameter " + std::to_string(i - states());
+}
+
 Start constant_start(const Eigen::VectorXd& x, const Eigen::VectorXd& parameters) {
   return {[x](double, Eigen::VectorXd& at) { at = x; }, parameters};
 }

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <string>
 #include <vector>
 
 namespace nlmech::bvp {
@@ -27,6 +28,10 @@ class Problem {
   /// right.
   [[nodiscard]] virtual std::vector<double> points() const = 0;
 
+  /// Is f not finite at an end of the interval, although the solution is? Then it is not evaluated there. A
+  /// singular coefficient as in x'' + 2 x'/t needs the condition that makes the solution regular, x'(0) = 0.
+  [[nodiscard]] virtual bool is_singular_at_ends() const { return false; }
+
   /// Sets dxdt = f(t, x, p); dxdt has size n.
   virtual void rhs(double t, const Eigen::VectorXd& x, const Eigen::VectorXd& p,
                    Eigen::VectorXd& dxdt) const = 0;
@@ -39,6 +44,9 @@ class Problem {
   /// Sets dr/d(ends), with columns in the order of ends.reshaped(), and dr/dp; sizes are set by the caller.
   virtual void condition_jacobian(const Eigen::MatrixXd& ends, const Eigen::VectorXd& p,
                                   Eigen::MatrixXd& by_ends, Eigen::MatrixXd& by_parameter) const = 0;
+
+  /// Name in messages of state i or, for i >= n, of parameter i - n.
+  [[nodiscard]] virtual std::string unknown_name(int i) const;
 
   /// K.
   [[nodiscard]] int phases() const { return static_cast<int>(points().size()) - 1; }

@@ -13,9 +13,14 @@ using Eigen::MatrixXd;
 using Eigen::RowVectorXd;
 using Eigen::VectorXd;
 
+/// Nodes at which f is evaluated.
+VectorXd evaluated(const Scheme& scheme) {
+  return scheme.nodes.segment(scheme.skipped, scheme.nodes.size() - 2 * scheme.skipped);
+}
+
 /// Sets the members that interpolation at every tau uses.
 void set_interpolation(Scheme& scheme) {
-  scheme.barycentric = collocation::barycentric_weights(scheme.nodes);
+  scheme.barycentric = collocation::barycentric_weights(evaluated(scheme));
   const int points = static_cast<int>(scheme.nodes.size() + 1) / 2;
   const VectorXd gauss = collocation::legendre_gauss(points);
   scheme.gauss = (gauss.array() + 1) / 2;
@@ -27,9 +32,10 @@ void set_interpolation(Scheme& scheme) {
 }
 
 RowVectorXd cardinal_row(const Scheme& scheme, double tau) {
-  RowVectorXd row;
-  collocation::polynomial_row(scheme.nodes, scheme.barycentric, tau, row);
-  return row;
+  RowVectorXd row, padded = RowVectorXd::Zero(scheme.nodes.size());
+  collocation::polynomial_row(evaluated(scheme), scheme.barycentric, tau, row);
+  padded.segment(scheme.skipped, row.size()) = row;
+  return padded;
 }
 
 /// Integrals of the cardinal polynomials from 0 to tau, by a Gauss rule of sufficient degree.
@@ -51,11 +57,15 @@ void set_probes(Scheme& scheme) {
   }
 }
 
-VectorXd lobatto_nodes(int nodes, int least) {
+void check_nodes(int nodes, int least) {
   if (nodes < least || nodes > collocation::max_nodes) {
     throw invalid_argument("collocation of boundary values: {} nodes; {} to {} are possible", nodes, least,
                            collocation::max_nodes);
   }
+}
+
+VectorXd lobatto_nodes(int nodes, int least) {
+  check_nodes(nodes, least);
   return collocation::legendre_gauss_lobatto(nodes);
 }
 
@@ -81,6 +91,21 @@ Scheme lobatto_scheme(int nodes) {
   scheme.weights = scheme.slope.row(nodes - 2);
   scheme.order = nodes;
   set_interpolation(scheme);
+  set_probes(scheme);
+  return scheme;
+}
+
+Scheme gauss_scheme(int nodes) {
+  check_nodes(nodes, 4);
+  Scheme scheme;
+  scheme.skipped = 1;
+  scheme.nodes.resize(nodes);
+  scheme.nodes << 0, (collocation::legendre_gauss(nodes - 2).array() + 1) / 2, 1;
+  scheme.order = nodes - 2;
+  set_interpolation(scheme);
+  scheme.slope.resize(nodes - 1, nodes);
+  for (Index i = 1; i < nodes; ++i) scheme.slope.row(i - 1) = integral_row(scheme, scheme.nodes[i]);
+  scheme.weights = scheme.slope.row(nodes - 2);
   set_probes(scheme);
   return scheme;
 }

@@ -23,9 +23,13 @@ struct Solution {
   Statistics statistics;  ///< work: newton_iterations, factorisations, right_hand_sides; steps counts meshes
   Unknowns unknowns;      ///< mesh with all values; empty if nothing could be evaluated
   std::shared_ptr<const Scheme> scheme;  ///< scheme of every interval; null while unknowns is empty
-  /// max over time and components of |u' - f(t, u)| / (1 + max |f|), measured between the nodes.
+  /// max over time and components of |u' - f(t, u)| / max |f|, measured between the nodes. The size of f is
+  /// at least the bound of its rounding errors, 200 unit roundoffs of `terms`, over the tolerance.
   double residual = 0;
-  /// max over the mesh of |x - integrated x| / (1 + max |x|), by component; see Verification. 0 if not
+  /// For each state the largest sum over time of |df_i/dx_j x_j| and |df_i/dp_j p_j|.
+  Eigen::VectorXd terms;
+  /// max over the mesh of |x - integrated x| / max |x|, by component; see Verification. The size of x is at
+  /// least that which errors of the integrator, 1e-13, have by `terms`, over the tolerance. 0 if not
   /// integrated.
   double integration_error = 0;
   Eigen::VectorXd integrated_end;  ///< integrated x at the end; empty if the end was not reached

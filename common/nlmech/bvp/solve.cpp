@@ -27,25 +27,87 @@ void check_options(const Options& o) {
   require(o.verification_tolerance > 0, "verification_tolerance", o.verification_tolerance);
 }
 
+constexpr double integration_tolerance = 1e-13;         // of integrations that verify a solution
 constexpr int most_meshes = 20, most_iterations = 100;  // most_iterations: Newton iterations per mesh
 constexpr double least_damping = 1e-6;                  // a smaller damping factor ends with newton_diverged
 
-/// 1 + max |x_i| over the mesh, and 1 + |p_i|.
-struct Scales {
-  explicit Scales(const Unknowns& y)
-      : states(VectorXd::Ones(y.intervals.front().values.rows())),
-        parameters(y.parameters.cwiseAbs().array() + 1) {
-    for (const Interval& i : y.intervals) {
-      states = states.cwiseMax((i.values.cwiseAbs().rowwise().maxCoeff().array() + 1).matrix());
-    }
+constexpr double unit_roundoff = std::numeric_limits<double>::epsilon() / 2;
+/// Errors of rounding are below this, relative to the sum of all terms.
+constexpr double rounding = 200 * unit_roundoff;
+/// Unknowns below this share of their largest size in an iteration tend to 0.
+constexpr double vanishing = 1e-12;
+
+/// max |x_i| over the mesh.
+VectorXd largest_values(const Unknowns& y) {
+  VectorXd largest = VectorXd::Zero(y.intervals.front().values.rows());
+  for (const Interval& i : y.intervals) largest = largest.cwiseMax(i.values.cwiseAbs().rowwise().maxCoeff());
+  return largest;
+}
+
+/// Largest sizes in an iteration from its start on.
+struct History {
+  VectorXd states, parameters, terms, condition_terms;
+
+  void add(const Unknowns& y, const NewtonSystem& system) {
+    const auto update = [](VectorXd& largest, const VectorXd& now) {
+      if (largest.size() == 0)
+        largest = now;
+      else
+        largest = largest.cwiseMax(now);
+    };
+    update(states, largest_values(y));
+    update(parameters, y.parameters.cwiseAbs());
+    update(terms, system.terms());
+    update(condition_terms, system.condition_terms());
   }
+};
+
+/// Change of each parameter that changes an equation or a condition by the size of its terms.
+VectorXd parameter_changes(const NewtonSystem& system) {
+  const Eigen::MatrixXd& influence = system.influence();
+  VectorXd terms(influence.rows());
+  terms << system.terms(), system.condition_terms();
+  VectorXd changes = VectorXd::Zero(influence.cols());
+  for (Index j = 0; j < influence.cols(); ++j) {
+    double least = std::numeric_limits<double>::infinity();
+    for (Index i = 0; i < influence.rows(); ++i) {
+      if (influence(i, j) > 0) least = std::min(least, terms[i] / influence(i, j));
+    }
+    if (std::isfinite(least)) changes[j] = least;
+  }
+  return changes;
+}
+
+/// Sizes by which updates are measured: max |x_i| over the mesh and |p_j|, of the iterate or of the next one,
+/// but not less than the rounding errors of their equations.
+struct Scales {
+  Scales(const Unknowns& y, const Unknowns& next, const NewtonSystem& system, const History& history,
+         double tolerance)
+      : states(largest_values(y).cwiseMax(largest_values(next))),
+        parameters(y.parameters.cwiseAbs().cwiseMax(next.parameters.cwiseAbs())) {
+    const double least = rounding / tolerance,
+                 span = y.intervals.back().t0 + y.intervals.back().h - y.intervals.front().t0;
+    states = states.cwiseMax(vanishing * history.states).cwiseMax(least * span * system.terms());
+    parameters =
+        parameters.cwiseMax(vanishing * history.parameters).cwiseMax(least * parameter_changes(system));
+  }
+  /// Without rounding errors, which are not known before the matrix of the iterate is.
+  Scales(const Unknowns& y, const History& history)
+      : states(largest_values(y).cwiseMax(vanishing * history.states)),
+        parameters(y.parameters.cwiseAbs().cwiseMax(vanishing * history.parameters)) {}
+
   VectorXd states, parameters;
 };
+
+/// 1 / s_i, and 0 for a size of 0, which only an unknown that is 0 throughout has.
+VectorXd weights(const VectorXd& sizes) {
+  return sizes.unaryExpr([](double s) { return s > 0 ? 1 / s : 0; });
+}
 
 /// Root mean square of the scaled components of a - fraction b.
 double length(const Unknowns& a, const Unknowns& b, double fraction, const Scales& scales) {
   double sum = 0, count = 0;
-  const VectorXd weight = scales.states.cwiseInverse();
+  const VectorXd weight = weights(scales.states);
   for (std::size_t k = 0; k < a.intervals.size(); ++k) {
     const auto difference = a.intervals[k].values - fraction * b.intervals[k].values;
     sum += (weight.asDiagonal() * difference).squaredNorm();
@@ -53,7 +115,7 @@ double length(const Unknowns& a, const Unknowns& b, double fraction, const Scale
   }
   if (a.parameters.size() > 0) {
     // The parameters have the weight of all states together: they may be as important as a trajectory.
-    const VectorXd part = (a.parameters - fraction * b.parameters).cwiseQuotient(scales.parameters);
+    const VectorXd part = (a.parameters - fraction * b.parameters).cwiseProduct(weights(scales.parameters));
     sum += part.squaredNorm() / static_cast<double>(part.size()) * count;
     count += count;
   }
@@ -87,13 +149,6 @@ Status singular(const NewtonSystem& system, Index conditions, int iteration) {
       system.pivot_ratio(), iteration);
 }
 
-Status diverged(int iteration, double damping, double update) {
-  return failed_with(Outcome::newton_diverged,
-                     "bvp: at iteration {} Newton's step is not admissible even shortened to {:.2g} of its "
-                     "length {:.3g}; start elsewhere",
-                     iteration, damping, update);
-}
-
 Status not_finite(int iteration) {
   return failed_with(
       Outcome::non_finite,
@@ -101,13 +156,50 @@ Status not_finite(int iteration) {
       iteration);
 }
 
+/// Names the unknown that nothing determines at the result, if there is one.
+Status check_determined(const Problem& problem, NewtonSystem& system, Unknowns& y, const History& history) {
+  if (!system.residual(y) || !system.factorise(y)) return not_finite(0);
+  const int n = problem.states();
+  const Eigen::MatrixXd& influence = system.influence();
+  VectorXd terms(influence.rows());
+  terms << history.terms, history.condition_terms;
+  for (Index j = 0; j < influence.cols(); ++j) {
+    // The largest effect of the parameter, relative to what its equations were in the iteration.
+    const VectorXd effect = (influence.col(j) * history.parameters[j]).cwiseProduct(weights(terms));
+    if (effect.maxCoeff() > 1e-3 * unit_roundoff) continue;
+    const bool rests = (largest_values(y).array() <= vanishing * history.states.array()).all();
+    return failed_with(Outcome::singular_matrix,
+                       "bvp: nothing determines {}: at the result{} neither the equations nor the conditions "
+                       "depend on it; change the conditions, or start elsewhere",
+                       problem.unknown_name(n + static_cast<int>(j)),
+                       rests ? ", where all states are 0," : "");
+  }
+  if (system.pivot_ratio() > 1e-13) return {};
+  VectorXd sizes(n + y.parameters.size());
+  sizes << largest_values(y), y.parameters.cwiseAbs();
+  return failed_with(Outcome::singular_matrix,
+                     "bvp: nothing determines {}: Newton's matrix is singular at the result (pivots 1 to "
+                     "{:.2g}), so that there are other solutions near it; change the conditions, or start "
+                     "elsewhere",
+                     problem.unknown_name(static_cast<int>(system.loosest_unknown(sizes))),
+                     system.pivot_ratio());
+}
+
+Status diverged(int iteration, double damping, double update) {
+  return failed_with(Outcome::newton_diverged,
+                     "bvp: at iteration {} Newton's step is not admissible even shortened to {:.2g} of its "
+                     "length {:.3g}; start elsewhere",
+                     iteration, damping, update);
+}
+
 /// Damped Newton iteration on one mesh.
 class Run {
  public:
-  Run(NewtonSystem& system, Unknowns& y, const Options& options, Statistics& statistics)
+  Run(NewtonSystem& system, Unknowns& y, const Options& options, History& history, Statistics& statistics)
       : system_(system),
         y_(y),
         options_(options),
+        history_(history),
         statistics_(statistics),
         step_(y),
         simplified_(y),
@@ -123,7 +215,9 @@ class Run {
       pivot_ratio = system_.pivot_ratio();
       if (!(pivot_ratio > 1e-13)) return singular(system_, conditions, k);
       system_.solve(step_);
-      const Scales scales(y_);
+      history_.add(y_, system_);
+      advance(y_, 1, step_, trial_);
+      const Scales scales(y_, trial_, system_, history_, options_.newton_tolerance);
       const double update = length(step_, step_, 0, scales);
       if (!std::isfinite(update)) return singular(system_, conditions, k);
       if (update <= options_.newton_tolerance) return finish();
@@ -178,7 +272,7 @@ class Run {
     std::swap(y_.intervals, trial_.intervals);
     std::swap(y_.parameters, trial_.parameters);
     before_ = update;
-    if (damping_ == 1 && simplified_length_ <= options_.newton_tolerance) {
+    if (damping_ == 1 && is_last_step()) {
       advance(y_, 1, simplified_, y_);
       done_ = true;
       if (!system_.residual(y_)) return not_finite(k);
@@ -186,9 +280,17 @@ class Run {
     return {};
   }
 
+  /// Is the simplified step within the tolerance, also relative to the new iterate if that is smaller?
+  bool is_last_step() {
+    if (!(simplified_length_ <= options_.newton_tolerance)) return false;
+    const Scales scales(y_, history_);
+    return length(simplified_, simplified_, 0, scales) <= options_.newton_tolerance;
+  }
+
   NewtonSystem& system_;
   Unknowns& y_;
   const Options& options_;
+  History& history_;
   Statistics& statistics_;
   Unknowns step_, simplified_, trial_;
   double damping_ = 1, before_ = 0, simplified_length_ = 0;
@@ -196,10 +298,10 @@ class Run {
 };
 
 /// Newton's iteration from @p y, which is replaced by the root or the last iterate.
-Status iterate(NewtonSystem& system, Unknowns& y, const Options& options, Statistics& statistics,
-               double& pivot_ratio) {
+Status iterate(NewtonSystem& system, Unknowns& y, const Options& options, History& history,
+               Statistics& statistics, double& pivot_ratio) {
   const auto before = system.evaluations();
-  Run run(system, y, options, statistics);
+  Run run(system, y, options, history, statistics);
   const Index phases = y.intervals.back().phase + 1;
   const Index conditions = y.intervals.front().values.rows() * phases + y.parameters.size();
   Status status = run.run(conditions, pivot_ratio);
@@ -276,14 +378,13 @@ Unknowns transfer(const Solution& old, const std::vector<double>& mesh, const st
   return y;
 }
 
-/// max |u' - f(t, u)| / (1 + max |f|) between the nodes, for each interval.
-std::vector<double> residuals(const Problem& problem, const Solution& solution) {
+/// Solution::residual for each interval.
+std::vector<double> residuals(const Problem& problem, const Solution& solution, double tolerance) {
   const auto& all = solution.unknowns.intervals;
   const Scheme& s = *solution.scheme;
-  VectorXd scale = VectorXd::Ones(problem.states()), f(problem.states()), u(problem.states());
-  for (const Interval& i : all) {
-    scale = scale.cwiseMax((i.slopes.cwiseAbs().rowwise().maxCoeff().array() + 1).matrix());
-  }
+  VectorXd f(problem.states()), u(problem.states()), scale = rounding / tolerance * solution.terms;
+  for (const Interval& i : all) scale = scale.cwiseMax(i.slopes.cwiseAbs().rowwise().maxCoeff());
+  const VectorXd weight = weights(scale);
   std::vector<double> result;
   for (const Interval& i : all) {
     const MatrixXd at = (i.h * (i.slopes * s.probe_slope.transpose())).colwise() + i.values.col(0);
@@ -292,7 +393,7 @@ std::vector<double> residuals(const Problem& problem, const Solution& solution) 
     for (Index j = 0; j < s.probes.size(); ++j) {
       u = at.col(j);
       problem.rhs(i.t0 + s.probes[j] * i.h, u, solution.parameters(), f);
-      const double part = (dot.col(j) - f).cwiseQuotient(scale).lpNorm<Eigen::Infinity>();
+      const double part = (dot.col(j) - f).cwiseProduct(weight).lpNorm<Eigen::Infinity>();
       largest = part <= largest ? largest : part;  // keeps a NaN
     }
     result.push_back(largest);
@@ -334,14 +435,18 @@ Status mesh_limit(const Options& options, const Solution& solution) {
 /// Solves on successively refined meshes.
 Status refine(const Problem& problem, const Options& options, Solution& solution) {
   const std::vector<double> points = problem.points();
+  History history;
   for (int k = 1;; ++k) {
     NewtonSystem system(problem, *solution.scheme);
-    Status status = iterate(system, solution.unknowns, options, solution.statistics, solution.pivot_ratio);
+    Status status =
+        iterate(system, solution.unknowns, options, history, solution.statistics, solution.pivot_ratio);
     ++solution.statistics.steps;
     if (!status.ok()) return status;
-    const std::vector<double> residual = residuals(problem, solution);
+    solution.terms = system.terms().cwiseMax(vanishing * history.terms);
+    const std::vector<double> residual = residuals(problem, solution, options.tolerance);
     solution.residual = *std::max_element(residual.begin(), residual.end());
-    if (solution.residual <= options.tolerance || !options.refine) return {};
+    if (solution.residual <= options.tolerance || !options.refine)
+      return check_determined(problem, system, solution.unknowns, history);
     const std::vector<double> mesh = next_mesh(solution, residual, options.tolerance);
     if (k == most_meshes || static_cast<int>(mesh.size()) - 1 > options.most_intervals) {
       return mesh_limit(options, solution);
@@ -358,37 +463,43 @@ Status spurious(double t, double error, const Options& options) {
                      error, t, options.verification_tolerance);
 }
 
-/// Right-hand side for the integrators, with fixed parameters.
+/// Right-hand side for the integrators, with fixed parameters and states in units of `scale`.
 struct WithParameters {
   static constexpr int dimension = Eigen::Dynamic;
   const Problem* problem;
-  Eigen::VectorXd parameters;
+  Eigen::VectorXd parameters, scale;
 
   [[nodiscard]] int size() const { return problem->states(); }
   void operator()(const double& t, const Eigen::VectorXd& x, Eigen::VectorXd& dxdt) const {
-    problem->rhs(t, x, parameters, dxdt);
+    problem->rhs(t, scale.cwiseProduct(x), parameters, dxdt);
+    dxdt = dxdt.cwiseQuotient(scale);
   }
   void jacobian(double t, const Eigen::VectorXd& x, Eigen::MatrixXd& j) const {
     Eigen::MatrixXd by_parameter(size(), problem->parameters());
-    problem->jacobian(t, x, parameters, j, by_parameter);
+    problem->jacobian(t, scale.cwiseProduct(x), parameters, j, by_parameter);
+    j = scale.cwiseInverse().asDiagonal() * j * scale.asDiagonal();
   }
 };
 
 }  // namespace
 
-Integration integrate_at(const Problem& problem, const Eigen::VectorXd& x0, const Eigen::VectorXd& p,
-                         std::span<const double> times) {
+namespace {
+
+/// integrate_at() with states in units of @p scale.
+Integration integrate_scaled(const Problem& problem, const Eigen::VectorXd& x0, const Eigen::VectorXd& p,
+                             std::span<const double> times, const Eigen::VectorXd& scale) {
   if (x0.size() != problem.states() || p.size() != problem.parameters()) {
     throw invalid_argument("integrate_at: {} states and {} parameters for a problem of {} and {}", x0.size(),
                            p.size(), problem.states(), problem.parameters());
   }
-  const ivp::System system(WithParameters{&problem, p});
-  const ivp::AdaptiveCollocation method{.relative_tolerance = 1e-13, .absolute_tolerance = 1e-13};
+  const ivp::System system(WithParameters{&problem, p, scale});
+  const ivp::AdaptiveCollocation method{.relative_tolerance = integration_tolerance,
+                                        .absolute_tolerance = integration_tolerance};
   // A trajectory that needs more steps between two times cannot have been resolved by the mesh.
   const ivp::Limits limits{.steps = 20'000};
   Integration result;
   result.states.resize(x0.size(), static_cast<Eigen::Index>(times.size()));
-  Eigen::VectorXd x = x0;
+  Eigen::VectorXd x = x0.cwiseQuotient(scale);
   for (std::size_t k = 0; k < times.size(); ++k) {
     if (k > 0) {
       const auto arc = ivp::integrate(system, x, times[k - 1], times[k], method, {}, limits);
@@ -400,17 +511,21 @@ Integration integrate_at(const Problem& problem, const Eigen::VectorXd& x0, cons
       }
       x = arc.x;
     }
-    result.states.col(static_cast<Eigen::Index>(k)) = x;
+    result.states.col(static_cast<Eigen::Index>(k)) = scale.cwiseProduct(x);
   }
   return result;
 }
 
+}  // namespace
+
+Integration integrate_at(const Problem& problem, const Eigen::VectorXd& x0, const Eigen::VectorXd& p,
+                         std::span<const double> times) {
+  return integrate_scaled(problem, x0, p, times, VectorXd::Ones(x0.size()));
+}
+
 void verify_by_integration(const Problem& problem, const Options& options, Solution& solution) {
   const auto& all = solution.unknowns.intervals;
-  VectorXd scale = VectorXd::Ones(problem.states());
-  for (const Interval& i : all) {
-    scale = scale.cwiseMax((i.values.cwiseAbs().rowwise().maxCoeff().array() + 1).matrix());
-  }
+  const VectorXd sizes = largest_values(solution.unknowns);
   VectorXd x = solution.first();
   double worst = 0, where = solution.begin();
   for (std::size_t k = 0; k < all.size(); ++k) {
@@ -419,11 +534,23 @@ void verify_by_integration(const Problem& problem, const Options& options, Solut
     } else if (k > 0 && all[k].phase != all[k - 1].phase) {
       x += all[k].values.col(0) - all[k - 1].values.rightCols(1);
     }
-    double end = k + 1 < all.size() ? all[k + 1].t0 : all[k].t0 + all[k].h;
+    // At singular ends from and to the nodes beside them.
+    const Scheme& scheme = *solution.scheme;
+    const Index last_node = scheme.nodes.size() - 1 - (k + 1 == all.size() ? scheme.skipped : 0);
+    if (k == 0) x = all[k].values.col(scheme.skipped);
+    const double begin = all[k].t0 + (k == 0 ? scheme.nodes[scheme.skipped] * all[k].h : 0);
+    double end = k + 1 < all.size() ? all[k + 1].t0 : all[k].t0 + scheme.nodes[last_node] * all[k].h;
     // f may jump between phases, and rhs() is then the limit from the right.
     if (k + 1 < all.size() && all[k + 1].phase != all[k].phase) end = std::nextafter(end, all[k].t0);
-    const std::vector<double> times{all[k].t0, end};
-    const Integration arc = integrate_at(problem, x, solution.parameters(), times);
+    const std::vector<double> times{begin, end};
+    const double span = options.verification == Verification::pieces ? all[k].h : end - solution.begin();
+    // Errors of integration in one state have an effect on the others.
+    VectorXd scale = sizes;
+    if (solution.terms.size() > 0)
+      scale =
+          scale.cwiseMax(10 * integration_tolerance / options.verification_tolerance * span * solution.terms);
+    scale = scale.unaryExpr([](double s) { return s > 0 ? s : 1; });
+    const Integration arc = integrate_scaled(problem, x, solution.parameters(), times, scale);
     if (!arc.status.ok()) {
       solution.integration_error = std::numeric_limits<double>::infinity();
       solution.status = failed_with(Outcome::spurious_root,
@@ -433,7 +560,7 @@ void verify_by_integration(const Problem& problem, const Options& options, Solut
       return;
     }
     x = arc.states.col(1);
-    const VectorXd difference = x - all[k].values.rightCols(1);
+    const VectorXd difference = x - all[k].values.col(last_node);
     const double error = difference.cwiseQuotient(scale).lpNorm<Eigen::Infinity>();
     if (!(error <= worst)) {
       worst = error;
@@ -455,7 +582,8 @@ Solution solve(const Problem& problem, const Start& start, const Options& option
   }
   const Stopwatch watch;
   Solution solution;
-  solution.scheme = std::make_shared<const Scheme>(lobatto_scheme(options.nodes));
+  solution.scheme = std::make_shared<const Scheme>(
+      problem.is_singular_at_ends() ? gauss_scheme(options.nodes + 2) : lobatto_scheme(options.nodes));
   const std::vector<double> points = problem.points();
   const std::vector<double> mesh = first_mesh(points, start, options.intervals);
   solution.unknowns = on_mesh(mesh, points, *solution.scheme, problem.states());

@@ -20,12 +20,14 @@ enum class Verification : std::uint8_t {
 
 /// Options of solve(); with the defaults the states have at least 10 digits.
 struct Options {
-  int nodes = 8;                    ///< N per interval, including both ends; 3 to 200
-  int intervals = 10;               ///< intervals per phase of the first mesh, if the start has no mesh; >= 1
-  bool refine = true;               ///< whether to refine the mesh by the residual
-  double tolerance = 1e-9;          ///< bound of Solution::residual, > 0
-  int most_intervals = 2000;        ///< largest number of intervals in all phases; >= 1
-  double newton_tolerance = 1e-10;  ///< bound of the last update: rms of |dx_i| / (1 + max |x_i|), > 0
+  int nodes = 8;              ///< N per interval, including both ends; 3 to 200
+  int intervals = 10;         ///< intervals per phase of the first mesh, if the start has no mesh; >= 1
+  bool refine = true;         ///< whether to refine the mesh by the residual
+  double tolerance = 1e-9;    ///< bound of Solution::residual, > 0
+  int most_intervals = 2000;  ///< largest number of intervals in all phases; >= 1
+  /// Bound of the last update, > 0: rms of |dx_i| / max |x_i| and |dp_j| / |p_j|. Sizes are at least those
+  /// that rounding errors have, over this bound.
+  double newton_tolerance = 1e-10;
   Verification verification = Verification::whole;  ///< kind of verification
   double verification_tolerance = 1e-6;  ///< bound of Solution::integration_error, > 0; else spurious
 };
@@ -39,7 +41,8 @@ struct Options {
 ///
 /// Outcomes besides success:
 ///  - `infeasible`: conditions contradict each other;
-///  - `singular_matrix`: conditions are redundant, or dependent through the differential equation;
+///  - `singular_matrix`: conditions are redundant, or dependent through the differential equation; or nothing
+///    determines a state or parameter at the result, which the message names;
 ///  - `newton_diverged`, `not_converged`: no root was found from this start;
 ///  - `non_finite`: f or a condition is not finite at the start;
 ///  - `step_limit`: limit of meshes or intervals reached with the residual above the tolerance;

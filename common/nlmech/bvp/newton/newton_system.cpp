@@ -43,12 +43,12 @@ bool NewtonSystem::residual(Unknowns& y) {
   for (std::size_t k = 0; k < y.intervals.size() && finite; ++k) {
     Interval& interval = y.intervals[k];
     phase_of_[k] = interval.phase;
-    for (Index j = 0; j < nodes; ++j) {
+    for (Index j = scheme_.skipped; j < nodes - scheme_.skipped; ++j) {
       x = interval.values.col(j);
       problem_.rhs(node_time(interval, j), x, y.parameters, f);
       interval.slopes.col(j) = f;
     }
-    evaluations_ += nodes;
+    evaluations_ += nodes - 2 * scheme_.skipped;
     const MatrixXd change = interval.values.rightCols(nodes - 1).colwise() - interval.values.col(0);
     const MatrixXd r = change - interval.h * (interval.slopes * scheme_.slope.transpose());
     parts_[k].r = r.reshaped();
@@ -68,7 +68,12 @@ void NewtonSystem::condense(const Interval& interval, Condensed& c) {
   VectorXd x(n_);
   for (Index j = 0; j < nodes; ++j) {
     x = interval.values.col(j);
-    problem_.jacobian(node_time(interval, j), x, parameters_, by_state, by_parameter);
+    if (j < scheme_.skipped || j >= nodes - scheme_.skipped) {
+      by_state.setZero();
+      by_parameter.setZero();
+    } else {
+      problem_.jacobian(node_time(interval, j), x, parameters_, by_state, by_parameter);
+    }
     auto block = j == 0           ? edges.leftCols(n_)
                  : j == nodes - 1 ? edges.middleCols(n_, n_)
                                   : between.middleCols((j - 1) * n_, n_);
@@ -79,6 +84,9 @@ void NewtonSystem::condense(const Interval& interval, Condensed& c) {
         if (m_ > 0) edges.block(i * n_, 2L * n_, n_, m_) += by_slope * by_parameter;
       }
     }
+    terms_ = terms_.cwiseMax(by_state.cwiseAbs() * x.cwiseAbs() +
+                             by_parameter.cwiseAbs() * parameters_.cwiseAbs());
+    influence_.topRows(n_) = influence_.topRows(n_).cwiseMax(by_parameter.cwiseAbs());
     for (Index i = 0; j == 0 && i + 1 < nodes; ++i) block.middleRows(i * n_, n_).diagonal().array() -= 1;
     if (j > 0) block.middleRows((j - 1) * n_, n_).diagonal().array() += 1;
   }
@@ -127,6 +135,9 @@ void NewtonSystem::border(const Unknowns& y) {
     a.block(k * n_, 2 * k * n_, n_, 2 * n_) = rows.leftCols(2 * n_);
     a.block(k * n_, ends, n_, m_) = rows.rightCols(m_);
   }
+  condition_terms_ = by_ends.cwiseAbs() * y.ends(phases_).cwiseAbs().reshaped() +
+                     by_parameter.cwiseAbs() * parameters_.cwiseAbs();
+  influence_.bottomRows(count) = by_parameter.cwiseAbs();
   a.bottomLeftCorner(count, ends) = by_ends;
   a.bottomRightCorner(count, m_) = by_parameter;
 
@@ -166,7 +177,30 @@ void NewtonSystem::border(const Unknowns& y) {
   pivot_ratio_ = pivots.minCoeff() / pivots.maxCoeff();
 }
 
+Index NewtonSystem::loosest_unknown(const VectorXd& sizes) const {
+  const Index size = row_scale_.size(), ends = 2L * n_ * phases_;
+  VectorXd z = VectorXd::Ones(size);
+  const auto& r = rest_.matrixQR();
+  z.head(size - 1) = -r.topLeftCorner(size - 1, size - 1)
+                          .triangularView<Eigen::Upper>()
+                          .solve(r.col(size - 1).head(size - 1));
+  z = column_scale_.cwiseProduct(rest_.colsPermutation() * z);
+  Index loosest = 0;
+  double most = -1;
+  for (Index i = 0; i < size; ++i) {
+    const Index unknown = i < ends ? i % n_ : n_ + i - ends;
+    const double change = sizes[unknown] > 0 ? std::abs(z[i]) / sizes[unknown] : std::abs(z[i]) / 1e-300;
+    if (change > most) {
+      most = change;
+      loosest = unknown;
+    }
+  }
+  return loosest;
+}
+
 bool NewtonSystem::factorise(const Unknowns& y) {
+  terms_ = VectorXd::Zero(n_);
+  influence_ = MatrixXd::Zero(n_ + conditions_.size(), m_);
   for (std::size_t k = 0; k < parts_.size(); ++k) {
     condense(y.intervals[k], parts_[k]);
     if (!parts_[k].bottom.allFinite() || !parts_[k].top.allFinite()) return false;

@@ -56,6 +56,16 @@ class NewtonSystem {
   /// Part of the residual of the conditions that no change of ends and parameters can remove to first order,
   /// relative to the largest residual; 0 if the conditions are independent.
   [[nodiscard]] double contradiction() const { return contradiction_; }
+  /// For each state the largest sum over the nodes of |df_i/dx_j x_j| and |df_i/dp_j p_j|: the rounding error
+  /// of f_i is a small multiple of the unit roundoff times it. Of the last factorise(), as the next ones.
+  [[nodiscard]] const Eigen::VectorXd& terms() const { return terms_; }
+  /// The same sums for the conditions.
+  [[nodiscard]] const Eigen::VectorXd& condition_terms() const { return condition_terms_; }
+  /// Largest |df_i/dp_j| over the nodes, then |dr_i/dp_j| of the conditions; one column for each parameter.
+  [[nodiscard]] const Eigen::MatrixXd& influence() const { return influence_; }
+  /// Unknown that changes most, relative to @p sizes of states and parameters, in the direction that the
+  /// matrix maps closest to 0: the state, or n + the parameter.
+  [[nodiscard]] Eigen::Index loosest_unknown(const Eigen::VectorXd& sizes) const;
   /// Number of evaluations of f, one per node.
   [[nodiscard]] std::int64_t evaluations() const { return evaluations_; }
 
@@ -92,7 +102,8 @@ class NewtonSystem {
   double pivot_ratio_ = 0, contradiction_ = 0;
   Eigen::Index independent_ = 0;
   std::int64_t evaluations_ = 0;
-  Eigen::VectorXd parameters_;
+  Eigen::VectorXd parameters_, terms_, condition_terms_;
+  Eigen::MatrixXd influence_;
 };
 
 }  // namespace nlmech::bvp

@@ -91,6 +91,7 @@ TypedProblem::TypedProblem(program::Equations equations, const std::vector<Condi
   read_guess(guess);
   set_points(interval);
   place_values();
+  find_singular_ends();
 }
 
 std::string TypedProblem::unknown_end(const std::string& until) const {
@@ -156,8 +157,7 @@ void TypedProblem::set_points(const Interval& interval) {
 
 void TypedProblem::place_values() {
   for (const Conditions::Value& value : conditions_.values()) {
-    const std::size_t point =
-        value.time == infinity ? points_.size() - 1 : point_at(points_, value.time);
+    const std::size_t point = value.time == infinity ? points_.size() - 1 : point_at(points_, value.time);
     const bool is_last = point + 1 == points_.size();
     if (is_last && value.time != infinity && (is_infinite_ || end_ >= 0))
       throw input_error("--conditions: the time {} is at the guess of the end; give another --guess of it",
@@ -165,6 +165,21 @@ void TypedProblem::place_values() {
     const auto column = static_cast<Index>(2 * point) - (is_last ? 1 : 0);
     values_.push_back({Program(equations_.graph(), {value.what}), point, column});
   }
+}
+
+// An end is singular if f is not finite there for a state for which it is finite inside.
+void TypedProblem::find_singular_ends() {
+  const VectorXd x = VectorXd::LinSpaced(equations_.size(), 0.57, 0.91);
+  const auto is_finite = [&](double t) {
+    bool finite = true;
+    slopes_.run(t, x, 0, slopes_.outputs(), [&](int, double value) { finite &= std::isfinite(value); });
+    differentiate(slopes_, t, x, false, [&](int, int, double value) { finite &= std::isfinite(value); });
+    return finite;
+  };
+  const double from = points_.front(), until = points_.back();
+  const bool known_end = end_ < 0 && !is_infinite_;
+  is_singular_ =
+      is_finite(from + 0.37 * (until - from)) && (!is_finite(from) || (known_end && !is_finite(until)));
 }
 
 std::vector<double> TypedProblem::mesh() const {
@@ -261,12 +276,19 @@ Start TypedProblem::random_guess(double size, unsigned seed) const {
   all.states((points_.front() + points_.back()) / 2, both);
   Start start;
   start.parameters = both.tail(parameters());
-  if (end_ >= 0) start.parameters[end_] = points_.back();
+  const Start given = guess();
+  for (int i = 0; i < parameters(); ++i) {
+    if (guess_[index_of(parameters_[index_of(i)])] || i == end_) start.parameters[i] = given.parameters[i];
+  }
   start.states = [all = std::move(all), both](double t, VectorXd& x) mutable {
     all.states(t, both);
     x = both.head(x.size());
   };
   return start;
+}
+
+bool TypedProblem::has_guess_of_states() const {
+  return std::ranges::any_of(states_, [&](int i) { return guess_[index_of(i)].has_value(); });
 }
 
 std::vector<int> TypedProblem::components_at_infinity() const {
@@ -320,6 +342,13 @@ VectorXd TypedProblem::components_at(const Solution& solution, double t) const {
   return components(solution.at(place(t, p)), p);
 }
 
+std::string TypedProblem::unknown_name(int i) const {
+  const int components = static_cast<int>(states_.size());
+  if (i >= states()) return names()[index_of(parameters_[index_of(i - states())])];
+  return i < components ? names()[index_of(states_[index_of(i)])]
+                        : fmt::format("integral {}", i - components + 1);
+}
+
 void TypedProblem::rhs(double s, const VectorXd& x, const VectorXd& p, VectorXd& dxds) const {
   slopes_.run(time(s, p), components(x, p), 0, slopes_.outputs(),
               [&](int i, double value) { dxds[i] = value; });
@@ -354,7 +383,8 @@ VectorXd TypedProblem::arguments(const MatrixXd& ends, const VectorXd& p) const 
   VectorXd all(conditions_.arguments());
   Index k = 0;
   for (const Value& value : values_)
-    all[k++] = bvp::value_of(value.what, time(points_[value.point], p), components(ends.col(value.column), p));
+    all[k++] =
+        bvp::value_of(value.what, time(points_[value.point], p), components(ends.col(value.column), p));
   const auto integrals = static_cast<Index>(conditions_.integrands().size());
   all.segment(k, integrals) = ends.rightCols(1).bottomRows(integrals);
   k += integrals;

@@ -50,7 +50,8 @@ class TypedProblem final : public Problem {
   /// @param guess initial guess as functions of time, separated by commas: "x = sin(pi t), k = 10"; a missing
   ///   x' is the derivative of a given x, other missing components are 0, and a missing unknown end is the
   ///   last known point + 1
-  /// @throws InputError naming the option and what is wrong, for text that cannot be read, too many or too few
+  /// @throws InputError naming the option and what is wrong, for text that cannot be read, too many or too
+  /// few
   ///   conditions, and times outside the interval
   TypedProblem(program::Equations equations, const std::vector<ConditionText>& conditions,
                const Interval& interval, const std::string& guess = {});
@@ -65,7 +66,10 @@ class TypedProblem final : public Problem {
   /// @param times ascending times of the equations, two or more
   /// @param values one row for each component of the equations, one column for each time
   [[nodiscard]] Start guess_from(const std::vector<double>& times, const Eigen::MatrixXd& values) const;
-  /// Random cubics of @p size for the states, random parameters up to @p size; an unknown end as guessed.
+  /// Does the guess give a state, and not only constants?
+  [[nodiscard]] bool has_guess_of_states() const;
+  /// Random cubics of @p size for the states, and random numbers up to @p size for parameters without a
+  /// guess.
   [[nodiscard]] Start random_guess(double size, unsigned seed) const;
   /// First mesh with points where functions of time start to change, as pulses do; empty if there are none.
   [[nodiscard]] std::vector<double> mesh() const;
@@ -97,6 +101,10 @@ class TypedProblem final : public Problem {
   /// See Problem.
   [[nodiscard]] std::vector<double> points() const override { return points_; }
   /// See Problem.
+  [[nodiscard]] bool is_singular_at_ends() const override { return is_singular_; }
+  /// Name of a component, or "integral 1".
+  [[nodiscard]] std::string unknown_name(int i) const override;
+  /// See Problem.
   void rhs(double s, const Eigen::VectorXd& x, const Eigen::VectorXd& p,
            Eigen::VectorXd& dxds) const override;
   /// See Problem.
@@ -122,6 +130,7 @@ class TypedProblem final : public Problem {
   void divide_components();
   void set_points(const Interval& interval);
   void place_values();
+  void find_singular_ends();
   void read_guess(const std::string& text);
   [[nodiscard]] std::string unknown_end(const std::string& until) const;
   [[nodiscard]] double stretch(double s, const Eigen::VectorXd& p) const;
@@ -136,7 +145,7 @@ class TypedProblem final : public Problem {
   std::vector<std::optional<program::Program>> guess_;  // by component
   program::Program slopes_;                             // states, then integrals
   int end_ = -1;                                        // parameter that is the end
-  bool is_infinite_ = false;
+  bool is_infinite_ = false, is_singular_ = false;
 };
 
 /// Reads a problem. @param guess see TypedProblem

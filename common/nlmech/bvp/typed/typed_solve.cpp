@@ -1,6 +1,7 @@
 #include "nlmech/bvp/typed/typed_solve.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <utility>
@@ -40,14 +41,13 @@ void check_end(const TypedProblem& problem, Solution& solution) {
   const std::vector<double> points = problem.points();
   const double last = points[points.size() - 2], end = solution.parameters()[*problem.end_parameter()];
   if (!(end > last)) {
-    solution.status = failed_with(Outcome::outside_validity,
-                                  "the end {:.9g} that was found is not after {:.9g}, the last known point",
-                                  end, last);
+    solution.status =
+        failed_with(Outcome::outside_validity,
+                    "the end {:.9g} that was found is not after {:.9g}, the last known point", end, last);
     return;
   }
   const program::Equations& equations = problem.equations();
-  const std::vector<double> jumps =
-      program::Switches(equations.graph(), equations.slopes()).times(last, end);
+  const std::vector<double> jumps = program::Switches(equations.graph(), equations.slopes()).times(last, end);
   if (!jumps.empty() && jumps.size() <= TypedProblem::most_jumps)
     solution.status = failed_with(Outcome::outside_validity,
                                   "the equations jump at {:.9g}, before the end {:.9g} that was found; give "
@@ -112,7 +112,7 @@ double change_after(const TypedProblem& problem, const Solution& solution, doubl
 }
 
 Solution solve_infinite(TypedProblem& problem, const Start& start, double tolerance) {
-  constexpr int most_doublings = 40;
+  constexpr int least_doublings = 6, most_doublings = 40;
   const double from = problem.points().front();
   const double near = std::max(1e-9, 10 * tolerance);
   double end = problem.points().back();
@@ -122,20 +122,30 @@ Solution solve_infinite(TypedProblem& problem, const Start& start, double tolera
     const double middle = end;
     end = from + 2 * (end - from);
     problem.truncate(end);
-    Solution next =
-        solve_finite(problem, before.status.ok() ? extended(before, end) : start, tolerance);
+    Solution next = solve_finite(problem, before.status.ok() ? extended(before, end) : start, tolerance);
     if (!next.status.ok() && (before.status.ok() || k > 2)) return next;
     if (before.status.ok() && next.status.ok()) {
       change = change_after(problem, next, middle);
       if (change <= near && difference(before, next, from + (middle - from) / 2) <= near) return next;
     }
     before = std::move(next);
+    if (k >= least_doublings && change > 0.1) break;
   }
   before.status = failed_with(Outcome::not_converged,
                               "the solution does not approach its values at infinity: up to t = {:.3g} they "
                               "still change by {:.2g} of their size over the last half",
                               end, change);
   return before;
+}
+
+/// The states of a solution times @p factor.
+Start scaled(const Solution& solution, double factor) {
+  Start start = start_from(solution);
+  start.states = [states = start.states, factor](double t, VectorXd& x) {
+    states(t, x);
+    x *= factor;
+  };
+  return start;
 }
 
 bool is_known(const std::vector<FoundSolution>& known, const Solution& solution) {
@@ -158,10 +168,16 @@ Solution solve_typed(TypedProblem& problem, const Start& start, double tolerance
 
 Search find_solutions(TypedProblem& problem, const Start& guess, int starts, std::size_t most,
                       double tolerance) {
+  constexpr int sizes = 8;
+  constexpr std::array factors = {-1., 3., 10., 30., -3., -10., 100., -30., 300.};
   Search search;
   for (int k = 0; k < starts && search.found.size() < most; ++k) {
-    const double size = k == 0 ? 0 : std::pow(10, (k - 1) % 4 - 1);
-    const Start start = k == 0 ? guess : problem.random_guess(size, static_cast<unsigned>(k));
+    const double size = k == 0 ? 0 : 0.1 * std::pow(3, (k - 1) % sizes);
+    const bool scales = k > 0 && k % 2 == 0 && !search.found.empty();
+    const Start start = k == 0   ? guess
+                        : scales ? scaled(search.found.front().solution,
+                                          factors[static_cast<std::size_t>(k / 2 - 1) % factors.size()])
+                                 : problem.random_guess(size, static_cast<unsigned>(k));
     Solution solution = solve_typed(problem, start, tolerance);
     if (k == 0) search.first = solution.status;
     if (solution.status.ok() && !is_known(search.found, solution))
@@ -188,7 +204,8 @@ Continuation follow_parameter(const std::function<TypedProblem(double)>& make, d
     Solution next = solve(problem, start_from(result.solution), options);
     const bool is_close = next.status.ok() && next.statistics.rejected <= most_rejected;
     if (!is_close && step <= least_step) {
-      if (next.status.ok()) next.status = Status::failure(Outcome::newton_diverged, "the steps are too short");
+      if (next.status.ok())
+        next.status = Status::failure(Outcome::newton_diverged, "the steps are too short");
       result.solution.status = next.status;
       return result;
     }

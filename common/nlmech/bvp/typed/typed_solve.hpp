@@ -27,8 +27,8 @@ namespace nlmech::bvp {
 /// A solution with the number of its start.
 struct FoundSolution {
   Solution solution;  ///< a success
-  int start;          ///< 0: the guess; k: random cubic number k
-  double size;        ///< size of the random cubic; 0 for the guess
+  int start;          ///< 0: the guess; k: start number k
+  double size;        ///< size of a random cubic; 0 for the guess
 };
 
 /// Result of find_solutions().
@@ -37,7 +37,8 @@ struct Search {
   Status first;                      ///< status from the guess
 };
 
-/// Solves from a guess and then from random cubics of sizes 0.1, 1, 10, 100, 0.1, ...
+/// Solves from a guess and then from random cubics of sizes 0.1, 0.3, 0.9, ..., 218.7, 0.1, ..., every other
+/// time from a multiple of the first solution.
 /// @param starts number of starts, the guess included
 /// @param most number of different solutions after which to stop
 [[nodiscard]] Search find_solutions(TypedProblem& problem, const Start& guess, int starts, std::size_t most,
