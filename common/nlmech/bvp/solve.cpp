@@ -47,6 +47,16 @@ VectorXd largest_values(const Unknowns& y) {
 /// Largest sizes in an iteration from its start on.
 struct History {
   VectorXd states, parameters, terms, condition_terms;
+  VectorXd least_states, least_parameters;  // Problem::least_sizes()
+
+  explicit History(const Problem& problem)
+      : least_states(VectorXd::Zero(problem.states())),
+        least_parameters(VectorXd::Zero(problem.parameters())) {
+    const VectorXd least = problem.least_sizes();
+    if (least.size() == 0) return;
+    least_states = least.head(problem.states());
+    least_parameters = least.tail(problem.parameters());
+  }
 
   void add(const Unknowns& y, const NewtonSystem& system) {
     const auto update = [](VectorXd& largest, const VectorXd& now) {
@@ -87,14 +97,19 @@ struct Scales {
         parameters(y.parameters.cwiseAbs().cwiseMax(next.parameters.cwiseAbs())) {
     const double least = rounding / tolerance,
                  span = y.intervals.back().t0 + y.intervals.back().h - y.intervals.front().t0;
-    states = states.cwiseMax(vanishing * history.states).cwiseMax(least * span * system.terms());
-    parameters =
-        parameters.cwiseMax(vanishing * history.parameters).cwiseMax(least * parameter_changes(system));
+    states = states.cwiseMax(vanishing * history.states)
+                 .cwiseMax(least * span * system.terms())
+                 .cwiseMax(history.least_states);
+    parameters = parameters.cwiseMax(vanishing * history.parameters)
+                     .cwiseMax(least * parameter_changes(system))
+                     .cwiseMax(history.least_parameters);
   }
   /// Without rounding errors, which are not known before the matrix of the iterate is.
   Scales(const Unknowns& y, const History& history)
-      : states(largest_values(y).cwiseMax(vanishing * history.states)),
-        parameters(y.parameters.cwiseAbs().cwiseMax(vanishing * history.parameters)) {}
+      : states(largest_values(y).cwiseMax(vanishing * history.states).cwiseMax(history.least_states)),
+        parameters(y.parameters.cwiseAbs()
+                       .cwiseMax(vanishing * history.parameters)
+                       .cwiseMax(history.least_parameters)) {}
 
   VectorXd states, parameters;
 };
@@ -163,9 +178,14 @@ Status check_determined(const Problem& problem, NewtonSystem& system, Unknowns& 
   const Eigen::MatrixXd& influence = system.influence();
   VectorXd terms(influence.rows());
   terms << history.terms, history.condition_terms;
+  // Also the result, which a linear problem reaches in one step.
+  const VectorXd parameters =
+      history.parameters.cwiseMax(y.parameters.cwiseAbs()).cwiseMax(history.least_parameters);
+  terms.tail(system.condition_terms().size()) =
+      terms.tail(system.condition_terms().size()).cwiseMax(system.condition_terms());
   for (Index j = 0; j < influence.cols(); ++j) {
     // The largest effect of the parameter, relative to what its equations were in the iteration.
-    const VectorXd effect = (influence.col(j) * history.parameters[j]).cwiseProduct(weights(terms));
+    const VectorXd effect = (influence.col(j) * parameters[j]).cwiseProduct(weights(terms));
     if (effect.maxCoeff() > 1e-3 * unit_roundoff) continue;
     const bool rests = (largest_values(y).array() <= vanishing * history.states.array()).all();
     return failed_with(Outcome::singular_matrix,
@@ -384,6 +404,9 @@ std::vector<double> residuals(const Problem& problem, const Solution& solution, 
   const Scheme& s = *solution.scheme;
   VectorXd f(problem.states()), u(problem.states()), scale = rounding / tolerance * solution.terms;
   for (const Interval& i : all) scale = scale.cwiseMax(i.slopes.cwiseAbs().rowwise().maxCoeff());
+  const VectorXd least = problem.least_sizes();
+  if (least.size() > 0)
+    scale = scale.cwiseMax(least.head(problem.states()) / (solution.end() - solution.begin()));
   const VectorXd weight = weights(scale);
   std::vector<double> result;
   for (const Interval& i : all) {
@@ -435,7 +458,7 @@ Status mesh_limit(const Options& options, const Solution& solution) {
 /// Solves on successively refined meshes.
 Status refine(const Problem& problem, const Options& options, Solution& solution) {
   const std::vector<double> points = problem.points();
-  History history;
+  History history(problem);
   for (int k = 1;; ++k) {
     NewtonSystem system(problem, *solution.scheme);
     Status status =
@@ -525,7 +548,9 @@ Integration integrate_at(const Problem& problem, const Eigen::VectorXd& x0, cons
 
 void verify_by_integration(const Problem& problem, const Options& options, Solution& solution) {
   const auto& all = solution.unknowns.intervals;
-  const VectorXd sizes = largest_values(solution.unknowns);
+  VectorXd sizes = largest_values(solution.unknowns);
+  if (const VectorXd least = problem.least_sizes(); least.size() > 0)
+    sizes = sizes.cwiseMax(least.head(problem.states()));
   VectorXd x = solution.first();
   double worst = 0, where = solution.begin();
   for (std::size_t k = 0; k < all.size(); ++k) {

@@ -347,6 +347,18 @@ void ArcProblem::condition_jacobian(const MatrixXd& ends, const VectorXd& p, Mat
   }
 }
 
+void ArcProblem::set_sizes(const VectorXd& x, const VectorXd& lambda) {
+  const auto or_one = [](double size) { return size > 0 ? size : 1; };
+  const VectorXd states = x.unaryExpr(or_one);
+  const double largest = or_one(lambda.cwiseProduct(states).maxCoeff());
+  const VectorXd costates = (largest * states.cwiseInverse()).cwiseMin(or_one(lambda.maxCoeff()));
+  least_sizes_.resize(2 * n_ + parameters_);
+  least_sizes_ << states, costates, VectorXd::Constant(parameters_, costates.maxCoeff());
+  for (const JunctionConditions& c : joined_) {
+    if (c.time >= 0) least_sizes_[2 * n_ + c.time] = necessary_->points.back() - necessary_->points.front();
+  }
+}
+
 VectorXd ArcProblem::parameters_from(const MatrixXd& z) const {
   VectorXd p = VectorXd::Zero(parameters_);
   for (std::size_t j = 0; j < joined_.size(); ++j) {

@@ -99,9 +99,14 @@ class ArcProblem final : public Problem {
   /// The multipliers of entry or contact @p junction in @p p: of S, S', ...; empty for other junctions.
   [[nodiscard]] Eigen::VectorXd jump_multipliers(std::size_t junction, const Eigen::VectorXd& p) const;
 
+  /// Sets least_sizes() from the sizes @p x of the states and @p lambda of the co-states. All terms lambda_i
+  /// x_i are measured against the largest: a co-state may be zero.
+  void set_sizes(const Eigen::VectorXd& x, const Eigen::VectorXd& lambda);
+
   [[nodiscard]] int states() const override { return 2 * n_; }
   [[nodiscard]] int parameters() const override { return parameters_; }
   [[nodiscard]] std::vector<double> points() const override;
+  [[nodiscard]] Eigen::VectorXd least_sizes() const override { return least_sizes_; }
   void rhs(double s, const Eigen::VectorXd& z, const Eigen::VectorXd& p,
            Eigen::VectorXd& dzds) const override;
   void jacobian(double s, const Eigen::VectorXd& z, const Eigen::VectorXd& p, Eigen::MatrixXd& by_state,
@@ -133,6 +138,7 @@ class ArcProblem final : public Problem {
   std::vector<JunctionConditions> joined_;
   std::vector<Eigen::Index> point_columns_;  // column of ends of each interior point
   Expressions ends_;
+  Eigen::VectorXd least_sizes_;
 };
 
 }  // namespace nlmech::bvp

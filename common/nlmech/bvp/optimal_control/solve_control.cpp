@@ -254,7 +254,7 @@ ControlSolution solve_arcs(const std::shared_ptr<const NecessaryConditions>& nec
                            const ArcStructure& structure, const DirectResult& direct,
                            const Options& options) {
   ControlSolution found;
-  std::shared_ptr<const ArcProblem> problem;
+  std::shared_ptr<ArcProblem> problem;
   for (const Arc& arc : structure.arcs) {
     for (std::size_t i = 0; i < arc.controls.size(); ++i) {
       const bool is_on_bound = std::ranges::find(arc.on_bound, true) != arc.on_bound.end();
@@ -266,7 +266,7 @@ ControlSolution solve_arcs(const std::shared_ptr<const NecessaryConditions>& nec
     }
   }
   try {
-    problem = std::make_shared<const ArcProblem>(necessary, structure.arcs, structure.junctions);
+    problem = std::make_shared<ArcProblem>(necessary, structure.arcs, structure.junctions);
   } catch (const std::invalid_argument& error) {
     found.status = Status::failure(Outcome::not_converged, error.what());
     return found;
@@ -277,6 +277,14 @@ ControlSolution solve_arcs(const std::shared_ptr<const NecessaryConditions>& nec
     direct.start.states(necessary->points[static_cast<std::size_t>(j)], z);
     at_points.col(j) = z;
   }
+  VectorXd sizes = VectorXd::Zero(2 * necessary->n);
+  constexpr int samples = 100;
+  const double t0 = necessary->points.front(), length = necessary->points.back() - t0;
+  for (int i = 0; i <= samples; ++i) {
+    direct.start.states(t0 + length * i / samples, z);
+    sizes = sizes.cwiseMax(z.cwiseAbs());
+  }
+  problem->set_sizes(sizes.head(necessary->n), sizes.tail(necessary->n));
   const VectorXd p = problem->parameters_from(at_points);
   const Start start{
       [&](double s, VectorXd& x) { direct.start.states(problem->place(s, p).first, x); }, p, {}};
