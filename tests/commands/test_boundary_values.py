@@ -7,7 +7,7 @@ import re
 
 import pytest
 
-from nlmech_tree import program, run, text_of
+from nlmech_tree import SOURCE, program, run, text_of
 
 KNOWN = {}  # values by case, T and name; the other four are prescribed or natural conditions
 for _row in csv.DictReader(text_of("tables/reference/oracles/rbf_inverse_extremals.csv").splitlines()):
@@ -32,6 +32,23 @@ def test_extremals_are_found(case, time):
     for name, column in COLUMN.items():
         bound = (1e-10 if name.endswith("(0)") else 1e-9) * max(1, abs(known[name]))
         assert found[column] == pytest.approx(known[name], abs=bound), name
+
+
+COST = {"free": " + ((x(T) - 5)^2 + (x'(T) - 2)^2)/2", "x1x1": " + (x'(T) - 2)^2/2", "x1x2": " + (x(T) - 5)^2/2", "x2x1": " + (x'(T) - 2)^2/2"}
+STATES = {"x1": "x", "x2": "x'", "l1": "lambda_x", "l2": "lambda_x'"}
+
+
+@pytest.mark.parametrize("case, time", [key for key in KNOWN if key[0] in ENDS])
+def test_typed_extremals_are_found(case, time):
+    """`rbf_inverse control` with the files of the cases, which contain no starts for them."""
+    done = run(program("rbf_inverse"), "control", "--file", str(SOURCE / f"chapters/rbf_inverse/duffing/{case}.ode"), "--control", "f",
+               "--minimise", "integral(f^2/2)" + COST.get(case, ""), "--set", f"T={time}")
+    known, rows = KNOWN[case, time] | ENDS[case], list(csv.DictReader(done.stdout.splitlines()))
+    assert float(re.search(r"cost ([^,;]+)", done.stderr)[1]) == pytest.approx(known["cost"], rel=1e-9)
+    for name, value in known.items():
+        if name != "cost":
+            found = float(rows[0 if name.endswith("(0)") else -1][STATES[name[:2]]])
+            assert found == pytest.approx(value, abs=1e-8 * max(1, abs(value))), name
 
 
 @pytest.mark.parametrize("seed", range(100))

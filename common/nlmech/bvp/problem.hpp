@@ -48,6 +48,10 @@ class Problem {
   /// Name in messages of state i or, for i >= n, of parameter i - n.
   [[nodiscard]] virtual std::string unknown_name(int i) const;
 
+  /// Sizes of the n states and m parameters against which errors are measured where the solution is smaller,
+  /// as a co-state that is zero. Empty: the sizes of the solution alone.
+  [[nodiscard]] virtual Eigen::VectorXd least_sizes() const { return {}; }
+
   /// K.
   [[nodiscard]] int phases() const { return static_cast<int>(points().size()) - 1; }
   /// n K + m.

@@ -48,6 +48,16 @@ VectorXd largest_values(const Unknowns& y) {
 /// Largest sizes in an iteration from its start on.
 struct History {
   VectorXd states, parameters, terms, condition_terms;
+  VectorXd least_states, least_parameters;  // Problem::least_sizes()
+
+  explicit History(const Problem& problem)
+      : least_states(VectorXd::Zero(problem.states())),
+        least_parameters(VectorXd::Zero(problem.parameters())) {
+    const VectorXd least = problem.least_sizes();
+    if (least.size() == 0) return;
+    least_states = least.head(problem.states());
+    least_parameters = least.tail(problem.parameters());
+  }
 
   void add(const Unknowns& y, const NewtonSystem& system) {
     const auto update = [](VectorXd& largest, const VectorXd& now) {
@@ -88,14 +98,19 @@ struct Scales {
         parameters(y.parameters.cwiseAbs().cwiseMax(next.parameters.cwiseAbs())) {
     const double least = rounding / tolerance,
                  span = y.intervals.back().t0 + y.intervals.back().h - y.intervals.front().t0;
-    states = states.cwiseMax(vanishing * history.states).cwiseMax(least * span * system.terms());
-    parameters =
-        parameters.cwiseMax(vanishing * history.parameters).cwiseMax(least * parameter_changes(system));
+    states = states.cwiseMax(vanishing * history.states)
+                 .cwiseMax(least * span * system.terms())
+                 .cwiseMax(history.least_states);
+    parameters = parameters.cwiseMax(vanishing * history.parameters)
+                     .cwiseMax(least * parameter_changes(system))
+                     .cwiseMax(history.least_parameters);
   }
   /// Without rounding errors, which are not known before the matrix of the iterate is.
   Scales(const Unknowns& y, const History& history)
-      : states(largest_values(y).cwiseMax(vanishing * history.states)),
-        parameters(y.parameters.cwiseAbs().cwiseMax(vanishing * history.parameters)) {}
+      : states(largest_values(y).cwiseMax(vanishing * history.states).cwiseMax(history.least_states)),
+        parameters(y.parameters.cwiseAbs()
+                       .cwiseMax(vanishing * history.parameters)
+                       .cwiseMax(history.least_parameters)) {}
 
   VectorXd states, parameters;
 };
@@ -174,9 +189,14 @@ Status check_determined(const Problem& problem, NewtonSystem& system, Unknowns& 
   const Eigen::MatrixXd& influence = system.influence();
   VectorXd terms(influence.rows());
   terms << history.terms, history.condition_terms;
+  // Also the result, which a linear problem reaches in one step.
+  const VectorXd parameters =
+      history.parameters.cwiseMax(y.parameters.cwiseAbs()).cwiseMax(history.least_parameters);
+  terms.tail(system.condition_terms().size()) =
+      terms.tail(system.condition_terms().size()).cwiseMax(system.condition_terms());
   for (Index j = 0; j < influence.cols(); ++j) {
     // The largest effect of the parameter, relative to what its equations were in the iteration.
-    const VectorXd effect = (influence.col(j) * history.parameters[j]).cwiseProduct(weights(terms));
+    const VectorXd effect = (influence.col(j) * parameters[j]).cwiseProduct(weights(terms));
     if (effect.maxCoeff() > 1e-3 * unit_roundoff) continue;
     const bool rests = (largest_values(y).array() <= vanishing * history.states.array()).all();
     return failed_with(Outcome::singular_matrix,
@@ -400,7 +420,10 @@ Unknowns transfer(const Solution& old, const std::vector<double>& mesh, const st
 std::vector<double> residuals(const Problem& problem, const Solution& solution, double tolerance) {
   const auto& all = solution.unknowns.intervals;
   const Scheme& s = *solution.scheme;
-  const VectorXd least = rounding / tolerance * solution.terms, size = largest_values(solution.unknowns);
+  const VectorXd size = largest_values(solution.unknowns);
+  VectorXd least = rounding / tolerance * solution.terms;
+  if (const VectorXd sizes = problem.least_sizes(); sizes.size() > 0)
+    least = least.cwiseMax(sizes.head(problem.states()) / (solution.end() - solution.begin()));
   VectorXd f(problem.states()), u(problem.states()), slope = VectorXd::Zero(problem.states());
   for (const Interval& i : all) slope = slope.cwiseMax(i.slopes.cwiseAbs().rowwise().maxCoeff());
   std::vector<double> result;
@@ -478,7 +501,7 @@ Status mesh_limit(const Options& options, const Solution& solution) {
 /// Solves on successively refined meshes.
 Status refine(const Problem& problem, const Options& options, Solution& solution) {
   const std::vector<double> points = problem.points();
-  History history;
+  History history(problem);
   for (int k = 1;; ++k) {
     NewtonSystem system(problem, *solution.scheme);
     Status status =
@@ -620,13 +643,11 @@ Piece verify_interval(const Problem& problem, const Options& options, const Solu
   const auto [forward, backward] = growth_over(problem, solution, interval, span);
   constexpr double growth = 4;  // exponent of a part
   int parts = static_cast<int>(std::clamp(std::ceil(std::min(forward, backward) / growth), 1., 1000.));
-  // At the end of a phase f is the limit from the left.
-  const double end = problem.phases() > 1 ? std::nextafter(span.end, span.begin) : span.end;
   Piece worst;
   for (int attempt = 0; attempt < 2; ++attempt, parts *= 8) {
     worst = {};
     const auto time = [&](int k) {
-      return k == parts ? end : span.begin + (span.end - span.begin) * k / parts;
+      return k == parts ? span.end : span.begin + (span.end - span.begin) * k / parts;
     };
     const auto state = [&](int i) -> VectorXd {
       return i == 0       ? VectorXd(interval.values.col(span.first))
@@ -649,7 +670,9 @@ Piece verify_interval(const Problem& problem, const Options& options, const Solu
 
 void verify_by_integration(const Problem& problem, const Options& options, Solution& solution) {
   const auto& all = solution.unknowns.intervals;
-  const VectorXd sizes = largest_values(solution.unknowns);
+  VectorXd sizes = largest_values(solution.unknowns);
+  if (const VectorXd least = problem.least_sizes(); least.size() > 0)
+    sizes = sizes.cwiseMax(least.head(problem.states()));
   VectorXd x = solution.first();
   double worst = 0, where = solution.begin();
   for (std::size_t k = 0; k < all.size(); ++k) {
@@ -660,9 +683,11 @@ void verify_by_integration(const Problem& problem, const Options& options, Solut
     const Scheme& scheme = *solution.scheme;
     const Index last_node = scheme.nodes.size() - 1 - (k + 1 == all.size() ? scheme.skipped : 0);
     if (k == 0) x = all[k].values.col(scheme.skipped);
-    const Span span{k == 0 ? scheme.skipped : 0, last_node,
-                    all[k].t0 + (k == 0 ? scheme.nodes[scheme.skipped] * all[k].h : 0),
-                    k + 1 < all.size() ? all[k + 1].t0 : all[k].t0 + scheme.nodes[last_node] * all[k].h};
+    Span span{k == 0 ? scheme.skipped : 0, last_node,
+              all[k].t0 + (k == 0 ? scheme.nodes[scheme.skipped] * all[k].h : 0),
+              k + 1 < all.size() ? all[k + 1].t0 : all[k].t0 + scheme.nodes[last_node] * all[k].h};
+    // f may jump between phases, and rhs() is then the limit from the right.
+    if (k + 1 < all.size() && all[k + 1].phase != all[k].phase) span.end = std::nextafter(span.end, span.begin);
     const bool is_piece = options.verification == Verification::pieces;
     // Errors of integration in one state have an effect on the others.
     VectorXd scale = sizes;

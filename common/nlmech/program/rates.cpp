@@ -1,14 +1,16 @@
 #include <cmath>
 
 #include "nlmech/program/graph.hpp"
+#include "nlmech/program/partials.hpp"
 
 namespace nlmech::program {
 namespace {
 
-/// Time derivatives along a solution, one per node.
+/// Derivatives along a direction of time and state, one per node.
 class Rates {
  public:
-  Rates(Graph& graph, const std::vector<NodeId>& slopes) : graph_(graph), slopes_(slopes) {}
+  Rates(Graph& graph, const std::vector<NodeId>& slopes, double of_time)
+      : graph_(graph), slopes_(slopes), of_time_(of_time) {}
 
   // Operands have smaller numbers: one ascending pass over the needed nodes suffices, without recursion.
   std::vector<NodeId> of(const std::vector<NodeId>& ids) {
@@ -27,7 +29,7 @@ class Rates {
     const Node n = graph_[id];
     Graph& g = graph_;
     if (n.operation == Operation::number) return g.number(0);
-    if (n.operation == Operation::variable) return n.a == 0 ? g.number(1) : slopes_[index(n.a - 1)];
+    if (n.operation == Operation::variable) return n.a == 0 ? g.number(of_time_) : slopes_[index(n.a - 1)];
     const NodeId a = n.a, b = n.b, da = known_[index(a)], db = known_[index(b)];
     switch (n.operation) {
       case Operation::sum: return g.sum(da, db);
@@ -48,7 +50,7 @@ class Rates {
       }
       case Operation::choice: return g.choice(n.decides, da, db);
       case Operation::floor: return g.number(0);
-      case Operation::table: return slope_of(*g.tables()[static_cast<std::size_t>(n.c)]);
+      case Operation::table: return g.product(slope_of(*g.tables()[static_cast<std::size_t>(n.c)]), da);
       default: return g.product(derivative(g, n.function, id, a), da);
     }
   }
@@ -63,6 +65,7 @@ class Rates {
 
   Graph& graph_;
   const std::vector<NodeId>& slopes_;
+  double of_time_;
   std::vector<NodeId> known_;
 };
 
@@ -101,7 +104,38 @@ NodeId derivative(Graph& g, Function function, NodeId value, NodeId a) {
 }
 
 std::vector<NodeId> rates(Graph& graph, const std::vector<NodeId>& ids, const std::vector<NodeId>& slopes) {
-  return Rates(graph, slopes).of(ids);
+  return Rates(graph, slopes, 1).of(ids);
+}
+
+std::vector<NodeId> partials(Graph& graph, NodeId id, int first, int count) {
+  std::vector<NodeId> result;
+  for (int i = first; i < first + count; ++i) {
+    std::vector<NodeId> direction(index(graph.size()), graph.number(0));
+    direction[index(i)] = graph.number(1);
+    result.push_back(Rates(graph, direction, 0).of({id}).front());
+  }
+  return result;
+}
+
+std::vector<NodeId> substituted(const Graph& from, const std::vector<NodeId>& ids, Graph& to,
+                                const std::vector<NodeId>& variables) {
+  const std::vector<bool> needed = parts_of(from, ids);
+  std::vector<NodeId> made(needed.size());
+  for (NodeId i = 0; i < static_cast<NodeId>(needed.size()); ++i) {
+    if (!needed[index(i)]) continue;
+    Node n = from[i];
+    if (n.operation == Operation::variable) {
+      made[index(i)] = variables[index(n.a)];
+    } else if (n.operation == Operation::table) {
+      made[index(i)] = to.table(*from.tables()[static_cast<std::size_t>(n.c)]);
+    } else {
+      if (n.operation == Operation::choice) n.decides = made[index(n.decides)];
+      made[index(i)] = to.again(n, made[index(n.a)], made[index(n.b)]);
+    }
+  }
+  std::vector<NodeId> result;
+  for (const NodeId id : ids) result.push_back(made[index(id)]);
+  return result;
 }
 
 }  // namespace nlmech::program

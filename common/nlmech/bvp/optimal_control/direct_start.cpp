@@ -37,7 +37,12 @@ class Descent {
         q_(model_.controls()),
         steps_(options.pieces),
         h_((task_.final_time - task_.begin_time) / options.pieces),
-        rho_(options.first_weight) {
+        rho_(options.first_weight),
+        low_(options.low),
+        high_(options.high) {
+    const double limit = task_.constraints.control_limit;
+    if (low_.size() == 0) low_ = VectorXd::Constant(q_, -limit);
+    if (high_.size() == 0) high_ = VectorXd::Constant(q_, limit);
     for (int i = 0; i < n_; ++i) {
       const auto& value = task_.end[static_cast<std::size_t>(i)];
       if (value) targets_.push_back({steps_, i, *value, 0});
@@ -65,7 +70,7 @@ class Descent {
     VectorXd u(q_);
     for (Index k = 0; k < steps_; ++k) {
       guess.control(time(k) + h_ / 2, u);
-      now_.u.col(k) = u;
+      now_.u.col(k) = u.cwiseMax(low_).cwiseMin(high_);
     }
     if (!integrate(now_)) {
       result.status = Status::failure(Outcome::non_finite,
@@ -179,11 +184,9 @@ class Descent {
       const MatrixXd qxx = h_ * l.hessian.topLeftCorner(n_, n_) + a.transpose() * vxx * a;
       const MatrixXd qux = h_ * l.hessian.bottomLeftCorner(q_, n_) + b.transpose() * vxx * a;
       const MatrixXd quu = h_ * l.hessian.bottomRightCorner(q_, q_) + b.transpose() * vxx * b;
-      const Eigen::LLT<MatrixXd> llt(quu + h_ * damping_ * MatrixXd::Identity(q_, q_));
-      if (llt.info() != Eigen::Success) return false;
       const auto index = static_cast<std::size_t>(k);
-      change_[index] = -llt.solve(qu);
-      gain_[index] = -llt.solve(qux);
+      const MatrixXd damped = quu + h_ * damping_ * MatrixXd::Identity(q_, q_);
+      if (!minimise_in_bounds(damped, qu, qux, now_.u.col(k), change_[index], gain_[index])) return false;
       const VectorXd& d = change_[index];
       const MatrixXd& g = gain_[index];
       expected_ -= qu.dot(d) + d.dot(quu * d) / 2;
@@ -194,6 +197,46 @@ class Descent {
       costates_.col(k) = vx;
     }
     return begin_change(phi, vx, vxx);
+  }
+
+  /// Change of the control at @p u and its gain that minimise a quadratic model between the bounds. A control
+  /// at a bound does not change if the model decreases beyond the bound only (as in Y. Tassa, N. Mansard, E.
+  /// Todorov, Control-limited differential dynamic programming, ICRA 2014). False if the matrix is not
+  /// positive definite.
+  bool minimise_in_bounds(const MatrixXd& quu, const VectorXd& qu, const MatrixXd& qux, const VectorXd& u,
+                          VectorXd& change, MatrixXd& gain) const {
+    std::vector<Index> free;
+    for (Index i = 0; i < q_; ++i) {
+      const bool held = (u[i] <= low_[i] && qu[i] > 0) || (u[i] >= high_[i] && qu[i] < 0);
+      if (!held) free.push_back(i);
+    }
+    change = VectorXd::Zero(q_);
+    gain = MatrixXd::Zero(q_, n_);
+    while (!free.empty()) {
+      const Eigen::LLT<MatrixXd> llt(quu(free, free));
+      if (llt.info() != Eigen::Success) return false;
+      // Controls that the step takes beyond a bound stop there; the others take the best of the remaining
+      // step.
+      VectorXd rest = qu;
+      for (Index i = 0; i < q_; ++i) {
+        if (std::ranges::find(free, i) == free.end()) rest += change[i] * quu.col(i);
+      }
+      const VectorXd step = -llt.solve(rest(free));
+      std::vector<Index> within;
+      for (std::size_t k = 0; k < free.size(); ++k) {
+        const Index i = free[k];
+        change[i] = std::clamp(step[static_cast<Index>(k)], low_[i] - u[i], high_[i] - u[i]);
+        if (change[i] == step[static_cast<Index>(k)]) within.push_back(i);
+      }
+      if (within.size() < free.size()) {
+        free = within;
+        continue;
+      }
+      const MatrixXd feedback = -llt.solve(qux(free, Eigen::all));
+      for (std::size_t k = 0; k < free.size(); ++k) gain.row(free[k]) = feedback.row(static_cast<Index>(k));
+      break;
+    }
+    return true;
   }
 
   /// Newton step of the free initial values.
@@ -225,13 +268,12 @@ class Descent {
     trial.x = now_.x;
     trial.u = now_.u;
     trial.x.col(0) += fraction * begin_change_;
-    const double limit = task_.constraints.control_limit;
     double running = 0;
     for (Index k = 0; k < steps_; ++k) {
       const auto index = static_cast<std::size_t>(k);
       VectorXd u =
           now_.u.col(k) + fraction * change_[index] + gain_[index] * (trial.x.col(k) - now_.x.col(k));
-      u = u.cwiseMax(-limit).cwiseMin(limit);
+      u = u.cwiseMax(low_).cwiseMin(high_);
       const VectorXd x = trial.x.col(k);
       if (!x.allFinite() || !u.allFinite()) return false;
       trial.u.col(k) = u;
@@ -265,6 +307,24 @@ class Descent {
     }
   }
 
+  /// Co-states along now_ from the multipliers of the prescribed values.
+  [[nodiscard]] MatrixXd adjoint() const {
+    MatrixXd all(n_, steps_ + 1), a, b;
+    VectorXd lambda =
+        model_.end_cost(now_.x.col(0), now_.x.col(steps_), task_.final_time).gradient.segment(n_, n_);
+    for (Index k = steps_;; --k) {
+      for (const Target& target : targets_) {
+        if (target.step == k) lambda[target.component] += target.multiplier;
+      }
+      all.col(k) = lambda;
+      if (k == 0) return all;
+      const VectorXd x = now_.x.col(k - 1), u = now_.u.col(k - 1);
+      const auto l = model_.expand(time(k - 1), x, u, VectorXd::Zero(n_), task_.mu, task_.constraints);
+      linearise(k - 1, a, b);
+      lambda = h_ * l.gradient.head(n_) + a.transpose() * lambda;
+    }
+  }
+
   void finish(DirectResult& result) {
     damping_ = 1e-9;
     (void)integrate(now_);
@@ -279,6 +339,8 @@ class Descent {
     }
     MatrixXd z(2 * n_, steps_ + 1);
     z << now_.x, costates_;
+    result.controls = now_.u;
+    result.adjoint = adjoint();
     const double t0 = task_.begin_time, h = h_;
     result.start.states = [z, t0, h](double t, VectorXd& at) {
       const double s = std::clamp((t - t0) / h, 0.0, static_cast<double>(z.cols() - 1));
@@ -299,7 +361,7 @@ class Descent {
   Trajectory now_;
   std::vector<MatrixXd> gain_;
   std::vector<VectorXd> change_;
-  VectorXd begin_change_;
+  VectorXd begin_change_, low_, high_;
   MatrixXd costates_;
   double damping_ = 0, expected_ = 0;
 };

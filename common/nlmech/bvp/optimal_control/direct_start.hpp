@@ -14,6 +14,8 @@ struct DirectOptions {
   double weight_growth = 10;  ///< factor of the weight per round
   int rounds = 7;             ///< number of weights
   double tolerance = 1e-7;    ///< a round ends when a step decreases the cost by less than this fraction
+  Eigen::VectorXd low = {};   ///< lower bound of each control; empty: that of the constraints
+  Eigen::VectorXd high = {};  ///< upper bound of each control; empty: that of the constraints
 };
 
 /// Initial guess of a direct method.
@@ -24,7 +26,10 @@ struct ControlGuess {
 
 /// Result of a direct method.
 struct DirectResult {
-  Start start;      ///< states and co-states on the grid, for solve_extremal
+  Start start;                    ///< states and co-states on the grid, for solve_extremal
+  Eigen::MatrixXd controls = {};  ///< q rows; one column for each piece
+  Eigen::MatrixXd adjoint =
+      {};           ///< co-states by the adjoint equation: n rows; a column for each end of a piece
   double cost = 0;  ///< J without penalties, on piecewise constant controls
   double miss = 0;  ///< largest deviation from the prescribed end values and waypoints
   Status status;    ///< non_finite if the guess could not be integrated; else success

@@ -231,6 +231,8 @@ class Conditions::Reader {
       }
     }
     made_.residuals_ = program::Program(arguments.graph(), nodes);
+    made_.residual_graph_ = arguments.graph();
+    made_.residual_nodes_ = std::move(nodes);
   }
 
  private:

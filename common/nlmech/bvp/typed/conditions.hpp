@@ -74,12 +74,18 @@ class Conditions {
   }
   /// The residuals, left side minus right side, as a program whose state is the arguments.
   [[nodiscard]] const program::Program& residuals() const { return residuals_; }
+  /// The residuals as nodes of residual_graph().
+  [[nodiscard]] const std::vector<program::NodeId>& residual_nodes() const { return residual_nodes_; }
+  /// Expressions of the arguments.
+  [[nodiscard]] const program::Graph& residual_graph() const { return residual_graph_; }
 
  private:
   class Reader;
   std::vector<Value> values_;
   std::vector<program::NodeId> integrands_;
   std::vector<int> constants_;
+  program::Graph residual_graph_{0};
+  std::vector<program::NodeId> residual_nodes_;
   program::Program residuals_;
 };
 
