@@ -116,9 +116,10 @@ TEST(Roots, AreAsRightInAnyUnits) {
 }
 
 TEST(Roots, ThatAreNoneAreRefused) {
-  for (const char* const text : {"x^2 + 1e-20 = 0", "abs(x) = -1e-13", "exp(x) = 0", "1/x = 0", "x^2 + 1 = 0",
-                                 "1e-30 (x^2 + 1) = 0", "x^2 + 1e-300 = 0", "1/(1 + x^2) = 0",
-                                 "x^2 - 2 x + 1 + 1e-12 = 0", "sqrt(x) = -1e-9", "exp(-x^2) = 0"}) {
+  for (const char* const text :
+       {"x^2 + 1e-20 = 0", "abs(x) = -1e-13", "exp(x) = 0", "1/x = 0", "x^2 + 1 = 0", "1e-30 (x^2 + 1) = 0",
+        "x^2 + 1e-300 = 0", "1/(1 + x^2) = 0", "x^2 - 2 x + 1 + 1e-12 = 0", "sqrt(x) = -1e-9",
+        "exp(-x^2) = 0", "2 sign(x - 1.1) = 1", "1/(x - 1.1) = 0"}) {
     const TypedSolution found = solved(text, "x=1.1");
     EXPECT_FALSE(found.status.ok()) << text << " at " << found.root.x[0] << ' ' << to_string(found.root.kind);
     EXPECT_FALSE(found.status.sentence().empty());

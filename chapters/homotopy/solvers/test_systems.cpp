@@ -165,7 +165,7 @@ std::vector<TestSystem> test_systems() {
       {"helical-valley",
        "10 (z - 10 atan2(y, x)/(2 pi)) = 0; 10 (sqrt(x^2 + y^2) - 1) = 0; z = 0; x(0) = -1; y(0) = 0; z(0) = "
        "0",
-       {{1, 0, 0}},
+       {{0, 0, 1}},  // z, y, x
        true},
       {"wood",
        "energy = 100 (y - x^2)^2 + (1 - x)^2 + 90 (w - z^2)^2 + (1 - z)^2 + 10 (y + w - 2)^2 + (y - w)^2/10; "

@@ -154,22 +154,27 @@ bool has_underflown(const TypedSystem& system, const VectorXd& x, const VectorXd
   return false;
 }
 
-/// Does the enclosure of F within @p radius of x contain 0?
-bool may_vanish(const TypedSystem& system, const VectorXd& x, const VectorXd& radius) {
+/// Does the enclosure of F within @p radius of x contain 0, and F not jump there?
+bool may_vanish(const TypedSystem& system, const VectorXd& x, const VectorXd& radius,
+                const VectorXd& row_size) {
+  constexpr double jump = 1e-6;  // of the change of F over a typical distance
   Box f, j;
   static_cast<void>(system.enclose(box_around(x, radius), f, j));
-  return std::ranges::all_of(f, [](const Interval& value) { return value.has(0); });
+  for (Index i = 0; i < x.size(); ++i) {
+    if (!at(f, i).has(0) || !(at(f, i).magnitude() <= jump * row_size[i])) return false;
+  }
+  return true;
 }
 
 /// Widens the bound of a singular root along the null vectors @p null as far as rounding may make F vanish.
 void widen_bound(const TypedSystem& system, const MatrixXd& null, const VectorXd& typical,
-                 CheckedRoot& root) {
+                 const VectorXd& row_size, CheckedRoot& root) {
   const VectorXd thin = 4 * eps * root.x.cwiseAbs();
   for (Index k = 0; k < null.cols(); ++k) {
     const VectorXd direction = null.col(k).cwiseProduct(typical);
     for (double r = 4 * eps; r < 1; r *= 2) {
-      if (!may_vanish(system, root.x + r * direction, thin) &&
-          !may_vanish(system, root.x - r * direction, thin))
+      if (!may_vanish(system, root.x + r * direction, thin, row_size) &&
+          !may_vanish(system, root.x - r * direction, thin, row_size))
         break;
       root.bound = root.bound.cwiseMax(2 * r * direction.cwiseAbs());
     }
@@ -265,11 +270,11 @@ CheckedRoot check_root(const TypedSystem& system, const VectorXd& start, const V
   root.bound = (2. * polish.order * step).cwiseMax(4 * eps * x.cwiseAbs());
   if (!(root.error(typical) < 1e-2)) return refuse("Newton's iteration does not converge");
   const VectorXd radius = root.bound.cwiseMin(4 * eps * typical).cwiseMax(4 * eps * x.cwiseAbs());
-  if (!may_vanish(system, x, radius)) return refuse("F is not 0 near there");
+  if (!may_vanish(system, x, radius, row_size)) return refuse("F is not 0 near there");
   // Rows have size 1 at a typical distance.
   root.defect = (singular.array() < 1e-5).count();
   if (root.defect > 0) root.bound = root.bound.cwiseMax(4 * eps * typical);
-  widen_bound(system, svd.matrixV().rightCols(root.defect), typical, root);
+  widen_bound(system, svd.matrixV().rightCols(root.defect), typical, row_size, root);
   root.order = polish.order;
   const bool is_singular = root.defect > 0;
   root.kind = is_singular ? CheckedRoot::Kind::singular : CheckedRoot::Kind::unproved;

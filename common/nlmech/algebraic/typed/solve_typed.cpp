@@ -84,15 +84,13 @@ Report run_scaled(const TypedSolver& solver, const TypedSystem& system, const Ve
   return report;
 }
 
-/// Outcome after the check of the root.
-Status status_of(const TypedSolution& all, double tolerance) {
+/// Is there a root, to the tolerance?
+Status status_of_root(const TypedSolution& all, double tolerance) {
   const CheckedRoot& root = all.root;
-  if (root.kind == CheckedRoot::Kind::none) {
-    if (!all.report.status.ok()) return all.report.status;
+  if (root.kind == CheckedRoot::Kind::none)
     return failed_with(Outcome::spurious_root,
                        "{}: ends with |F| below its tolerance, but {}; start elsewhere", all.solver,
                        root.reason);
-  }
   const double error = root.error(all.typical);
   const double allowed =
       root.kind == CheckedRoot::Kind::proved ? tolerance : std::pow(tolerance, 1. / root.order);
@@ -140,7 +138,7 @@ TypedSolution solve_by(const TypedSolver& solver, const TypedSystem& system, con
     all.root.x = all.end;
     all.root.reason = "the solver fails";
   }
-  all.status = status_of(all, tolerance);
+  all.status = all.report.status.ok() ? status_of_root(all, tolerance) : all.report.status;
   return all;
 }
 
@@ -164,9 +162,12 @@ std::vector<VectorXd> starts_around(const TypedSystem& system, const VectorXd& s
 TypedSolution solve_by_several(const TypedSystem& system, const VectorXd& start, double tolerance,
                                std::int64_t iterations, int& tried) {
   const std::vector<TypedSolver> solvers = typed_solvers(system);
+  // A solver that fails near a root, as at singular ones, has found it: the check improves its end.
   const auto by = [&](std::string_view name, const VectorXd& from) {
-    return solve_by(*std::ranges::find(solvers, name, &TypedSolver::name), system, from, tolerance,
-                    iterations);
+    TypedSolution found =
+        solve_by(*std::ranges::find(solvers, name, &TypedSolver::name), system, from, tolerance, iterations);
+    if (!found.status.ok() && status_of_root(found, tolerance).ok()) found.status = {};
+    return found;
   };
   tried = 1;
   TypedSolution lowest;
