@@ -87,7 +87,7 @@ std::vector<algebraic::TypedSolver> solvers_of(const algebraic::TypedSystem& sys
                                                const std::string& option,
                                                const std::vector<std::string>& names) {
   const std::vector<algebraic::TypedSolver> all = solvers_of(system);
-  if (names.empty() || names == std::vector<std::string>{"all"}) return all;
+  if (names.empty()) return all;
   std::vector<algebraic::TypedSolver> chosen;
   for (const std::string& name : names) {
     const auto found = std::ranges::find(all, name, &algebraic::TypedSolver::name);

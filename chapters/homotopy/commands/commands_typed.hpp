@@ -29,7 +29,7 @@ void declare_roots(scene::Options& options, TypedRoots& typed);
 /// The library's solvers that apply, then kinsol and gsl-hybrid if the build has them.
 [[nodiscard]] std::vector<algebraic::TypedSolver> solvers_of(const algebraic::TypedSystem& system);
 
-/// The named solvers. @throws InputError for a name that is none, with all names
+/// The named solvers, all for no name. @throws InputError for a name that is none, with all names
 [[nodiscard]] std::vector<algebraic::TypedSolver> solvers_of(const algebraic::TypedSystem& system,
                                                              const std::string& option,
                                                              const std::vector<std::string>& names);

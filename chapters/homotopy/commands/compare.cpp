@@ -9,6 +9,7 @@
 #include "chapters/homotopy/commands/commands_typed.hpp"
 #include "nlmech/scene/picture.hpp"
 #include "nlmech/scene/program/this_process.hpp"
+#include "nlmech/scene/program/typed.hpp"
 #include "nlmech/support/sentences.hpp"
 #include "nlmech/support/stopwatch.hpp"
 
@@ -21,14 +22,14 @@ using algebraic::TypedSystem;
 
 struct CompareOptions {
   TypedRoots roots;
-  std::vector<std::string> methods = {"all"};
+  std::string methods = "all", box, plot;
   int starts = 0;
-  std::string box, plot;
 };
 
 void declare(scene::Options& options, CompareOptions& typed) {
   declare_roots(options, typed.roots);
-  options.add("--methods", typed.methods, "names of solvers, separated by blanks; an unknown name lists all");
+  options.add("--methods", typed.methods,
+              "solvers: all, or names separated by commas; an unknown name lists all");
   options
       .add("--starts", typed.starts,
            "number of pseudo-random starts, the same in each run (default 0: from --start alone)")
@@ -191,7 +192,9 @@ void compare_solvers(const CompareOptions& typed) {
   const TypedSystem system = system_of(typed.roots, in_box);
   if (!typed.box.empty() && typed.starts == 0)
     throw input_error("--box {}: needs a number of --starts", typed.box);
-  const std::vector<TypedSolver> solvers = solvers_of(system, "--methods", typed.methods);
+  const std::vector<TypedSolver> solvers =
+      solvers_of(system, "--methods",
+                 typed.methods == "all" ? std::vector<std::string>{} : scene::split(typed.methods, ','));
   const std::vector<Eigen::VectorXd> starts = starts_of(typed, system);
   const scene::Picture picture(typed.plot);
   if (picture.wanted() && typed.starts > 0 && system.size() != 2)

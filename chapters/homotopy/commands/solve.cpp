@@ -76,6 +76,7 @@ algebraic::TypedSolution solution_of(const SolveOptions& typed, const algebraic:
 
 /// All roots in the box as rows.
 void solve_all(const SolveOptions& typed) {
+  if (typed.box.empty()) throw InputError("--all-roots: give a --box, a range for each unknown");
   const std::vector<algebraic::NamedRange> ranges = algebraic::read_ranges("--box", typed.box);
   std::set<std::string> names;
   for (const algebraic::NamedRange& range : ranges) names.insert(range.name);
@@ -104,8 +105,9 @@ void solve_all(const SolveOptions& typed) {
     throw Failure(Status::failure(
         found.status.outcome(),
         fmt::format("solve: all that was found is printed, but {}", found.status.sentence())));
-  scene::print_message(fmt::format(
-      "solve: these are all roots in the box, proved by interval arithmetic on {} boxes", found.examined));
+  scene::print_message(
+      fmt::format("solve: these are all roots in the box, proved by interval arithmetic (boxes examined: {})",
+                  found.examined));
 }
 
 void solve_typed(const SolveOptions& typed) {
@@ -117,7 +119,10 @@ void solve_typed(const SolveOptions& typed) {
   if (!found.status.ok()) throw Failure(found.status);
   print_remarks(system, found, tried);
   std::string text = columns_of(system) + "error,residual,condition,root,method,iterations,evaluations\n";
-  for (const double x : found.root.x) text += fmt::format("{:.17g},", x == 0 ? 0 : x);
+  // A root of 0 that is singular is approached until squares underflow.
+  for (Eigen::Index i = 0; i < system.size(); ++i)
+    text += fmt::format("{:.17g},",
+                        std::abs(found.root.x[i]) <= 1e-6 * found.root.bound[i] ? 0 : found.root.x[i]);
   const Statistics& s = found.report.statistics;
   scene::print_result(text + fmt::format("{:.2g},{:.2g},{:.2g},{},{},{},{}\n",
                                          found.root.error(found.typical), found.root.residual,

@@ -19,7 +19,7 @@ using Eigen::VectorXd;
 
 constexpr std::array scales = {1., 10., 100.};
 constexpr double tolerance = 1e-10;
-constexpr std::int64_t iterations = 500;
+constexpr std::int64_t iterations = 300;
 
 /// One solver on one system from one start.
 struct Trial {
@@ -60,7 +60,7 @@ struct TestSet {
   std::vector<TestSystem> systems;
   std::vector<SolverTrials> solvers;
 
-  /// @throws std::out_of_range if the build has no such solver
+  /// Null if the build has no such solver.
   [[nodiscard]] const SolverTrials* find(const std::string& name) const {
     const auto found = std::ranges::find(solvers, name, &SolverTrials::name);
     return found == solvers.end() ? nullptr : &*found;
@@ -169,7 +169,7 @@ void put(const TestSet& set, scene::Show& show) {
 std::vector<scene::Scene> scenes() {
   const scene::Result trials("solvers-on-test-systems",
                              "classical systems from their standard start, and from 10 and 100 times it; "
-                             "tolerance 1e-10, 500 iterations; "
+                             "tolerance 1e-10, 300 iterations; "
                              "a success is a root that check_root() confirms",
                              compute);
   return {{.name = "solvers-on-test-set",

@@ -32,7 +32,7 @@ TEST(TestSystems, TheDefaultFindsAKnownRootOfEachOrSaysWhyNone) {
   for (const TestSystem& test : test_systems()) {
     const TypedSystem system(program::SourceText(test.name, test.text));
     int tried = 0;
-    const TypedSolution found = solve_by_several(system, system.start("--start", ""), 1e-10, 1000, tried);
+    const TypedSolution found = solve_by_several(system, system.start("--start", ""), 1e-10, 300, tried);
     EXPECT_EQ(found.status.ok(), test.has_root) << test.name << ": " << found.status.text();
     if (!test.has_root) {
       EXPECT_NE(found.status.sentence().find("minimum that is no root"), std::string::npos)

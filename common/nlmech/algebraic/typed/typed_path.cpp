@@ -153,6 +153,8 @@ class BranchTracer {
         return true;
       }
       add(kind_of(c.kind), c.point);
+      // The sign of the vanishing eigenvalue is rounding.
+      out_.points.back().negative = std::min(path_.before().negative, path_.now().negative);
       if (c.kind == CriticalPoint::Kind::bifurcation) crossings_.push_back({c.point, c.across, branch_});
       before = c.point;
     }

@@ -23,7 +23,8 @@ struct TypedPathPoint {
   Kind kind;              ///< kind of the point
   double parameter;       ///< value of the parameter
   Eigen::VectorXd x;      ///< the solution
-  Eigen::Index negative;  ///< with an energy: number of negative eigenvalues of its Hessian; 0: a minimum
+  Eigen::Index negative;  ///< with an energy: negative eigenvalues of its Hessian, without one that vanishes;
+                          ///< 0: a minimum
 };
 
 /// "step", "maximum", "minimum", "bifurcation".

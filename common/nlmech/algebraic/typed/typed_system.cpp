@@ -325,8 +325,7 @@ Eigen::VectorXd TypedSystem::start(const std::string& option, const std::string&
   for (Eigen::Index i = 0; i < size(); ++i) {
     const std::string& name = names_[static_cast<std::size_t>(i)];
     if (!given.contains(name))
-      throw input_error("{} {}: a start value of {} is missing; write {} \"{}=1\"", option,
-                        quoted_input(text), quoted_input(name), option, quoted_input(name));
+      throw input_error("{0}: a start value of {1} is missing; add {1}=1", option, quoted_input(name));
     x[i] = given[name];
     if (x[i] >= lower_[i] && x[i] <= upper_[i]) continue;
     throw input_error("{} {}: {} = {} is outside its bounds, {} to {}", option, quoted_input(text),
