@@ -130,6 +130,7 @@ scene::Figure work_picture(const std::vector<TypedSolver>& solvers, const TypedS
   scene::Panel& panel = show.plot("Digits of the root against evaluations of F", "evaluations of F", "digits")
                             .log_x()
                             .key("outside right");
+  show.figure().size(1240, 560);
   const Eigen::VectorXd start = system.start("--start", typed.roots.start);
   for (const TypedSolver& solver : solvers) {
     std::vector<double> work, digits;

@@ -107,7 +107,8 @@ TestSet compute() {
       int tried = 0;
       put("automatic", solve_by_several(system, from, tolerance, iterations, tried));
       for (const algebraic::TypedSolver& solver : solvers_of(system))
-        put(solver.name, solve_by(solver, system, from, tolerance, iterations));
+        if (solver.name != "energy-trust-region")  // for two of the systems
+          put(solver.name, solve_by(solver, system, from, tolerance, iterations));
     }
   }
   return set;
@@ -120,12 +121,16 @@ void put(const TestSet& set, scene::Show& show) {
                            {"100 times", [](const SolverTrials& s) { return s.arrived(2); }},
                            {"claims refused", &SolverTrials::false_claims},
                            {"evaluations, median", &SolverTrials::evaluations}});
-  scene::Panel& panel = show.plot(
-      fmt::format("Roots found of {} systems from three starts", set.systems.size()), "", "systems solved");
+  scene::Panel& panel =
+      show.plot(fmt::format("Systems solved of {}: several solvers in turn solve most", set.systems.size()),
+                "", "systems solved");
   std::string tics;
   for (std::size_t i = 0; i < set.solvers.size(); ++i)
     tics += fmt::format("{}\"{}\" {}", i == 0 ? "" : ", ", set.solvers[i].name, i + 1);
-  panel.set("xtics rotate by -50 (" + tics + ")").key("below");
+  panel.set("xtics rotate by -50 (" + tics + ")")
+      .key("top right")
+      .place(0.09, 0.98, 0.28, 0.9)
+      .y_range(0, static_cast<double>(set.systems.size() + 5));
   for (std::size_t k = 0; k < scales.size(); ++k) {
     std::vector<double> x, y;
     for (std::size_t i = 0; i < set.solvers.size(); ++i) {
