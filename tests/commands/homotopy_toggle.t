@@ -95,10 +95,10 @@ Deflections
 
 |F| of the default tolerance over a stiffness of 15 lb/in and more:
 
-  $ homotopy solve --height 0.44 --load 43.79 | sed -n 1p
-  solve: before this load the path from rest reaches a maximum at 42.43871 lb and a drop of 0.22712* in, where it loses its stability; the equilibrium found lies beyond it and is stable (glob)
+  $ homotopy toggle --height 0.44 --load 43.79 | sed -n 1p
+  toggle: before this load the path from rest reaches a maximum at 42.43871 lb and a drop of 0.22712* in, where it loses its stability; the equilibrium found lies beyond it and is stable (glob)
   status,deflection,residual,iterations,bound,stability,critical_load
-  $ solve() { homotopy solve --height "$@" 2> said.txt; }
+  $ solve() { homotopy toggle --height "$@" 2> said.txt; }
 # oracle: homotopy_williams Williams 0.?? drop under *
 # oracle: homotopy_frames toggle 0.?? of 1 drop under *
   $ while read -r deflection words; do
@@ -126,13 +126,13 @@ to the next order and 1/64 of the difference:
 
 Stability is that of the whole toggle, and a shape beyond a bifurcation is not shown in silence; the half toggle loses nothing at 340.22:
 
-  $ homotopy solve --height 2 --elements 8 --load 300 | cut -d, -f 1,6,7
+  $ homotopy toggle --height 2 --elements 8 --load 300 | cut -d, -f 1,6,7
   status,stability,critical_load
   success,stable,
   $ solve 2 --elements 8 --load 500 | holds 'stability = "unstable"' 'critical_load = 340.22 +- 0.01'
   $ solve 2 --elements 8 --load 660 > snapped.csv
   $ cat said.txt
-  solve: before this load the path from rest reaches an antisymmetric bifurcation at 340.2203 lb and a drop of 0.05047* in, where it loses its stability; the equilibrium found lies beyond it and is stable (glob)
+  toggle: before this load the path from rest reaches an antisymmetric bifurcation at 340.2203 lb and a drop of 0.05047* in, where it loses its stability; the equilibrium found lies beyond it and is stable (glob)
   $ holds 'stability = "stable"' 'deflection > 3' < snapped.csv
   $ solve 2 --elements 8 --load 660 --solver riks | cut -d, -f 6
   stability
@@ -152,7 +152,7 @@ All but fictitious time, whose steps of 0.1 are unstable where the stiffness at 
 load to |F| of 1e-10 of 13.6 lb over half the slope of 14.7 lb/in. A solver that lets |F| fall is stuck at its minimum beyond it:
 
 # oracle: homotopy_frames toggle 0.32 of 1 drop under 27.11
-  $ solvers=$(homotopy solve --height 0.44 --load 43 --solver magic 2>&1 | sed 's/.*the solvers are //; s/, kinsol//; s/,//g')
+  $ solvers=$(homotopy toggle --height 0.44 --load 43 --solver magic 2>&1 | sed 's/.*the solvers are //; s/, kinsol//; s/,//g')
   $ echo $solvers
   newton damped-newton continuous-newton broyden least-squares steepest-descent fictitious-time vector-homotopy chow-yorke scalar-homotopy fixed-point newton-homotopy optimal-iterative levenberg-marquardt dogleg energy-trust-region riks crisfield gdc
   $ for solver in $solvers; do
@@ -160,7 +160,7 @@ load to |F| of 1e-10 of 13.6 lb over half the slope of 14.7 lb/in. A solver that
   >   holds 'deflection = 0.265167973289 +- 5e-10' < found.csv
   > done
   homotopy: non_finite: fictitious-time: at iteration *, fictitious time *, with |F| = *: F is not finite any more; change the sign of nu, shorten the step or take a method that uses dF/dx (glob)
-  $ homotopy solve --height 0.44 --load 43.79 --solver damped-newton
+  $ homotopy toggle --height 0.44 --load 43.79 --solver damped-newton
   homotopy: not_converged: damped-newton: at iteration *, with |F| = 8.6*: no shorter step makes |F| smaller: a minimum that is no root, or rounding; start elsewhere or loosen the tolerance (glob)
   [1]
 
@@ -190,35 +190,35 @@ Mistakes
   homotopy: --model wooden: must be one of element, williams
   $ wrong limit-points --height 0.44 --elements 0
   homotopy: --elements 0: must be a whole number from 1 to 10000
-  $ wrong solve
+  $ wrong toggle
   --height is required
   Run with --help for more information.
-  $ wrong solve --height 0.44
+  $ wrong toggle --height 0.44
   --load is required
   Run with --help for more information.
-  $ wrong solve --height 0.44 --load nan
+  $ wrong toggle --height 0.44 --load nan
   homotopy: --load nan: not a finite number
-  $ wrong solve --height 0.44 --load inf
+  $ wrong toggle --height 0.44 --load inf
   homotopy: --load inf: not a finite number
-  $ wrong solve --height x --load 43
+  $ wrong toggle --height x --load 43
   homotopy: --height x: not a finite number
-  $ wrong solve --height 0 --load 43
+  $ wrong toggle --height 0 --load 43
   homotopy: --height 0 --load 43: Toggle: a height of 0 with members of length 12.94
-  $ wrong solve --height -1 --load 43 --model williams
+  $ wrong toggle --height -1 --load 43 --model williams
   homotopy: --height -1 --load 43: Toggle: a height of -1 with members of length 12.94
-  $ wrong solve --height 0.44 --load 43 --solver magic
+  $ wrong toggle --height 0.44 --load 43 --solver magic
   homotopy: --solver magic: no such solver; the solvers are newton, damped-newton, *, energy-trust-region, riks, crisfield, gdc* (glob)
-  $ wrong solve --height 0.44 --load 43 --model wooden
+  $ wrong toggle --height 0.44 --load 43 --model wooden
   homotopy: --model wooden: must be one of element, williams
-  $ wrong solve --height 0.44 --load 43 --elements 0
+  $ wrong toggle --height 0.44 --load 43 --elements 0
   homotopy: --elements 0: must be a whole number from 1 to 10000
-  $ wrong solve --height 0.44 --load 43 --elements 1.5
+  $ wrong toggle --height 0.44 --load 43 --elements 1.5
   homotopy: --elements 1.5: must be a whole number from 1 to 10000
-  $ wrong solve --height 0.44 --load 43 --elements 1e9
+  $ wrong toggle --height 0.44 --load 43 --elements 1e9
   homotopy: --elements 1e9: must be a whole number from 1 to 10000
-  $ wrong solve --height 0.44 --load 43 --model williams --elements 2
+  $ wrong toggle --height 0.44 --load 43 --model williams --elements 2
   homotopy: --elements 2: Williams' equation has no elements; use --model element
-  $ wrong solve --height 0.44 --load 43 --tolerance 0
+  $ wrong toggle --height 0.44 --load 43 --tolerance 0
   homotopy: --tolerance 0: must be positive
 
 The example of the page solves for the deflection above:

@@ -12,6 +12,7 @@
 
 #include "nlmech/algebraic/equations.hpp"
 #include "nlmech/algebraic/named_solvers.hpp"
+#include "nlmech/algebraic/typed/solve_typed.hpp"
 #include "nlmech/peers/algebraic/kinsol.hpp"
 #include "nlmech/program/dual.hpp"
 #include "tests/randomised/randomised.hpp"
@@ -244,6 +245,87 @@ TEST(RandomisedAlgebraic, TheEnergyEndsInAMinimum) {
     const double rounding =
         static_cast<double>((exact - wells.gradient<double>(x).cast<long double>()).norm());
     return Case::judged(static_cast<double>(exact.norm()), report.bound + rounding, what);
+  });
+}
+
+/// The system as typed.
+std::string text_of(const RandomSystem& s) {
+  std::string text;
+  for (int i = 0; i < s.n; ++i) {
+    if (s.shape == Shape::chain) {
+      text += i == 0 ? fmt::format("{:.17g} ({:.17g} - x0) = 0; ", s.scale[0], s.roots(0, 0))
+                     : fmt::format("{0:.17g} (x{1} - x{2}^2) = 0; ", s.scale[i], i, i - 1);
+      continue;
+    }
+    std::string y = "0";
+    for (int j = 0; j < s.n; ++j) y += fmt::format(" + {:.17g}*x{}", s.a(i, j), j);
+    const double r = s.roots(i, 0);
+    text += fmt::format("y{} = {}; ", i, y) + fmt::format("{:.17g} ", s.scale[i]);
+    switch (s.shape) {
+      case Shape::exponential:
+        text += fmt::format("(exp({0:.17g} y{1}) - exp({0:.17g}*({2:.17g})))", s.steepness, i, r);
+        break;
+      case Shape::saturating:
+        text += fmt::format(
+            "({0:.17g}*(y{1} - ({2:.17g}))/sqrt(1 + ({0:.17g}*(y{1} - ({2:.17g})))^2) + 0.01*(y{1} - "
+            "({2:.17g})))",
+            s.steepness, i, r);
+        break;
+      case Shape::no_root: text += fmt::format("({:.17g} + (y{} - ({:.17g}))^2)", s.steepness, i, r); break;
+      case Shape::root: text += fmt::format("(sqrt(y{}) - {:.17g})", i, std::abs(r)); break;
+      default:
+        for (int k = 0; k < s.degree; ++k) text += fmt::format("(y{} - ({:.17g}))", i, s.roots(i, k));
+    }
+    text += " = 0; ";
+  }
+  return text;
+}
+
+/// Largest distance of a component from its nearest root, over what the bounds of x and the rounding of the
+/// text allow.
+double distance_from_roots(const RandomSystem& s, const VectorXd& x, const VectorXd& bound) {
+  constexpr double eps = 4 * std::numeric_limits<double>::epsilon();
+  double worst = 0;
+  long double link = s.roots(0, 0);
+  for (int i = 0; i < s.n; ++i) {
+    if (s.shape == Shape::chain) {
+      worst = std::max(worst, static_cast<double>(std::abs(x[i] - link) /
+                                                  (bound[i] + eps * (i + 1) * std::abs(link) + 1e-300L)));
+      link *= link;
+      continue;
+    }
+    long double y = 0, allowed = 0;
+    for (int j = 0; j < s.n; ++j) {
+      y += static_cast<long double>(s.a(i, j)) * x[j];
+      allowed += std::abs(s.a(i, j)) * (bound[j] + eps * std::abs(x[j]));
+    }
+    long double least = HUGE_VALL;
+    for (int k = 0; k < (s.shape == Shape::product ? s.degree : 1); ++k) {
+      const long double r =
+          s.shape == Shape::root ? std::pow(static_cast<long double>(s.roots(i, 0)), 2) : s.roots(i, k);
+      least = std::min(least, std::abs(y - r) / (allowed + eps * std::abs(r) + 1e-300L));
+    }
+    worst = std::max(worst, static_cast<double>(least));
+  }
+  return worst;
+}
+
+TEST(RandomisedAlgebraic, ATypedSystemHasARootWhereOneIsReported) {
+  randomised_test({.quick = 600, .full = 100'000, .least_right = 0.2}, [&](Draw& draw) {
+    const RandomSystem s = random_system(draw);
+    const std::string text = text_of(s);
+    const algebraic::TypedSystem system(program::SourceText("--equation", text));
+    const std::vector<algebraic::TypedSolver> solvers = typed_solvers(system);
+    const algebraic::TypedSolver& solver = draw.one_of(solvers);
+    VectorXd x(s.n);
+    const double spread = draw.log_uniform(1e-3, 10);
+    for (int i = 0; i < s.n; ++i) x[i] = s.roots(i, 0) + spread * draw.normal();
+    // Names in the order of the text: all unknowns occur in the first equation, but for a chain one by one.
+    const algebraic::TypedSolution found = solve_by(solver, system, x, draw.log_uniform(1e-13, 1e-2), 200);
+    if (!found.status.ok()) return Case::refused(found.status.text());
+    const std::string what = fmt::format("{}: {} as {}", solver.name, text, to_string(found.root.kind));
+    if (s.shape == Shape::no_root) return Case::wrong(what + " has no root");
+    return Case::judged(distance_from_roots(s, found.root.x, found.root.bound), 1, what);
   });
 }
 

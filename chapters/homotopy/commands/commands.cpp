@@ -7,8 +7,11 @@
 namespace nlmech::chapters::homotopy {
 
 void commands(scene::Commands& all) {
-  add_limit_points_command(all);
   add_solve_command(all);
+  add_compare_command(all);
+  add_path_command(all);
+  add_limit_points_command(all);
+  add_toggle_command(all);
   add_frame_command(all);
 }
 

@@ -1,5 +1,5 @@
 /// @file
-/// The commands of the chapter: toggles and user-defined frames.
+/// The commands of the chapter: typed equations, toggles, user-defined frames.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,7 @@
 
 namespace nlmech::chapters::homotopy {
 
-/// Options of a toggle, common to `limit-points` and `solve`.
+/// Options of a toggle, common to `limit-points` and `toggle`.
 struct TypedToggle {
   double height = 0;
   std::string model = "element";
@@ -25,7 +25,10 @@ void declare_toggle(scene::Options& options, TypedToggle& toggle, const std::str
 [[nodiscard]] int elements_of(const TypedToggle& toggle);
 
 void add_limit_points_command(scene::Commands& all);  ///< `homotopy limit-points`
+void add_toggle_command(scene::Commands& all);        ///< `homotopy toggle`
 void add_solve_command(scene::Commands& all);         ///< `homotopy solve`
+void add_compare_command(scene::Commands& all);       ///< `homotopy compare`
+void add_path_command(scene::Commands& all);          ///< `homotopy path`
 void add_frame_command(scene::Commands& all);         ///< `homotopy frame`
 
 }  // namespace nlmech::chapters::homotopy

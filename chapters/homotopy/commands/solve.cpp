@@ -1,162 +1,133 @@
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
-#include <iostream>
-#include <memory>
-#include <optional>
+#include <set>
 #include <string>
 
 #include "chapters/homotopy/commands/commands.hpp"
-#include "nlmech/algebraic/named_solvers.hpp"
-#include "nlmech/frames/equilibrium.hpp"
-#include "nlmech/frames/toggle.hpp"
-#include "nlmech/frames/toggle_path.hpp"
-#include "nlmech/peers/algebraic/kinsol.hpp"
-#include "nlmech/support/errors.hpp"
+#include "chapters/homotopy/commands/commands_typed.hpp"
+#include "nlmech/algebraic/typed/all_roots.hpp"
+#include "nlmech/scene/program/this_process.hpp"
+#include "nlmech/support/quoted_input.hpp"
+#include "nlmech/support/sentences.hpp"
 
 namespace nlmech::chapters::homotopy {
 namespace {
 
-/// Options of the command.
 struct SolveOptions {
-  TypedToggle toggle;
-  double load = 0;
-  std::string solver = "energy-trust-region";
-  std::optional<double> tolerance;  ///< default 1e-10, or the rounding bound if larger
+  TypedRoots roots;
+  std::string method = "automatic", box;
+  bool all_roots = false;
+  double limit = scene::Options::default_limit;
 };
 
 void declare(scene::Options& options, SolveOptions& typed) {
-  declare_toggle(options, typed.toggle, "one element cannot bow");
-  options.add("--load", typed.load, "load W on the apex, downwards, pound").required();
-  options.add("--solver", typed.solver, "name of the solver; an unknown name lists all");
-  options
-      .add("--tolerance", typed.tolerance,
-           "tolerance on the residual, below 1. Default: 1e-10, or 4 times the residual that rounding of the "
-           "displacements causes if that is larger, as with very many elements (the printed bound)")
-      .positive();
+  declare_roots(options, typed.roots);
+  options.add("--method", typed.method,
+              "a solver, an unknown name lists all; automatic: several in turn, then from other starts");
+  options.add("--all-roots", typed.all_roots, "all roots in the --box, with proof, of up to three unknowns");
+  options.add("--box", typed.box, "a range for each unknown, for --all-roots: \"x=-5:5, y=0:2\"");
+  options.limit(typed.limit);
 }
 
-/// Equations of half the toggle.
-struct Loaded {
-  std::unique_ptr<frames::ToggleFrame> toggle;
-  std::unique_ptr<algebraic::Equations> equations;
-  Eigen::Index apex = 0;
-  double sign = 1;  ///< sign of the deflection in the unknowns
-};
+/// What a user should know of a root beyond its row.
+void print_remarks(const algebraic::TypedSystem& system, const algebraic::TypedSolution& found, int tried) {
+  using Kind = algebraic::CheckedRoot::Kind;
+  const algebraic::CheckedRoot& root = found.root;
+  if (tried > 1)
+    scene::print_message(fmt::format(
+        "solve: from the given start no solver found a root; this one is from pseudo-random start {}",
+        tried - 1));
+  if (root.kind == Kind::singular)
+    scene::print_message(
+        fmt::format("solve: a singular root: dF/dx loses rank {}, multiplicity {} {}; a change of the "
+                    "equations in their last "
+                    "digits may remove it, and rounding hides {:.1g} of its size",
+                    root.defect, root.defect > 1 ? "at least" : "about",
+                    root.defect > 1 ? fmt::format("{}", 1 << std::min<Eigen::Index>(root.defect, 30))
+                                    : fmt::format("{}", root.order),
+                    root.error(found.typical)));
+  if (root.kind == Kind::unproved)
+    scene::print_message(
+        "solve: F vanishes to rounding, but a root is not proved: F has a kink or a jump there, or dF/dx is "
+        "too "
+        "ill-conditioned");
+  if (system.has_energy()) {
+    Eigen::MatrixXd hessian;
+    system.derivative(root.x, hessian);
+    const Eigen::LLT<Eigen::MatrixXd> factors(hessian);
+    scene::print_message(
+        fmt::format("solve: the energy is {:.12g}, a {}", system.energy(root.x),
+                    factors.info() == Eigen::Success ? "minimum" : "saddle, maximum or flat point"));
+  }
+}
 
-Loaded loaded_toggle(const TypedToggle& typed, int elements, double load) {
-  const double height = typed.height;
-  Loaded all;
-  try {
-    if (typed.model == "williams") {
-      static_cast<void>(frames::make_frame({.height = height}));  // throws if the toggle is not valid
-      all.equations = std::make_unique<frames::WilliamsEquilibrium>(frames::Williams{.height = height}, load);
-    } else {
-      all.toggle = std::make_unique<frames::ToggleFrame>(
-          frames::make_frame(frames::Toggle{.height = height, .elements = elements}));
-      all.equations = std::make_unique<frames::Equilibrium>(all.toggle->frame, all.toggle->load, load);
-      all.apex = all.toggle->apex;
-      all.sign = -1;
+algebraic::TypedSolution solution_of(const SolveOptions& typed, const algebraic::TypedSystem& system,
+                                     int& tried) {
+  const TypedRoots& roots = typed.roots;
+  const Eigen::VectorXd start = system.start("--start", roots.start);
+  if (typed.method == "automatic")
+    return solve_by_several(system, start, roots.tolerance, roots.iterations, tried);
+  return solve_by(solvers_of(system, "--method", {typed.method}).front(), system, start, roots.tolerance,
+                  roots.iterations);
+}
+
+/// All roots in the box as rows.
+void solve_all(const SolveOptions& typed) {
+  if (typed.box.empty()) throw InputError("--all-roots: give a --box, a range for each unknown");
+  const std::vector<algebraic::NamedRange> ranges = algebraic::read_ranges("--box", typed.box);
+  std::set<std::string> names;
+  for (const algebraic::NamedRange& range : ranges) names.insert(range.name);
+  const algebraic::TypedSystem system = system_of(typed.roots, names);
+  if (system.size() > 3)
+    throw input_error("--all-roots: {} unknowns; bisection takes up to three", system.size());
+  algebraic::Box box;
+  for (const std::string& name : system.names()) {
+    const auto range = std::ranges::find(ranges, name, &algebraic::NamedRange::name);
+    if (range == ranges.end()) throw input_error("--box {}: {} needs a range", typed.box, quoted_input(name));
+    box.emplace_back(std::min(range->low, range->high), std::max(range->low, range->high));
+  }
+  if (ranges.size() != box.size()) throw input_error("--box {}: has a name that is no unknown", typed.box);
+  const algebraic::AllRoots found = all_roots(system, box, {.seconds = typed.limit});
+  std::string text = columns_of(system) + "error,root\n";
+  for (const algebraic::RootBox& root : found.boxes) {
+    double error = 0;
+    for (const program::Interval& side : root.box) {
+      text += fmt::format("{:.17g},", side.low + side.width() / 2);
+      error = std::max(error, side.width());
     }
-  } catch (const std::invalid_argument& error) {
-    throw InputError(fmt::format("--height {} --load {}: {}", height, load, error.what()));
+    text += fmt::format("{:.2g},{}\n", error, root.is_proved ? "proved" : "undecided");
   }
-  return all;
+  scene::print_result(text);
+  if (!found.status.ok())
+    throw Failure(Status::failure(
+        found.status.outcome(),
+        fmt::format("solve: all that was found is printed, but {}", found.status.sentence())));
+  scene::print_message(
+      fmt::format("solve: these are all roots in the box, proved by interval arithmetic (boxes examined: {})",
+                  found.examined));
 }
 
-algebraic::Report run(const algebraic::NamedSolver& method, algebraic::Equations& equations,
-                      Eigen::VectorXd& x) {
-  if (method.name == "kinsol" && peers::kinsol_available()) {
-    constexpr Eigen::Index most = 3000;  // KINSOL uses dense matrices here
-    if (equations.size() > most)
-      throw InputError(
-          fmt::format("--solver kinsol: its matrix is dense, and {} unknowns are too many (at most {}); "
-                      "take fewer elements or another solver",
-                      equations.size(), most));
-    // KINSOL measures the largest component, nlmech the Euclidean norm.
-    const double components = std::sqrt(static_cast<double>(equations.size()));
-    const peers::Kinsol kinsol{.tolerance = method.tolerance * method.scale / components,
-                               .iterations = method.iterations};
-    return checked_against_tolerance(method, equations, x, peers::find_root(kinsol, equations, x));
-  }
-  const auto names = algebraic::solver_names();
-  if (std::find(names.begin(), names.end(), method.name) == names.end())
-    throw InputError(fmt::format("--solver {}: no such solver; the solvers are {}{}", method.name,
-                                 fmt::join(names, ", "), peers::kinsol_available() ? ", kinsol" : ""));
-  return find_root(method, equations, x);
-}
-
-/// Stability of an equilibrium and its relation to the path from rest.
-struct PathRelation {
-  std::optional<Eigen::Index> unstable;  ///< unstable modes of the whole toggle; nothing if unknown
-  frames::TogglePath from_rest;          ///< path up to the load or the first critical point
-};
-
-PathRelation path_relation(const Loaded& toggle, double height, double load, int elements,
-                           const Eigen::VectorXd& x) {
-  constexpr int enough = 64;  // elements per member; loads are accurate to 1e-6
-  if (!toggle.toggle) {
-    const frames::Williams williams{.height = height};
-    return {unstable_motions(williams, x[0]), first_critical_point(williams, load)};
-  }
-  const frames::Toggle own{.height = height, .elements = elements};
-  return {
-      unstable_motions(own, x),
-      first_critical_point(frames::Toggle{.height = height, .elements = std::min(elements, enough)}, load)};
-}
-
-std::string stability_of(const PathRelation& s) {
-  if (!s.unstable) return "unknown";
-  return *s.unstable == 0 ? "stable" : "unstable";
-}
-
-/// Prints to standard error how the equilibrium found relates to the path from rest.
-void print_relation(const PathRelation& s, double height, double drop) {
-  if (!s.from_rest.status.ok()) {
-    std::cerr << fmt::format(
-        "solve: it is not known whether the path from rest leads to this equilibrium: {}\n",
-        s.from_rest.status.text());
-  } else if (!s.from_rest.events.empty()) {
-    const frames::ToggleEvent& e = s.from_rest.events[0];
-    std::cerr << fmt::format(
-        "solve: before this load the path from rest reaches {}{} at {:.7g} lb and a drop of {:.6g} in, where "
-        "it loses its stability; the equilibrium found lies beyond it and is {}\n",
-        e.kind == algebraic::CriticalPoint::Kind::bifurcation
-            ? (e.is_symmetric ? "a symmetric " : "an antisymmetric ")
-            : "a ",
-        to_string(e.kind), e.load, e.drop, stability_of(s));
-  } else if (!(std::abs(s.from_rest.drop - drop) <= 1e-3 * height)) {
-    std::cerr << fmt::format(
-        "solve: this equilibrium is not on the path from rest, which carries this load at a drop of {:.6g} "
-        "in; it is {}\n",
-        s.from_rest.drop, stability_of(s));
-  }
-}
-
-std::string solve(const SolveOptions& typed) {
-  const double height = typed.toggle.height, load = typed.load, tolerance = typed.tolerance.value_or(1e-10);
-  if (!(tolerance < 1)) throw InputError(fmt::format("--tolerance {}: must be below 1", tolerance));
-  const int elements = elements_of(typed.toggle);
-  const Loaded toggle = loaded_toggle(typed.toggle, elements, load);
-  const double scale = load != 0 ? std::abs(load) / 2 : 1;
-  Eigen::VectorXd x = Eigen::VectorXd::Zero(toggle.equations->size());
-  const algebraic::Report report =
-      run({.name = typed.solver, .tolerance = tolerance, .scale = scale, .to_rounding = !typed.tolerance},
-          *toggle.equations, x);
-  if (!report.status.ok()) throw Failure(report.status);
-  // Avoids a drop of -0.
-  const double drop = x[toggle.apex] == 0 ? 0 : toggle.sign * x[toggle.apex];
-  const PathRelation relation = path_relation(toggle, height, load, elements, x);
-  const auto& events = relation.from_rest.events;
-  print_relation(relation, height, drop);
-  return fmt::format(
-      "status,deflection,residual,iterations,bound,stability,critical_load\n{},{:.17g},{:.6g},{},"
-      "{:.6g},{},{}\n",
-      to_string(report.status.outcome()), drop, report.last / scale,
-      report.statistics.steps + report.statistics.rejected, report.bound / scale, stability_of(relation),
-      events.empty() ? "" : fmt::format("{:.12g}", events[0].load));
+void solve_typed(const SolveOptions& typed) {
+  if (typed.all_roots) return solve_all(typed);
+  if (!typed.box.empty()) throw input_error("--box {}: is for --all-roots", typed.box);
+  const algebraic::TypedSystem system = system_of(typed.roots);
+  int tried = 1;
+  const algebraic::TypedSolution found = solution_of(typed, system, tried);
+  if (!found.status.ok()) throw Failure(found.status);
+  print_remarks(system, found, tried);
+  std::string text = columns_of(system) + "error,residual,condition,root,method,iterations,evaluations\n";
+  // A root of 0 that is singular is approached until squares underflow.
+  for (Eigen::Index i = 0; i < system.size(); ++i)
+    text += fmt::format("{:.17g},",
+                        std::abs(found.root.x[i]) <= 1e-6 * found.root.bound[i] ? 0 : found.root.x[i]);
+  const Statistics& s = found.report.statistics;
+  scene::print_result(text + fmt::format("{:.2g},{:.2g},{:.2g},{},{},{},{}\n",
+                                         found.root.error(found.typical), found.root.residual,
+                                         found.root.condition, to_string(found.root.kind), found.solver,
+                                         s.steps + s.rejected, s.right_hand_sides));
 }
 
 }  // namespace
@@ -164,14 +135,13 @@ std::string solve(const SolveOptions& typed) {
 void add_solve_command(scene::Commands& all) {
   all.add(
       "solve",
-      "Solve for an equilibrium of half a loaded toggle from rest; prints as CSV "
-      "status,deflection,residual,iterations,bound,stability,critical_load. Members, inch and pound as in "
-      "Table "
-      "2.1. residual: |F| relative to half the load, at most the bound; stability: of the whole toggle, "
-      "including antisymmetric motions; critical_load: load of the limit point or bifurcation on the path "
-      "from rest before this load, empty if there is none. Exits with 1 and a message if no equilibrium is "
-      "found",
-      declare, solve);
+      "Find a root of typed equations F(x) = 0; prints as CSV the unknowns, error (bound, in sizes of the "
+      "unknowns at start and root), residual (|F_i| over its change when all unknowns change by their size), "
+      "condition (of dF/dx, scaled), root (proved: interval arithmetic shows that one, and only one, lies "
+      "within the error; singular; unproved), method, iterations, evaluations. Exits with 1 and a message "
+      "if no root is found. With --all-roots a row for each root: the unknowns, error, root (proved, or "
+      "undecided: the middle of a box that may hold any number of roots)",
+      declare, solve_typed);
 }
 
 }  // namespace nlmech::chapters::homotopy

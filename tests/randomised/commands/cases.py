@@ -3,7 +3,7 @@
     @randomised_test(quick=8, full=1000)
     def test_every_row_is_right(draw):
         height = draw.log_uniform(0.02, 12.9)
-        r = ran(f"homotopy solve --height {height!r}")
+        r = ran(f"homotopy toggle --height {height!r}")
         if r.exit_code:
             return failed(r)
         return judged(error, bound, r.words)

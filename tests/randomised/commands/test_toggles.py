@@ -1,4 +1,4 @@
-"""Random toggles by `homotopy solve` and `limit-points`: forces, stability, limit points and bifurcations by beam-columns written anew, Williams'
+"""Random toggles by `homotopy toggle` and `limit-points`: forces, stability, limit points and bifurcations by beam-columns written anew, Williams'
 equation by its closed form."""
 import dataclasses
 import math
@@ -156,7 +156,7 @@ def judged_shape(a, s, r):
 @needs_homotopy
 @randomised_test(quick=10, full=3_000)
 def test_toggles_carry_their_load(draw):
-    a = Asked(draw, "solve")
+    a = Asked(draw, "toggle")
     a.load = draw.signed_log(1e-3, 1e4 if draw.chance(0.3) else 300)
     if draw.chance(0.7):
         a.load = abs(a.load)

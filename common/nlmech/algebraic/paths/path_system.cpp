@@ -130,12 +130,15 @@ bool PathSystem::factorise() {
   if (!dense_.allFinite()) return false;
   dense_.array() /= (scale_ * scale_.transpose()).array();
   lu_.compute(dense_);
-  inertia_ = {};
+  inertia_ = {.zero = (lu_.matrixLU().diagonal().array() == 0).count()};
+  if (inertia_.zero > 0) {  // at a fold to the last bit; bordered systems are refined with the true matrix
+    other_ = dense_;
+    other_.diagonal().array() += std::numeric_limits<double>::epsilon() * (norm_of_matrix() + q_.norm());
+    lu_.compute(other_);
+  }
   bool is_negative = lu_.permutationP().determinant() < 0;
   for (Eigen::Index i = 0; i < dense_.rows(); ++i) {
-    const double pivot = lu_.matrixLU()(i, i);
-    if (pivot == 0) ++inertia_.zero;
-    if (pivot < 0) is_negative = !is_negative;
+    if (lu_.matrixLU()(i, i) < 0) is_negative = !is_negative;
   }
   inertia_.negative = is_negative ? 1 : 0;
   return true;

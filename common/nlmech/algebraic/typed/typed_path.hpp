@@ -1,0 +1,56 @@
+/// @file
+/// Solutions of typed equations followed in a parameter.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "nlmech/algebraic/paths/path.hpp"
+#include "nlmech/algebraic/typed/typed_system.hpp"
+
+namespace nlmech::algebraic {
+
+/// A point of a path.
+struct TypedPathPoint {
+  /// Kind of the point.
+  enum class Kind {
+    step,        ///< a step of the path tracer
+    maximum,     ///< maximum of the parameter along the path: a fold
+    minimum,     ///< minimum of the parameter along the path: a fold
+    bifurcation  ///< crossing with another branch
+  };
+  int branch;             ///< 0: from the start; others in the order in which they are followed
+  Kind kind;              ///< kind of the point
+  double parameter;       ///< value of the parameter
+  Eigen::VectorXd x;      ///< the solution
+  Eigen::Index negative;  ///< with an energy: negative eigenvalues of its Hessian, without one that vanishes;
+                          ///< 0: a minimum
+};
+
+/// "step", "maximum", "minimum", "bifurcation".
+[[nodiscard]] std::string_view to_string(TypedPathPoint::Kind kind) noexcept;
+
+/// Options of follow_paths().
+struct TypedPathOptions {
+  double from = 0;     ///< parameter at the start
+  double until = 1;    ///< other end of the range; all branches end at both
+  double turn = 0.15;  ///< target rotation of the tangent in a step, rad
+  int steps = 1000;    ///< largest number of steps of a branch
+  int branches = 0;    ///< largest number of branches to follow besides the first
+};
+
+/// Paths from a start.
+struct TypedPaths {
+  std::vector<TypedPathPoint> points;  ///< branch by branch, along each
+  Status status;       ///< success: every branch reached an end of the range, another branch, or its start
+  int unfollowed = 0;  ///< half branches that were not followed
+};
+
+/// Follows the solution from a root at `from` through folds to an end of the range, and then, up to
+/// `branches`, both directions of the branches that cross at its bifurcations, by Path.
+/// @param system with a parameter
+/// @param root a root at the value `from` of the parameter
+[[nodiscard]] TypedPaths follow_paths(const TypedSystem& system, const Eigen::VectorXd& root,
+                                      const TypedPathOptions& options);
+
+}  // namespace nlmech::algebraic

@@ -1,0 +1,112 @@
+#include "nlmech/peers/algebraic/gsl_hybrid.hpp"
+
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_multiroots.h>
+
+#include <cmath>
+#include <memory>
+
+#include "nlmech/support/sentences.hpp"
+
+namespace nlmech::peers {
+namespace {
+
+using algebraic::Report;
+using Eigen::VectorXd;
+
+/// User data of the callbacks.
+struct RootCalls {
+  algebraic::Equations& equations;
+  VectorXd x, f;
+  Eigen::MatrixXd b;
+  Report report;
+
+  int residual(const gsl_vector* at, gsl_vector* out) {
+    for (Eigen::Index i = 0; i < x.size(); ++i) x[i] = gsl_vector_get(at, static_cast<std::size_t>(i));
+    equations.residual(x, f);
+    ++report.statistics.right_hand_sides;
+    for (Eigen::Index i = 0; i < x.size(); ++i) gsl_vector_set(out, static_cast<std::size_t>(i), f[i]);
+    return f.allFinite() ? GSL_SUCCESS : GSL_EBADFUNC;
+  }
+  int matrix(const gsl_vector* at, gsl_matrix* out) {
+    for (Eigen::Index i = 0; i < x.size(); ++i) x[i] = gsl_vector_get(at, static_cast<std::size_t>(i));
+    equations.linearise(x);
+    equations.matrix(b);
+    ++report.statistics.jacobians;
+    for (Eigen::Index i = 0; i < x.size(); ++i) {
+      for (Eigen::Index j = 0; j < x.size(); ++j)
+        gsl_matrix_set(out, static_cast<std::size_t>(i), static_cast<std::size_t>(j), b(i, j));
+    }
+    return b.allFinite() ? GSL_SUCCESS : GSL_EBADFUNC;
+  }
+
+  static int call_residual(const gsl_vector* at, void* data, gsl_vector* out) {
+    return static_cast<RootCalls*>(data)->residual(at, out);
+  }
+  static int call_matrix(const gsl_vector* at, void* data, gsl_matrix* out) {
+    return static_cast<RootCalls*>(data)->matrix(at, out);
+  }
+  static int call_both(const gsl_vector* at, void* data, gsl_vector* f, gsl_matrix* j) {
+    const int status = call_residual(at, data, f);
+    return status == GSL_SUCCESS ? call_matrix(at, data, j) : status;
+  }
+};
+
+Status failure_of(int status, std::int64_t steps, double norm) {
+  const char* const what = status == GSL_EBADFUNC ? "F or dF/dx is not finite; start elsewhere"
+                           : status == GSL_CONTINUE
+                               ? "the allowed iterations are used up; allow more or start closer to a root"
+                               : "the iteration makes no progress; start elsewhere";
+  return failed_with(status == GSL_EBADFUNC   ? Outcome::non_finite
+                     : status == GSL_CONTINUE ? Outcome::step_limit
+                                              : Outcome::not_converged,
+                     "gsl-hybrid: at iteration {}, with |F| = {:.3g}: {}", steps, norm, what);
+}
+
+}  // namespace
+
+bool gsl_hybrid_available() noexcept { return true; }
+
+Report find_root(const GslHybrid& method, algebraic::Equations& equations, VectorXd& x) {
+  if (!(method.tolerance > 0) || method.iterations < 1)
+    throw invalid_argument("gsl-hybrid: tolerance = {}, iterations = {}; both must be positive",
+                           method.tolerance, method.iterations);
+  algebraic::require_size("gsl-hybrid", equations, x);
+  const auto n = static_cast<std::size_t>(x.size());
+  gsl_error_handler_t* const before = gsl_set_error_handler_off();
+  RootCalls calls{equations, x, VectorXd(x.size()), {}, {}};
+  gsl_multiroot_function_fdf function{&RootCalls::call_residual, &RootCalls::call_matrix,
+                                      &RootCalls::call_both, n, &calls};
+  const std::unique_ptr<gsl_vector, void (*)(gsl_vector*)> start(gsl_vector_alloc(n), gsl_vector_free);
+  const std::unique_ptr<gsl_multiroot_fdfsolver, void (*)(gsl_multiroot_fdfsolver*)> solver(
+      gsl_multiroot_fdfsolver_alloc(gsl_multiroot_fdfsolver_hybridsj, n), gsl_multiroot_fdfsolver_free);
+  for (std::size_t i = 0; i < n; ++i) gsl_vector_set(start.get(), i, x[static_cast<Eigen::Index>(i)]);
+  const auto norm = [&] {
+    const gsl_vector* const f = gsl_multiroot_fdfsolver_f(solver.get());
+    double sum = 0;
+    for (std::size_t i = 0; i < n; ++i) sum = std::hypot(sum, gsl_vector_get(f, i));
+    return sum;
+  };
+  int status = gsl_multiroot_fdfsolver_set(solver.get(), &function, start.get());
+  Report report;
+  double last = status == GSL_SUCCESS ? norm() : NAN;
+  const double first = last;
+  std::int64_t steps = 0;
+  while (status == GSL_SUCCESS && !(last <= method.tolerance) && steps < method.iterations) {
+    status = gsl_multiroot_fdfsolver_iterate(solver.get());
+    ++steps;
+    last = norm();
+  }
+  for (std::size_t i = 0; i < n; ++i)
+    x[static_cast<Eigen::Index>(i)] = gsl_vector_get(gsl_multiroot_fdfsolver_root(solver.get()), i);
+  gsl_set_error_handler(before);
+  report = std::move(calls.report);
+  report.statistics.steps = steps;
+  report.first = first;
+  report.last = report.least = last;
+  if (!(last <= method.tolerance))
+    report.status = failure_of(status == GSL_SUCCESS ? GSL_CONTINUE : status, steps, last);
+  return report;
+}
+
+}  // namespace nlmech::peers

@@ -1,0 +1,154 @@
+Typed equations F(x) = 0: roots, all roots, solvers side by side, paths
+======================================================================
+
+A root
+------
+
+  $ circle="x^2 + y^2 = 5; x y = p; p = 2"
+  $ homotopy solve --equation "$circle" --start "x=3, y=0.5" > root.csv
+  $ head -1 root.csv
+  x,y,error,residual,condition,root,method,iterations,evaluations
+  $ holds 'x = 2 +- 1e-14' 'y = 1 +- 1e-14' 'error < 1e-13' 'root = "proved"' 'method = "dogleg"' < root.csv
+  $ homotopy solve --equation "$circle" --set p=-2 --start "x=3, y=-0.5" --method newton | holds 'x = 2 +- 1e-14' 'y = -1 +- 1e-14'
+  $ printf 'x^3 = 2  # a cube\nx(0) = 1\n' > cube.txt
+  $ homotopy solve --file cube.txt | holds 'x = 2^(1/mpf(3)) +- 1e-15'
+  $ homotopy solve --file cube.txt --method kinsol | holds 'x = 2^(1/mpf(3)) +- 1e-15'
+  $ homotopy solve --equation "x = cos(x)" --start x=1 | holds 'cos(x) = x +- 1e-15'
+
+A name on the left of = is a definition, and with a start value an unknown:
+
+  $ homotopy solve --equation "y = x^2; x + y = 6" --start x=1 | head -1
+  x,error,residual,condition,root,method,iterations,evaluations
+  $ homotopy solve --equation "y = x^2; x + y = 6" --start "x=1, y=1" | holds 'x = 2 +- 1e-14' 'y = 4 +- 1e-14'
+
+Bounds choose among roots; an energy has stationary points:
+
+  $ homotopy solve --equation "x^2 = 4" --start x=-1 --bounds "x <= 0" | holds 'x = -2 +- 1e-15'
+  $ homotopy solve --equation "energy = (x^2 - 1)^2 + y^2" --start "x=0.5, y=1" | holds 'x = 1 +- 1e-14' 'y = 0 +- 1e-14' 'method = "energy-trust-region"'
+  solve: the energy is 0, a minimum
+
+Units do not matter:
+
+  $ homotopy solve --equation "x^2 = 1e-20" --start x=1 | holds 'x = mpf(10)^-10 +- 1e-24' 'root = "proved"'
+  $ homotopy solve --equation "1e12 x^3 = 8e12" --start x=1 | holds 'x = 2 +- 1e-15'
+
+Singular roots, and points that are none
+----------------------------------------
+
+  $ homotopy solve --equation "(x - 3)^2 = 0" --start x=1 | holds 'x = 3 +- 1e-14' 'root = "singular"'
+  solve: a singular root: dF/dx loses rank 1, multiplicity about 2; a change of the equations in their last digits may remove it, and rounding hides * of its size (glob)
+  $ homotopy solve --equation "x^2 - 2 x + 1 = 0" --start x=3 | holds 'x = 1 +- 1e-7' 'error < 1e-6' 'root = "singular"'
+  solve: a singular root: dF/dx loses rank 1, multiplicity about 2; a change of the equations in their last digits may remove it, and rounding hides * of its size (glob)
+  $ none() { homotopy solve --equation "$1" --start x=1.1; }
+  $ none "x^2 + 1 = 0"
+  homotopy: not_converged: from the start |F| falls to a minimum that is no root; no root from 32 other starts either
+  [1]
+  $ none "x^2 + 1e-20 = 0" > none.csv 2> said.txt
+  [1]
+  $ cat none.csv
+  $ none "abs(x) = -1e-13" 2> said.txt
+  [1]
+  $ none "exp(x) = 0" 2> said.txt
+  [1]
+  $ none "1/x = 0" 2> said.txt
+  [1]
+
+All roots
+---------
+
+  $ homotopy solve --all-roots --equation "$circle" --box "x=-5:5, y=-5:5" > all.csv
+  solve: these are all roots in the box, proved by interval arithmetic (boxes examined: *) (glob)
+  $ holds --each 'x = [-2, -1, 1, 2] +- 1e-13' 'y = [-1, -2, 2, 1] +- 1e-13' 'root = "proved"' < all.csv
+  $ homotopy solve --all-roots --equation "sin(x) = 0" --box "x=-10:10" | wc -l
+  solve: these are all roots in the box, proved by interval arithmetic (boxes examined: *) (glob)
+  8
+  $ homotopy solve --all-roots --equation "x^2 + 1 = 0" --box "x=-10:10"
+  x,error,root
+  solve: these are all roots in the box, proved by interval arithmetic (boxes examined: *) (glob)
+  $ homotopy solve --all-roots --equation "(x - 1)^2 (x + 2) = 0" --box "x=-5:5" > some.csv
+  homotopy: singular_matrix: solve: all that was found is printed, but 1 box is undecided: a singular root, a kink or jump, or the end of the domain of F may lie there
+  [1]
+  $ cut -d, -f 3 some.csv
+  root
+  proved
+  undecided
+
+Solvers side by side
+--------------------
+
+  $ homotopy compare --equation "$circle" --start "x=3, y=0.5" > rows.csv
+  $ head -1 rows.csv
+  method,outcome,root,digits,iterations,evaluations,jacobians,seconds
+  $ holds --where outcome=success 'digits > 9' 'root = "proved"' < rows.csv
+  $ homotopy compare --equation "$circle" --start "x=3, y=0.5" --methods newton,dogleg | cut -d, -f 1,2
+  method,outcome
+  newton,success
+  dogleg,success
+  $ homotopy compare --equation "$circle" --box "x=-5:5, y=-5:5" --starts 20 --methods newton,dogleg > shares.csv
+  $ head -1 shares.csv
+  method,starts,arrived,share,iterations,evaluations,seconds
+  $ holds 'starts = 20' 'share > 0.8' < shares.csv
+  $ homotopy compare --equation "$circle" --box "x=-5:5, y=-5:5" --starts 20 --methods newton --plot basins.svg > shares.csv
+  $ homotopy compare --equation "$circle" --start "x=3, y=0.5" --plot work.svg > rows.csv
+  $ grep -c '<svg' basins.svg work.svg
+  basins.svg:1
+  work.svg:1
+
+Paths in a parameter
+--------------------
+
+  $ homotopy path --equation "x^3 - x + a = 0" --start x=2 --parameter "a = -2:2" --plot path.svg > path.csv
+  $ head -1 path.csv
+  branch,kind,a,x
+  $ holds --where kind=maximum 'a = [2/sqrt(mpf(27))] +- 1e-14' < path.csv
+  $ holds --where kind=minimum 'a = [-2/sqrt(mpf(27))] +- 1e-14' < path.csv
+  $ homotopy path --equation "energy = x^4/4 - a x^2/2" --start x=0 --parameter "a = -1:1" | grep bifurcation | cut -d, -f 1,2,5
+  path: 2 half branches leave the paths and are not followed; --branches 2 follows more
+  0,bifurcation,0
+  $ homotopy path --equation "energy = x^4/4 - a x^2/2" --start x=0 --parameter "a = -1:1" --branches 2 > path.csv
+  $ holds --where branch=2 'x^2 = a +- 1e-12' < path.csv
+
+Mistakes
+--------
+
+  $ wrong() { refused homotopy "$@"; }
+  $ wrong solve
+  homotopy: give one of --equation TEXT and --file NAME
+  $ wrong solve --equation "x + y = 1" --start x=1
+  homotopy: --equation:1:1: 1 equation for 2 unknowns (x, y); a constant has a definition (a = 3) or a --set, and an unknown on the left of = a start value
+    x + y = 1
+    ^^^^^^^^^
+  $ wrong solve --equation "x^2 = e^x" --start x=1
+  homotopy: --equation:1:1: 1 equation for 2 unknowns (x, e); a constant has a definition (a = 3) or a --set, and an unknown on the left of = a start value; exp(x) is the exponential function
+    x^2 = e^x
+    ^^^^^^^^^
+  $ wrong solve --equation "x^2 = 2"
+  homotopy: --start: a start value of x is missing; add x=1
+  $ wrong solve --equation "x^2 = 2" --start x=1 --method magic
+  homotopy: --method magic: no such solver; the solvers are newton, damped-newton, * (glob)
+  $ wrong solve --equation "x^2 = 2" --start x=1 --method energy-trust-region
+  homotopy: --method energy-trust-region: no such solver for equations without an energy; the solvers are newton, damped-newton, * (glob)
+  $ wrong solve --equation "x^2 = 2" --start x=-1 --bounds "x >= 0"
+  homotopy: --start x=-1: x = -1 is outside its bounds, 0 to inf
+  $ wrong solve --equation "x^2 = 2" --start x=1 --set a=1
+  homotopy: --set a: the equations have no such name
+  $ wrong solve --equation "x' = 2" --start x=1
+  homotopy: --equation:1:1: a derivative; `integrators integrate` and `rbf_inverse bvp` take such equations
+    x' = 2
+    ^^
+  $ wrong solve --equation "x^2 = 2" --start x=1 --box "x=0:1"
+  homotopy: --box x=0:1: is for --all-roots
+  $ wrong solve --equation "x^2 = 2" --all-roots
+  homotopy: --all-roots: give a --box, a range for each unknown
+  $ wrong solve --equation "x^2 = 2" --all-roots --box "x=0"
+  homotopy: --box x=0: write a range as x = -5:5, and separate several by commas
+  $ wrong solve --equation "x^2 = 2" --all-roots --box "y=0:1"
+  homotopy: --box y=0:1: x needs a range
+  $ wrong compare --equation "x^2 = 2" --start x=1 --methods magic
+  homotopy: --methods magic: no such solver; the solvers are newton, damped-newton, * (glob)
+  $ wrong compare --equation "x^2 = 2" --start x=1 --box "x=0:1"
+  homotopy: --box x=0:1: needs a number of --starts
+  $ wrong path --equation "x^2 = a" --start x=1 --parameter "b = 0:1"
+  homotopy: --parameter b: the equations have no such name
+  $ wrong path --equation "x^2 = a" --start x=1 --parameter "a = 1"
+  homotopy: --parameter a = 1: write a range as x = -5:5, and separate several by commas
