@@ -268,8 +268,11 @@ class Guarded {
   // The time @p t of a zero of g at a state x close to it, as text: with the digits that the tolerances
   // leave, or three of a method without a tolerance.
   [[nodiscard]] std::string time_of_zero(const Event& g, double t, const State& x, double rate) const {
+    return time_of_zero(t, bounds_of(g, t, x).width() / std::abs(rate));
+  }
+  // @param wide uncertainty of the time due to the errors of the state
+  [[nodiscard]] std::string time_of_zero(double t, double wide) const {
     if (accuracy_.absolute == 0 && accuracy_.relative == 0) return fmt::format("{:.3g}", t);
-    const double wide = bounds_of(g, t, x).width() / std::abs(rate);
     return with_digits(t, tolerances_of_a_run * accuracy_.relative * std::abs(t - t0_) +
                               (std::isfinite(wide) ? wide / 2 : 0));
   }
@@ -417,6 +420,31 @@ class Guarded {
     const bool is_beyond = value * start <= 0 && std::abs(value) < 1e-6 * std::abs(start);
     return is_beyond ? std::optional(all_.t) : std::nullopt;
   }
+  // The time for which g stays within the errors of the states before its zero, as at the end of the run:
+  // with g = C s^p at the time s from there, which follows from g, g' and g''. Close to the zero of a sum of
+  // squares g' is so small that errors over g' would be far too long.
+  [[nodiscard]] double time_within_errors(const Event& g) const {
+    const double value = std::abs(g.value(all_.t, all_.x)), rate = std::abs(rate_at(g, all_.t, all_.x));
+    const double wide = bounds_of(g, all_.t, all_.x).width();
+    if (!(wide > value && value > 0)) return wide / rate;
+    State f(all_.x.size());
+    system_.rhs(all_.t, all_.x, f);
+    const double back = -1e-3 * direction_ * value / rate;
+    const double before = std::abs(rate_at(g, all_.t + back, all_.x + back * f));
+    const double bend = value * (before - rate) / (1e-3 * value / rate) / (rate * rate);  // (p - 1)/p
+    const double power = std::clamp(1 / (1 - bend), 0.5, 4.);
+    return power * value / rate * std::pow(wide / value, 1 / power);
+  }
+  // ", x = 0, y = 0": the components that the function has which becomes zero there.
+  [[nodiscard]] std::string place_of_end(std::size_t i) const {
+    std::string place;
+    for (const int k : domain_.components[i]) {
+      const double x = all_.x[k], error = tolerances_of_a_run * accuracy_.absolute;
+      place += fmt::format(", {} = {:.6g}", domain_.names[static_cast<std::size_t>(k)],
+                           std::abs(x) <= std::max(error, 1e-6 * std::abs(x0_[k])) ? 0 : x);
+    }
+    return place;
+  }
   // A run that fails close to the zero of a denominator, or of the argument of a logarithm, ends there.
   void name_end() {
     const Outcome outcome = all_.status.outcome();
@@ -425,9 +453,10 @@ class Guarded {
     for (const Event& g : domain_.timed) {
       if (const std::optional<double> t = zero_beside(g)) time = fmt::format("{:.9g}", *t);
     }
-    for (const Event& g : domain_.ends) {
+    for (std::size_t i = 0; i < domain_.ends.size(); ++i) {
+      const Event& g = domain_.ends[i];
       if (const std::optional<double> t = zero_beside(g))
-        time = time_of_zero(g, *t, all_.x, rate_at(g, all_.t, all_.x));
+        time = time_of_zero(*t, time_within_errors(g)) + place_of_end(i);
     }
     if (time.empty()) return;
     all_.status = failed_with(
@@ -516,6 +545,16 @@ Domain::Domain(const program::Equations& equations) {
     if (ends.back().bounds({}, anywhere).value.low < 0) crossings.push_back(ends.back());
   }
   for (const program::NodeId id : domain.logarithms) ends.push_back(event_of(domain.graph, id, slopes));
+  names = equations.state_names();
+  for (const std::vector<program::NodeId>& ids : {domain.denominators, domain.logarithms}) {
+    for (const program::NodeId id : ids) {
+      const std::vector<bool> part = program::parts_of(domain.graph, {id});
+      components.emplace_back();
+      for (int k = 0; k < equations.size(); ++k) {
+        if (part[program::index(program::Graph::state(k))]) components.back().push_back(k);
+      }
+    }
+  }
   for (const program::NodeId id : domain.timed) timed.push_back(event_of(domain.graph, id, slopes));
   if (!arguments.empty())
     beyond.emplace(program::Problem(equations).with_slopes(domain.graph, domain.beyond));

@@ -23,6 +23,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "nlmech/ivp/events.hpp"
@@ -49,8 +50,10 @@ struct Domain {
   std::vector<Event> beyond_arguments;  ///< the same, with the rates of the equations `beyond`
   std::optional<System> beyond;  ///< the equations with max(g, 0) for each argument g; none without arguments
   std::vector<Event> ends;       ///< state-dependent factors of denominators, and arguments of logarithms
-  std::vector<Event> crossings;  ///< those factors that may become negative
-  std::vector<Event> timed;      ///< factors of denominators that depend on time only
+  std::vector<std::vector<int>> components;  ///< the components of the state in each of them
+  std::vector<std::string> names;            ///< of the components
+  std::vector<Event> crossings;              ///< those factors that may become negative
+  std::vector<Event> timed;                  ///< factors of denominators that depend on time only
 
   /// Must every step be checked?
   [[nodiscard]] bool watches() const { return !arguments.empty() || !crossings.empty() || !timed.empty(); }

@@ -286,11 +286,13 @@ class EventFinder::Scan {
     const int before = sign;
     if (before == 0 || sign_at(open_to_) == -before) {
       passage(open_from_, open_to_);
-      if (sign == 0 && before == 0) f_.add_open(event_, open_from_, open_to_);  // zero throughout
+      if (sign == 0 && before == 0) f_.add_open(event_, open_from_, open_to_, true);  // zero throughout
       return;
     }
     if (!f_.status_.ok()) return;
     const int first = slope_at(open_from_), last = slope_at(open_to_);
+    if (first == 0 && last == 0 && value_at(open_from_) == 0 && value_at(open_to_) == 0)
+      return come_to_rest(-before);
     const bool turns = first != 0 && last == -first;
     if (event().crossing == Crossing::either && turns) {
       add(first_of(open_from_, open_to_, [&](double t) { return slope_at(t) == last; }), 0);
@@ -299,6 +301,15 @@ class EventFinder::Scan {
     } else {
       f_.add_open(event_, open_from_, open_to_);
     }
+  }
+  // A function that is zero in this part, and was not before: the part before in which it could not be
+  // distinguished from zero belongs to its way there.
+  void come_to_rest(int direction) {
+    f_.signs_[event_] = 0;
+    std::erase_if(f_.open_,
+                  [this](const OpenEvent& open) { return open.event == event_ && open.t1 == open_from_; });
+    if (counts(direction)) add(open_from_, direction);
+    f_.add_open(event_, open_from_, open_to_, true);
   }
   // Time of the minimum of |g|, by golden section.
   double lowest(double a, double b) {
@@ -386,7 +397,9 @@ void EventFinder::begin(double t, const State& x) {
   for (std::size_t i = 0; i < events_.size(); ++i) {
     const double value = events_[i].value(t, x);
     if (std::isnan(value) && status_.ok()) status_ = event_undefined(t);
-    signs_[i] = sign_of(value);
+    // A function that an earlier part has brought to zero keeps its sign: its zero is still to be counted.
+    const bool has_arrived = value == 0 && signs_[i] != 0 && !has_hit_before(i, t);
+    if (!has_arrived) signs_[i] = sign_of(value);
   }
   if (goes_on_) {
     const Hit& last = hits_.back();
@@ -397,6 +410,12 @@ void EventFinder::begin(double t, const State& x) {
   goes_on_ = false;
 }
 
+bool EventFinder::has_hit_before(std::size_t i, double t) const {
+  return std::ranges::any_of(hits_, [&](const Hit& h) {
+    return h.event == i && (t > last_from_ ? h.t >= last_from_ : h.t <= last_from_);
+  });
+}
+
 void EventFinder::go_on() {
   goes_on_ = changed_;
   changed_ = false;
@@ -405,6 +424,7 @@ void EventFinder::go_on() {
 bool EventFinder::see(const System& system, const Step& step, const Limits& limits) {
   if (events_.empty()) return true;
   if (step.index == 1) begin(step.t0, step.x0);
+  last_from_ = step.t0;
   const auto first = static_cast<std::ptrdiff_t>(hits_.size());
   Scan scan(*this, system, step, limits);
   for (std::size_t i = 0; i < events_.size() && status_.ok(); ++i) scan.run(i);
@@ -437,10 +457,12 @@ bool EventFinder::stops_at(Hit& hit) {
   return ended_ || changed_;
 }
 
-void EventFinder::add_open(std::size_t event, double t0, double t1) {
-  const auto known = std::ranges::find(open_, event, &OpenEvent::event);
+void EventFinder::add_open(std::size_t event, double t0, double t1, bool is_zero) {
+  const bool rests = is_zero && std::ranges::find(hits_, event, &Hit::event) != hits_.end();
+  const auto is_known = [&](const OpenEvent& open) { return open.event == event && open.rests == rests; };
+  const auto known = std::ranges::find_if(open_, is_known);
   if (known == open_.end())
-    open_.push_back({event, t0, t1});
+    open_.push_back({event, t0, t1, rests});
   else
     known->t1 = t1;
 }
