@@ -290,17 +290,20 @@ class EventFinder::Scan {
       return;
     }
     if (!f_.status_.ok()) return;
+    if (is_at_rest(open_from_) && is_at_rest(open_to_)) return come_to_rest(-before);
     const int first = slope_at(open_from_), last = slope_at(open_to_);
-    if (first == 0 && last == 0 && value_at(open_from_) == 0 && value_at(open_to_) == 0)
-      return come_to_rest(-before);
     const bool turns = first != 0 && last == -first;
     if (event().crossing == Crossing::either && turns) {
       add(first_of(open_from_, open_to_, [&](double t) { return slope_at(t) == last; }), 0);
     } else if (event().crossing == Crossing::either && leaves) {
-      add(lowest(open_from_, open_to_), 0);
+      touch();
     } else {
       f_.add_open(event_, open_from_, open_to_);
     }
+  }
+  bool is_at_rest(double t) {
+    if (value_at(t) != 0) return false;
+    return event().bounds ? at_point(t, 0).rate.has(0) : slope_near(t) == 0;
   }
   // A function that is zero in this part, and was not before: the part before in which it could not be
   // distinguished from zero belongs to its way there.
@@ -310,6 +313,20 @@ class EventFinder::Scan {
                   [this](const OpenEvent& open) { return open.event == event_ && open.t1 == open_from_; });
     if (counts(direction)) add(open_from_, direction);
     f_.add_open(event_, open_from_, open_to_, true);
+  }
+  // The function comes close to zero in the open part and leaves it again: it touches zero, or jumps onto it,
+  // as mod(x, 1) does, or past it.
+  void touch() {
+    const double from = std::abs(value_at(open_from_)), to = std::abs(value_at(open_to_));
+    const bool rises = to > from;
+    const double t = first_of(open_from_, open_to_,
+                              [&](double at) { return (std::abs(value_at(at)) > (from + to) / 2) == rises; });
+    const double jump = std::abs(std::abs(value_at(t)) - std::abs(value_at(std::nextafter(t, open_from_))));
+    if (std::min(from, to) < jump / 4 && jump > std::max(from, to) / 2)
+      return add(t, slope_at(rises ? open_from_ : open_to_) * direction_);
+    const double least = lowest(open_from_, open_to_);
+    const bool may_jump = event().bounds && !std::isfinite(at_point(least, 1).rate.width());
+    if (!may_jump || std::abs(value_at(least)) <= std::max(from, to) / 4) add(least, 0);
   }
   // Time of the minimum of |g|, by golden section.
   double lowest(double a, double b) {

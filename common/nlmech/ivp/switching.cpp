@@ -269,7 +269,7 @@ class Walk {
       if (repeated_ > most_repeated)
         fail(Outcome::outside_validity, begin, "switches accumulate; smooth the equation there");
       else
-        change(*found_);
+        change(*found_, found_->t == begin);
       return;
     }
     solution_.t = part.t;
@@ -284,7 +284,8 @@ class Walk {
   [[nodiscard]] std::int64_t used() const {
     return solution_.statistics.steps + solution_.statistics.rejected;
   }
-  void change(const Switch& at) {
+  // @param at_start does the present mode end where it begins?
+  void change(const Switch& at, bool at_start) {
     const std::size_t i = at.surface;
     const int before = mode_[i];
     if (stays_on_surface(before)) {
@@ -292,8 +293,11 @@ class Walk {
     } else {
       evaluate(mode_, at.t, at.x);
       const int surface = surface_of(i);
-      // Where the rates do not decide, the motion crosses to the other side.
-      const int cell = chosen(i, surface, 2 * surface - before, at.t, at.x);
+      // Where the rates do not decide, or by rounding for the mode that ends at once, the motion crosses to
+      // the other side.
+      const int across = 2 * surface - before;
+      int cell = chosen(i, surface, across, at.t, at.x);
+      if (at_start && cell == before) cell = across;
       if (stays_on_surface(cell))
         mode_[i] = cell;
       else

@@ -84,11 +84,8 @@ Reference none_of(const std::vector<Arrived>& arrived, const Distance& best,
   Reference none;
   none.status = Status::failure(Outcome::not_converged, why);
   none.undetermined = std::ranges::count_if(arrived, [](const Arrived& x) { return x.by.extended; }) >= 2;
-  // Double precision ends at a singularity only where its domain does.
-  const auto leaves_domain = [](const Failed& f) { return f.outcome == Outcome::outside_validity; };
-  none.ends = (std::ranges::any_of(failed, [&](const Failed& f) { return f.extended && shrinks(f); }) &&
-               std::ranges::count_if(failed, shrinks) >= 2) ||
-              (arrived.empty() && std::ranges::count_if(failed, leaves_domain) >= 2);
+  none.ends = std::ranges::any_of(failed, [&](const Failed& f) { return f.extended && shrinks(f); }) &&
+              std::ranges::count_if(failed, shrinks) >= 2;
   return none;
 }
 
@@ -114,7 +111,7 @@ Status by_reference_method(const ReferenceMethod& by, const ivp::System& system,
   const Stopwatch watch;
   const ivp::MethodInfo& method = any_method(by.name);
   if (method.estimate_misses_time && depends_on_time(system, request.t0, request.x0.template cast<double>()))
-    return Status::failure(Outcome::not_converged, "its error estimate ignores terms that depend on t");
+    return Status::failure(Outcome::outside_validity, "its error estimate ignores terms that depend on t");
   const double relative = std::clamp(needed.relative / 10, by.least_tolerance, 1e-4);
   const double loose = std::max(needed.absolute / 10, relative * 1e-2);
   const auto steps = static_cast<std::int64_t>(effort.work * static_cast<double>(by.most_steps));
@@ -133,7 +130,7 @@ Status by_reference_method(const ReferenceMethod& by, const ivp::System& system,
                                          effort.changes, accuracy);
       status = states_by(run, system, request, observer, limits, states);
     } catch (const std::invalid_argument& error) {  // the method rejects the problem or the tolerance
-      status = Status::failure(Outcome::not_converged, error.what());
+      status = Status::failure(Outcome::outside_validity, error.what());
     }
     if (status.ok() || status.outcome() == Outcome::time_limit) break;
   }

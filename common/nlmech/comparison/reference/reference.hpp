@@ -95,9 +95,8 @@ struct Reference {
   Status status;               ///< success, or why there is no reference
   bool undetermined = false;   ///< failure: two computations in extended precision disagree, because rounding
                                ///< errors grow to the size of the solution
-  bool ends = false;           ///< failure: the solution seems to end before t1: the step sizes of two
-                               ///< computations, one of them in extended precision, shrink to zero, or two in
-                               ///< double precision end at the boundary of the domain and none reaches t1
+  bool ends = false;           ///< failure: the solution seems to end before t1; the step sizes of two
+                               ///< computations, one of them in extended precision, shrink to zero
   Candidate first;             ///< of the two computations that agree best: the one that gives the states
   Candidate second;            ///< of the two computations that agree best: the other one
   StatesAt states;             ///< states of the first computation
