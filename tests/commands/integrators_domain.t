@@ -82,9 +82,10 @@ time and place by every method, and integrates near misses:
   >   integrate "x' = -x/sqrt(x^2 + y^2); y' = -y/sqrt(x^2 + y^2)" --initial "x=0.6, y=0.8" --until 3 $method 2> said.txt; grep -c 't = \(1\.\|0\.99\|1 \)' said.txt
   > done | sort | uniq -c | tr -s ' '
    10 1
-  $ integrate "$fall" --initial "x=1, x'=0, y=0, y'=0" --until 3 --method rk4 --step 0.01 2>&1 | grep -c 'seems to end before the final time'
-  1
-  $ integrate "$fall" --initial "x=1, x'=0, y=0, y'=0.01" --until "2*pi/(2 - 0.01^2)^1.5" | holds 'x = 1 +- 1e-5' 'y = 0 +- 1e-5'
+  $ integrate "$fall" --initial "x=1, x'=0, y=0, y'=0" --until 3 --method rk4 --step 0.01
+  integrators: outside_validity: a denominator of the equations becomes zero at t = 1.1*: the solution ends there; end the run before (glob)
+  [1]
+  $ integrate "$fall" --initial "x=1, x'=0, y=0, y'=0.01" --until "2*pi/(2 - 0.01^2)^1.5" 2> said.txt | holds 'x = 1 +- 1e-5' 'y = 0 +- 1e-5'
 
 With every bound on the steps:
 

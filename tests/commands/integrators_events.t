@@ -82,8 +82,13 @@ One that comes to rest at zero has a row, and may end the run there:
   $ tank() { integrate "h' = -sqrt(h)" --initial h=1 --until 3 "$@"; }
   $ tank --event "empty: h=0" > rows.csv
   integrators: empty stays at zero from t = 2.0* to 3 (glob)
-  $ holds --where event=empty 'n = 1' 't = 2 +- 1e-4' 'h = 0' < rows.csv
-  $ tank --event "empty: h=0 falling end" | holds 't = 2 +- 1e-4' 'h = 0'
+  $ holds --where event=empty 'n = 1' 't = 2 +- 5e-4' 'h = 0' < rows.csv
+  $ tank --event "empty: h=0 falling end" 2> said.txt | holds 't = 2 +- 5e-4' 'h = 0'
+
+The wrap of a phase, where mod jumps onto zero, and jumps past a value, which are none:
+
+  $ steady 'mod(x, 2)=0' | holds --where 'event=mod(x, 2)=0' 't = 2*(i + 1) +- 1e-12' 'n = 4'
+  $ steady 'mod(x, 2)=1 rising' | holds --where 'event=mod(x, 2)=1 rising' 't = 2*i + 1 +- 1e-12' 'n = 5'
 
 Names, and the n-th event:
 

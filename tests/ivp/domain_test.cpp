@@ -36,7 +36,7 @@ TEST(Domain, WhatIsLookedFor) {
   EXPECT_EQ(domain_of("x' = 1/x + x/(1 + x^2) + x^-2 + 1/abs(x)").ends.size(), 1U);            // x
   EXPECT_EQ(domain_of("x' = 1/(x^2 + t) + 1/(x^2 (x - 1)^3) + tan(x)").crossings.size(), 4U);  // cos(x) too
   EXPECT_EQ(domain_of("x' = 1/(x^2 + y^2); y' = 1").sums.size(), 1U);
-  EXPECT_FALSE(domain_of("x' = 1/(x^2 + y^2)^1.5; y' = 1").watches());
+  EXPECT_FALSE(domain_of("x' = 1/(x^2 + y^2); y' = 1").watches());
   EXPECT_EQ(domain_of("x' = log(x)").ends.size(), 1U);
   EXPECT_FALSE(domain_of("x' = log(x)").watches());
   EXPECT_EQ(domain_of("x' = x/t + x/sin(t) + x/(2 + cos(t)) + x/t^2").timed.size(), 2U);

@@ -295,9 +295,7 @@ class EventFinder::Scan {
     const bool turns = first != 0 && last == -first;
     if (event().crossing == Crossing::either && turns) {
       add(first_of(open_from_, open_to_, [&](double t) { return slope_at(t) == last; }), 0);
-    } else if (event().crossing == Crossing::either && leaves) {
-      touch();
-    } else {
+    } else if (!leaves || !touch()) {
       f_.add_open(event_, open_from_, open_to_);
     }
   }
@@ -314,20 +312,26 @@ class EventFinder::Scan {
     if (counts(direction)) add(open_from_, direction);
     f_.add_open(event_, open_from_, open_to_, true);
   }
-  // The function comes close to zero in the open part and leaves it again: it touches zero, or jumps onto it,
-  // as mod(x, 1) does, or past it.
-  void touch() {
+  // The function comes close to zero in the open part and leaves it again: it jumps onto zero, as mod(x, 1)
+  // does, or past it, or touches it. False if this is undecided.
+  bool touch() {
     const double from = std::abs(value_at(open_from_)), to = std::abs(value_at(open_to_));
     const bool rises = to > from;
     const double t = first_of(open_from_, open_to_,
                               [&](double at) { return (std::abs(value_at(at)) > (from + to) / 2) == rises; });
     const double jump = std::abs(std::abs(value_at(t)) - std::abs(value_at(std::nextafter(t, open_from_))));
-    if (std::min(from, to) < jump / 4 && jump > std::max(from, to) / 2)
-      return add(t, slope_at(rises ? open_from_ : open_to_) * direction_);
+    if (std::min(from, to) < jump / 4 && jump > std::max(from, to) / 2) {
+      const int direction = slope_at(rises ? open_from_ : open_to_) * direction_;
+      if (counts(direction)) add(t, direction);
+      return true;
+    }
+    if (event().crossing != Crossing::either) return false;
     const double least = lowest(open_from_, open_to_);
-    const bool may_jump = event().bounds && !std::isfinite(at_point(least, 1).rate.width());
-    if (!may_jump || std::abs(value_at(least)) <= std::max(from, to) / 4) add(least, 0);
+    const bool is_far = std::abs(value_at(least)) > std::max(from, to) / 4;
+    if (!is_far || !(may_jump(open_from_) || may_jump(least) || may_jump(open_to_))) add(least, 0);
+    return true;
   }
+  bool may_jump(double t) { return event().bounds && !std::isfinite(at_point(t, 1).rate.width()); }
   // Time of the minimum of |g|, by golden section.
   double lowest(double a, double b) {
     constexpr double part = 0.381966011250105;

@@ -185,7 +185,12 @@ class Walk {
     for (std::size_t i = 0; i < mode_.size(); ++i) {
       if (!stays_on_surface(mode_[i])) continue;
       if (direction_ < 0) return no_past(i, t);
-      if (std::isnan(values_[i]))
+      const bool is_open = std::isnan(values_[i]);
+      if (is_open && rate(i, mode_[i] + 1, t, x) == 0 && rate(i, mode_[i] - 1, t, x) == 0) {
+        ++mode_[i];  // both sides rest there, as those of sqrt(abs(x)) sign(x) do: each share is as good
+        return hold(t, x);
+      }
+      if (is_open)
         return fail(Outcome::outside_validity, t,
                     "the equations do not define the sliding motion on the surface of switching function {}",
                     i + 1);
@@ -313,7 +318,7 @@ class Walk {
     while (from != step.t1) {
       const double to = next_place(step, from);
       for (std::size_t i = 0; i < mode_.size(); ++i) {
-        if (after_[i].value > 0) armed_[i] = true;
+        if (after_[i].value > 0 || inside_[i]) armed_[i] = true;
         const double beyond = after_[i].value < 0 ? to : dip(step, i, from, to);
         if (beyond != from && (!found_ || earlier(first_zero(step, i, from, beyond), found_->t)))
           found(smooth, step, i, from, beyond);
@@ -335,6 +340,7 @@ class Walk {
   double next_place(const Step& step, double from) {
     const double whole = std::abs(step.t1 - step.t0) / places, least = whole * 0x1p-30;
     for (double part = std::min(part_, whole);; part /= 2) {
+      inside_.assign(mode_.size(), false);
       const double after = from + direction_ * part,
                    to = earlier(after, step.t1 - direction_ * part / 16) ? after : step.t1;
       margins(to, step.at(to), after_);
@@ -359,6 +365,7 @@ class Walk {
         const double here = margin(i).value,
                      size = std::max({std::abs(a.value), std::abs(b.value), std::abs(here)});
         greatest_[i] = std::max(greatest_[i], size);
+        if (here > 0) inside_[i] = true;
         if (std::abs(here - cubic) > part_of_size * size + noise * greatest_[i]) return false;
       }
     }
@@ -450,7 +457,8 @@ class Walk {
   std::vector<double> values_, rates_;
   std::vector<double> greatest_;  // largest magnitude of each function so far
   std::vector<Margin> before_, after_;
-  std::vector<bool> armed_;
+  std::vector<bool> armed_;   // has the margin been positive in this segment?
+  std::vector<bool> inside_;  // is it positive within the part that was evaluated last?
   std::optional<Switch> found_;
   double part_ = std::numeric_limits<double>::infinity();  // limit on the part between two evaluations
   bool is_reported_ = false;

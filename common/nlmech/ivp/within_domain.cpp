@@ -310,7 +310,7 @@ class Guarded {
   bool passes_zero(const System& system, const Event& g, const Step& step) {
     const double before = g.value(step.t0, step.x0), after = g.value(step.t1, step.x1);
     const double span = step.t1 - step.t0;
-    if (after > 1e4 * before && -rate_at(g, step.t0, step.x0) * span > before) {
+    if (after > 25 * before && -rate_at(g, step.t0, step.x0) * span > before && is_thrown(system, step)) {
       is_infinite_ = true;
       return end_in_step(step.t0, step.x0, step);
     }
@@ -320,7 +320,25 @@ class Guarded {
     if (!(slope < 0 && slope + 2 * bend > 0 && least < ends / 10)) return false;
     State x = step.x0;
     const double t = step.t0 + span * nearest(g, step, x);
-    return g.value(t, x) <= 1e-6 * ends && is_singular(system, t, step) && end_in_step(t, x, step);
+    if (!(g.value(t, x) <= 1e-6 * ends)) return false;
+    return (is_singular(system, t, step) || turns_round(system, t, step)) && end_in_step(t, x, step);
+  }
+  // Does a step end much farther away than its first slope leads?
+  static bool is_thrown(const System& system, const Step& step) {
+    State f(step.x0.size());
+    system.rhs(step.t0, step.x0, f);
+    return !((step.x1 - step.x0).norm() <= 4 * std::abs(step.t1 - step.t0) * f.norm());
+  }
+  // Do the slopes on both sides of a zero differ, as those of x' = -x/sqrt(x^2 + y^2), so that it has none
+  // there?
+  bool turns_round(const System& system, double zero, const Step& step) {
+    State x = step.x0, before(x.size()), after(x.size());
+    step.dense.at(zero + 1e-2 * (step.t0 - zero), x);
+    system.rhs(zero, x, before);
+    step.dense.at(zero + 1e-2 * (step.t1 - zero), x);
+    system.rhs(zero, x, after);
+    is_infinite_ = (after - before).norm() > (after.norm() + before.norm()) / 2;
+    return is_infinite_;
   }
   // The share of the step at which g has its minimum, by golden section, and the state there.
   static double nearest(const Event& g, const Step& step, State& x) {
