@@ -88,6 +88,7 @@ One that comes to rest at zero has a row, and may end the run there:
 The wrap of a phase, where mod jumps onto zero, and jumps past a value, which are none:
 
   $ steady 'mod(x, 2)=0' | holds --where 'event=mod(x, 2)=0' 't = 2*(i + 1) +- 1e-12' 'n = 4'
+  integrators: mod(x, 2)=0 cannot be distinguished from zero between t = 9.99* and 10: rows may be missing (glob)
   $ steady 'mod(x, 2)=1 rising' | holds --where 'event=mod(x, 2)=1 rising' 't = 2*i + 1 +- 1e-12' 'n = 5'
 
 Names, and the n-th event:

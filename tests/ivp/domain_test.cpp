@@ -247,7 +247,7 @@ TEST(Domain, SumsThatBecomeZero) {
       for (const double tolerance : {1e-4, 1e-9}) {
         const Solution end = run(text, x0, 0, 5, tolerance, method);
         EXPECT_EQ(end.status.outcome(), Outcome::outside_validity) << text << method << end.status.text();
-        EXPECT_NEAR(end.t, t, 0.02) << text << method;
+        EXPECT_NEAR(end.t, t, tolerance > 1e-9 ? 0.2 : 0.02) << text << method;  // a step
       }
     }
   };

@@ -325,10 +325,11 @@ class EventFinder::Scan {
       if (counts(direction)) add(t, direction);
       return true;
     }
-    if (event().crossing != Crossing::either) return false;
     const double least = lowest(open_from_, open_to_);
     const bool is_far = std::abs(value_at(least)) > std::max(from, to) / 4;
-    if (!is_far || !(may_jump(open_from_) || may_jump(least) || may_jump(open_to_))) add(least, 0);
+    if (is_far && (may_jump(open_from_) || may_jump(least) || may_jump(open_to_))) return true;
+    if (event().crossing != Crossing::either) return false;
+    add(least, 0);
     return true;
   }
   bool may_jump(double t) { return event().bounds && !std::isfinite(at_point(t, 1).rate.width()); }

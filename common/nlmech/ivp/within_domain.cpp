@@ -274,6 +274,11 @@ class Guarded {
   }
 
   bool see(const System& system, const Step& step) {
+    for (std::size_t k = 0; k < domain_.sums.size(); ++k) {
+      const Event& g = domain_.ends[domain_.sums[k]];
+      if (passes_zero(system, g, step)) return false;
+      add_fall(falls_[k], step.t1, g.value(step.t1, step.x1));
+    }
     const std::size_t known = finder_->hits().size();
     const bool continues = finder_->see(system, step, limits_);
     for (std::size_t k = known; k < finder_->hits().size(); ++k) {
@@ -285,11 +290,6 @@ class Guarded {
       }
       if (is_denominator && !is_near(hit.t, t0_) && !is_near(hit.t, t1_) && is_singular(system, hit.t, step))
         return end_at(hit, step);
-    }
-    for (std::size_t k = 0; continues && k < domain_.sums.size(); ++k) {
-      const Event& g = domain_.ends[domain_.sums[k]];
-      if (passes_zero(system, g, step)) return false;
-      add_fall(falls_[k], step.t1, g.value(step.t1, step.x1));
     }
     if (continues) return !observer_ || observer_(step) || stop_by_observer();
     if (finder_->ended()) {
