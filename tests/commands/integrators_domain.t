@@ -73,6 +73,20 @@ Denominators that touch zero without a change of their sign: y = C x beyond x = 
   integrators: outside_validity: * becomes zero at t = 0.5963473* +- *, where the solution ends; end the run before (glob)
   [1]
 
+Denominators that are sums: two bodies that fall towards each other meet at pi/(2 sqrt(2)) and r = 1 - t in the plane at 1; the run names
+time and place by every method, and integrates near misses:
+
+  $ fall="x'' = -x/(x^2 + y^2)^1.5; y'' = -y/(x^2 + y^2)^1.5"
+  $ for method in "" "--method series" "--method ode45" "--method dop853 --tolerance 1e-4" "--method adaptive-collocation"; do
+  >   integrate "$fall" --initial "x=1, x'=0, y=0, y'=0" --until 3 $method 2> said.txt; grep -c 't = 1.11[01].*, x = 0, y = 0, where' said.txt
+  >   integrate "x' = -x/sqrt(x^2 + y^2); y' = -y/sqrt(x^2 + y^2)" --initial "x=0.6, y=0.8" --until 3 $method 2> said.txt; grep -c 't = \(1\.\|0\.99\|1 \)' said.txt
+  > done | sort | uniq -c | tr -s ' '
+   10 1
+  $ integrate "$fall" --initial "x=1, x'=0, y=0, y'=0" --until 3 --method rk4 --step 0.01
+  integrators: outside_validity: a denominator of the equations becomes zero at t = 1.1*: the solution ends there; end the run before (glob)
+  [1]
+  $ integrate "$fall" --initial "x=1, x'=0, y=0, y'=0.01" --until "2*pi/(2 - 0.01^2)^1.5" 2> said.txt | holds 'x = 1 +- 1e-5' 'y = 0 +- 1e-5'
+
 With every bound on the steps:
 
   $ for step in 0.0390625 0.1 0.5 2; do integrate "x' = x/(t - 2)" --initial x=1 --until 5 --largest-step $step --method dop853; done 2>&1 | grep -c 't = 2: '
@@ -140,7 +154,7 @@ Starts with several solutions
 -----------------------------
 
   $ integrate "x' = sign(x)" --initial x=0 --until 1
-  integrators: the solution from t = 0 is not unique: on both sides of a switching surface it leaves the surface; this run takes the side where the switching function is positive
+  integrators: the solution from t = 0 is not unique: it may go to either side of a switching surface; this run takes the side where the switching function is greater
   t,x
   0,0
   1,1

@@ -77,6 +77,20 @@ An event that is zero throughout has no row, and is named:
   0,0,
   5,0,
 
+One that comes to rest at zero has a row, and may end the run there:
+
+  $ tank() { integrate "h' = -sqrt(h)" --initial h=1 --until 3 "$@"; }
+  $ tank --event "empty: h=0" > rows.csv
+  integrators: empty stays at zero from t = 2.0* to 3 (glob)
+  $ holds --where event=empty 'n = 1' 't = 2 +- 5e-4' 'h = 0' < rows.csv
+  $ tank --event "empty: h=0 falling end" 2> said.txt | holds 't = 2 +- 5e-4' 'h = 0'
+
+The wrap of a phase, where mod jumps onto zero, and jumps past a value, which are none:
+
+  $ steady 'mod(x, 2)=0' | holds --where 'event=mod(x, 2)=0' 't = 2*(i + 1) +- 1e-12' 'n = 4'
+  integrators: mod(x, 2)=0 cannot be distinguished from zero between t = 9.99* and 10: rows may be missing (glob)
+  $ steady 'mod(x, 2)=1 rising' | holds --where 'event=mod(x, 2)=1 rising' 't = 2*i + 1 +- 1e-12' 'n = 5'
+
 Names, and the n-th event:
 
   $ swing "low: x'=0 rising" | holds --where 'event=low' 'n = 2' 't = pi*(2*i + 1) +- 1e-8'
@@ -154,6 +168,9 @@ Mistakes
   [2]
   $ decay --event "a: x=0.5" --set-at "a: x=2; x=3"
   integrators: --set-at a: x=2; x=3: x has two values; give one
+  [2]
+  $ decay --event "a: x=0.5" --set-at "a: x=2" --set-at "a: x=3"
+  integrators: --set-at a: x=3: another change of a gives x a value; leave one of them out
   [2]
   $ decay --event "a: x=0.5" --set-at "x=2"
   integrators: --set-at x=2: give the name of an event and what it changes: "bounce: y' = -0.8 y'"

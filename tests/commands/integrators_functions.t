@@ -59,6 +59,29 @@ A spring that pulls alone: half a swing of each of the frequencies 1 and 2:
   $ integrate "x'' = -if(x > 0, 1, 4) x; x(0) = 0; x'(0) = 1" --until "3*pi/2 - 0.1" |
   >   holds 'x = -sin(2*(pi/2 - 0.1))/2 +- 1e-8' "x' = -cos(2*(pi/2 - 0.1)) +- 1e-8"
 
+Stairs: the slope between k and k + 1 is k, by every method, and a turn of mod(x, 1) takes log(2):
+
+  $ for method in "" "--method ode45" "--method series" "--method rk4 --step 0.01" "--method adaptive-collocation"; do
+  >   integrate "x' = floor(x)" --initial x=1.5 --until 1.5 $method | holds 'x = 4 + 4*(1 - 1/2 - 1/3) +- 1e-8'
+  >   integrate "x' = 1 + mod(x, 1)" --initial x=0 --until "3.5*log(2)" $method | holds 'x = 2 + sqrt(2) +- 1e-7'
+  > done
+  $ integrate "x' = -floor(2 x)/2" --initial x=1.2 --until 5 --every 1 | holds --each 'x = [1.2, 0.6, 0.5, 0.5, 0.5, 0.5] +- 1e-8'
+  $ integrate "x' = floor(3 sin(t))" --initial x=0 --until "2*pi" | holds 'x = -pi +- 1e-8'
+
+A phase that wraps has the events of one that does not:
+
+  $ integrate "a' = 2 + sin(a)" --initial a=0 --until 10 --event "turn: sin(a/2) = 0" --columns "b = mod(a, 2*pi)" > turns.csv
+  $ holds --where event=turn 'n = 2' 't = 2*pi*(i + 1)/sqrt(3) +- 1e-8' < turns.csv
+  $ integrate "a' = 2 + sin(mod(a, 2*pi))" --initial a=0 --until "2*pi/sqrt(3)" | holds 'a = 2*pi +- 1e-7'
+
+At an integer floor has the value of the upper side, on which this solution stays:
+
+  $ integrate "x' = floor(x)" --initial x=0 --until 1
+  integrators: the solution from t = 0 is not unique: it may go to either side of a switching surface; this run takes the side where the switching function is greater
+  t,x
+  0,0
+  1,0
+
 A surface that jumps itself: x falls to it, moves with it, and falls again after its jump:
 
   $ integrate "x' = -2 if(x > mod(t, 1), 1, -1); x(0) = 0.5" --until 2.5 --at 1/6,1,4/3,2.2 | holds --each 'x = [1/2, 1/6, 1, 1/3, 0.6, 0.5] +- 1e-8'
@@ -128,10 +151,10 @@ What is refused
   integrators: --equation:1:6: x at another time: delays are not supported; for a product write x*(...), or a blank before the bracket
     x' = x(t-1)
          ^
-  $ equation "x' = floor(x)" --initial x=1
-  integrators: --equation:1:12: floor takes a number, or a t + b with numbers a and b; for a state or another function of time that reaches a known value c, write step(... - c)
-    x' = floor(x)
-               ^
+  $ equation "x' = mod(t, x)" --initial x=1
+  integrators: --equation:1:13: the second argument of mod must be a number other than 0
+    x' = mod(t, x)
+                ^
   $ equation "x' = mod(t, 1e-9)" --initial x=1
   integrators: --until 1: floor, ceil, frac or mod jump more than a million times before this time; give an earlier end, or longer periods
   $ refused integrators integrate --equation "x' = -x" --initial x=1 --until 2*q

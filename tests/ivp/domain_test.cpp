@@ -35,6 +35,8 @@ TEST(Domain, WhatIsLookedFor) {
   EXPECT_EQ(corners.arguments.size(), 1U);                                                     // x
   EXPECT_EQ(domain_of("x' = 1/x + x/(1 + x^2) + x^-2 + 1/abs(x)").ends.size(), 1U);            // x
   EXPECT_EQ(domain_of("x' = 1/(x^2 + t) + 1/(x^2 (x - 1)^3) + tan(x)").crossings.size(), 4U);  // cos(x) too
+  EXPECT_EQ(domain_of("x' = 1/(x^2 + y^2); y' = 1").sums.size(), 1U);
+  EXPECT_FALSE(domain_of("x' = 1/(x^2 + y^2); y' = 1").watches());
   EXPECT_EQ(domain_of("x' = log(x)").ends.size(), 1U);
   EXPECT_FALSE(domain_of("x' = log(x)").watches());
   EXPECT_EQ(domain_of("x' = x/t + x/sin(t) + x/(2 + cos(t)) + x/t^2").timed.size(), 2U);
@@ -234,6 +236,44 @@ TEST(Domain, FailuresBesideAZeroAreEndsAtItsTime) {
   // A solution that grows without end has no such zero.
   const Solution grows = run("x' = x^3/(1 + x)", State{1}, 0, 2, 1e-9);
   EXPECT_EQ(grows.status.text().find("denominator"), std::string::npos) << grows.status.text();
+}
+
+// A body at r from the centre, r'' = -1/r^2 from rest at 1, meets it at pi/(2 sqrt(2)), r' = -1/r at 1/2 and
+// r' = -1 at 1; at these ends a method neither passes the centre nor works without end. Seen along y = 0 and
+// along a line that no rounding keeps.
+TEST(Domain, SumsThatBecomeZero) {
+  const auto ends = [](const std::string& text, const State& x0, double t) {
+    for (const char* method : {"dop853", "ode45", "series", "adaptive-collocation"}) {
+      for (const double tolerance : {1e-4, 1e-9}) {
+        const Solution end = run(text, x0, 0, 5, tolerance, method);
+        EXPECT_EQ(end.status.outcome(), Outcome::outside_validity) << text << method << end.status.text();
+        EXPECT_NEAR(end.t, t, tolerance > 1e-9 ? 0.2 : 0.02) << text << method;  // a step
+      }
+    }
+  };
+  const double fall = std::acos(-1.) / std::sqrt(8.);
+  for (const auto& [x, y] : {std::pair(1., 0.), std::pair(0.6, 0.8)}) {
+    ends("x'' = -x/(x^2 + y^2)^1.5; y'' = -y/(x^2 + y^2)^1.5", State{x, y, 0, 0}, fall);
+    ends("x' = -x/(x^2 + y^2); y' = -y/(x^2 + y^2)", State{x, y}, 0.5);
+    ends("x' = -x/sqrt(x^2 + y^2); y' = -y/sqrt(x^2 + y^2)", State{x, y}, 1);
+  }
+  // One of many continuations beyond x = 0, and a regular quotient.
+  ends("x' = 1; y' = 0; z' = z x/(x^2 + y^2)", State{-1, 0, 1}, 1);
+  const Solution through = run("x' = 1; y' = 0; z' = x^2/(x^2 + y^2)", State{-1, 0, 0}, 0, 2, 1e-9);
+  ASSERT_TRUE(through.status.ok()) << through.status.text();
+  EXPECT_NEAR(through.x[2], 2, 1e-7);
+}
+
+// A near miss: the far end of an ellipse again after its period 2 pi a^1.5, 1/a = 2 - v^2. Bound: a thousand
+// tolerances, times the growth of the errors at the centre by the ratio of the speeds.
+TEST(Domain, NearMissesGoOn) {
+  for (const double v : {0.1, 0.01}) {
+    const Solution end = run("x'' = -x/(x^2 + y^2)^1.5; y'' = -y/(x^2 + y^2)^1.5", State{1, 0, 0, v}, 0,
+                             2 * std::acos(-1.) / std::pow(2 - v * v, 1.5), 1e-12, "series");
+    ASSERT_TRUE(end.status.ok()) << end.status.text();
+    EXPECT_NEAR(end.x[0], 1, 1e-9 / (v * v));
+    EXPECT_NEAR(end.x[1], 0, 1e-9 / (v * v));
+  }
 }
 
 // A dense output that evaluates a further stage at the zero of t - 2 has no value.

@@ -131,6 +131,66 @@ TEST(Switching, AChoiceOfAChoiceIsOneSwitch) {
   EXPECT_NEAR(step.x[0], 2 * pi, 1e-9);
 }
 
+// A rounded function has a cell between any two integers, and a surface at each.
+TEST(Switching, TheModeOfARoundedFunction) {
+  const ivp::System sliding = ivp::testing::typed("x' = 0.5 - floor(x)");
+  const State errors{1e-9};
+  EXPECT_EQ(ivp::mode_at(sliding, 0, State{1.5}, errors), ivp::Mode({3}));
+  EXPECT_EQ(ivp::mode_at(sliding, 0, State{-0.5}, errors), ivp::Mode({-1}));
+  EXPECT_EQ(ivp::mode_at(sliding, 0, State{1 - 1e-10}, errors), ivp::Mode({2}));
+  EXPECT_EQ(ivp::mode_at(sliding, 0, State{2}, errors), ivp::Mode({5}));
+  EXPECT_EQ(ivp::testing::typed("x' = floor(x) + 2 ceil(x) - frac(x) + mod(x, 1)").switches(), 1);
+}
+
+/// A solution of one equation with floor, ceil, frac or mod of the state.
+struct Rounded {
+  const char* equation;
+  double x0, t1, x1;
+};
+
+// Between two integers each of these equations has constant coefficients: the slope of stairs is a constant,
+// and with u = mod(x, 1), u' = 1 + u takes log(2) for a turn. Bound: a thousand tolerances, for the errors of
+// five cells.
+TEST(Switching, RoundedStatesHaveClosedForms) {
+  const double turn = std::log(2.0), wave = 2 * (pi - std::asin(1. / 3) - std::asin(2. / 3));
+  const std::vector<Rounded> all = {{"x' = floor(x)", 1.5, 1.5, 4 + 4 * (1.5 - 0.5 - 1. / 2 - 1. / 3)},
+                                    {"x' = ceil(x)", 0.5, 1.5, 3 + 4 * (1.5 - 0.5 - 1. / 2 - 1. / 3)},
+                                    {"x' = -1 - floor(-x)", 1.5, 1.5, 4 + 4 * (1.5 - 0.5 - 1. / 2 - 1. / 3)},
+                                    {"x' = floor(x)", -0.5, 1.2, -2 - 3 * (1.2 - 0.5 - 1. / 2)},
+                                    {"x' = 0.5 - floor(x)", 2.2, 5, 1},   // both sides lead to 1
+                                    {"x' = -floor(2 x)/2", 1.2, 5, 0.5},  // the side below 0.5 is at rest
+                                    {"x' = 1 + mod(x, 1)", 0, 3.5 * turn, 2 + std::sqrt(2.0)},
+                                    {"x' = 1 + mod(x, 1)", 3, -1.5 * turn, std::sqrt(2.0)},
+                                    {"x' = 1 + frac(x/3)*3", 0, std::log(4.0) * 2, 6},
+                                    {"x' = 1 + if(mod(x, 1) < 0.25, 1, 0)", 0, 3.5 * 0.875, 3.5625},
+                                    {"x' = 1 + if(floor(x) > 1, 1, 0) - if(floor(x) >= 3, 1, 0)", 0, 4, 4.5},
+                                    {"x' = floor(3 sin(t))", 0, pi, wave},
+                                    {"x' = floor(3 sin(t))", 0, 2 * pi, -pi}};
+  for (const Rounded& r : all) {
+    for (const std::string& method : methods) {
+      SCOPED_TRACE(fmt::format("{} from {} by {}", r.equation, r.x0, method));
+      const auto end = ivp::named_integrator(method, {.tolerance = 1e-10})(ivp::testing::typed(r.equation),
+                                                                           State{r.x0}, 0, r.t1, {}, {});
+      ASSERT_TRUE(end.status.ok()) << end.status.text();
+      EXPECT_NEAR(end.x[0], r.x1, 1e-7);
+    }
+  }
+}
+
+// At an integer floor has the value of the upper side, where the solution may stay; beyond 1e9 there are no
+// cells.
+TEST(Switching, RoundedFunctionsAtTheStart) {
+  const auto run = ivp::named_integrator("dop853", {.tolerance = 1e-10});
+  const auto end_of = [&run](const std::string& equation, double x0) {
+    return run(ivp::testing::typed(equation), State{x0}, 0, 1, {}, {});
+  };
+  EXPECT_EQ(end_of("x' = floor(x)", 0).x[0], 0);
+  EXPECT_NEAR(end_of("x' = floor(x) - 1", 0).x[0], -2 - 4 * (1 - 1. / 2 - 1. / 3), 1e-7);
+  const auto far = end_of("x' = floor(x)", 2e9);
+  EXPECT_EQ(far.status.outcome(), Outcome::outside_validity);
+  EXPECT_NE(far.status.text().find("beyond 1e+09 periods"), std::string::npos) << far.status.text();
+}
+
 TEST(Switching, RunsBackwardsWhereItHasAPast) {
   const auto there = run({.force = 1}, "series", {1, 0.3}, 5, 1e-13);
   ASSERT_TRUE(there.status.ok());

@@ -64,10 +64,11 @@ concept GivesDiscontinuities = requires(const Problem& problem, double t) {
   problem.discontinuities(t, t);
 };
 
-/// True if the problem consists of smooth parts, one for each choice of signs of some functions.
+/// True if the problem consists of smooth parts, one for each choice of cells of some functions.
 template <class Problem>
 concept GivesSwitches = requires(const Problem& problem, const Mode& mode) {
   { problem.switches() } -> std::same_as<int>;
+  { problem.is_rounded(0) } -> std::same_as<bool>;
   { problem.in_mode(mode) } -> std::same_as<Problem>;
 };
 
@@ -90,6 +91,7 @@ class AnyProblem {
   virtual void acceleration(double, const State&, const State&, State&) const = 0;
   virtual std::vector<double> discontinuities(double, double) const = 0;
   virtual int switches() const = 0;
+  virtual bool is_rounded(int) const = 0;
   virtual std::shared_ptr<const AnyProblem> in_mode(const Mode&) const = 0;
   virtual void surfaces(double, const State&, std::span<double>, std::span<double>) const = 0;
   virtual program::LinearTerms linear_terms() const = 0;
@@ -159,8 +161,9 @@ inline constexpr int lanes = n == Eigen::Dynamic ? 8 : n;
 ///  - `std::vector<double> discontinuities(t0, t1) const`: times at which f or a derivative jumps, in the
 ///    direction of integration. Methods end a step at each of them. At such a time f is the limit from the
 ///    right;
-///  - `int switches()`, `in_mode(mode)`, `surfaces(t, x, values, rates)`: switching functions of time and
-///    state, and the smooth equations for each choice of their signs (switching.hpp);
+///  - `int switches()`, `bool is_rounded(i)`, `in_mode(mode)`, `surfaces(t, x, values, rates)`: switching
+///    functions of time and state, whether they switch at every integer or at zero, and the smooth equations
+///    for each choice of their cells (switching.hpp);
 ///  - `invariants(t, x)` in double: a vector of quantities that stay constant along every solution;
 ///  - `lower_bounds()`, `upper_bounds()`: bounds that each component keeps at later times.
 /// @tparam n dimension of the system: that of the problem, or Eigen::Dynamic, with which the members below
@@ -344,11 +347,16 @@ class Direct final : public std::conditional_t<n == Eigen::Dynamic, detail::AnyP
     }
   }
 
-  /// Number of switching functions, whose signs select the equations. Methods integrate smooth equations
+  /// Number of switching functions, whose cells select the equations. Methods integrate smooth equations
   /// only.
   [[nodiscard]] int switches() const {
     if constexpr (detail::GivesSwitches<Problem>) return problem_.switches();
     return 0;
+  }
+  /// Does switching function @p i switch at every integer? Others switch at zero.
+  [[nodiscard]] bool is_rounded([[maybe_unused]] int i) const {
+    if constexpr (detail::GivesSwitches<Problem>) return problem_.is_rounded(i);
+    return false;
   }
   /// The smooth equations of a mode. @throws std::logic_error if the problem has no switches
   [[nodiscard]] std::shared_ptr<const detail::AnyProblem> in_mode(const Mode& mode) const {

@@ -13,8 +13,9 @@
 ///    those of sin(t) x' = cos(t) x beyond pi; it continues where the quotient stays regular, as sin(t)/t
 ///    does. If such a denominator is zero at the start, the first part of the solution is a power series
 ///    (singular_start.hpp).
-///  - Factors of denominators that depend on the state: the same where they change sign (x of 1/x^2). A run
-///  that
+///  - Factors of denominators that depend on the state: the same where they change sign (x of 1/x^2), and
+///  where a
+///    step passes through a zero of those that do not, as x^2 + y^2 of two bodies that collide. A run that
 ///    fails close to a zero of one, or of the argument of a logarithm, ends with `outside_validity` and the
 ///    time of that zero.
 ///
@@ -23,6 +24,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "nlmech/ivp/events.hpp"
@@ -49,8 +51,11 @@ struct Domain {
   std::vector<Event> beyond_arguments;  ///< the same, with the rates of the equations `beyond`
   std::optional<System> beyond;  ///< the equations with max(g, 0) for each argument g; none without arguments
   std::vector<Event> ends;       ///< state-dependent factors of denominators, and arguments of logarithms
-  std::vector<Event> crossings;  ///< those factors that may become negative
-  std::vector<Event> timed;      ///< factors of denominators that depend on time only
+  std::vector<std::vector<int>> components;  ///< the components of the state in each of them
+  std::vector<std::string> names;            ///< of the components
+  std::vector<Event> crossings;              ///< those factors that may become negative
+  std::vector<std::size_t> sums;             ///< places in ends of the others, as x^2 + y^2
+  std::vector<Event> timed;                  ///< factors of denominators that depend on time only
 
   /// Must every step be checked?
   [[nodiscard]] bool watches() const { return !arguments.empty() || !crossings.empty() || !timed.empty(); }

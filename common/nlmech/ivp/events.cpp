@@ -286,20 +286,53 @@ class EventFinder::Scan {
     const int before = sign;
     if (before == 0 || sign_at(open_to_) == -before) {
       passage(open_from_, open_to_);
-      if (sign == 0 && before == 0) f_.add_open(event_, open_from_, open_to_);  // zero throughout
+      if (sign == 0 && before == 0) f_.add_open(event_, open_from_, open_to_, true);  // zero throughout
       return;
     }
     if (!f_.status_.ok()) return;
+    if (is_at_rest(open_from_) && is_at_rest(open_to_)) return come_to_rest(-before);
     const int first = slope_at(open_from_), last = slope_at(open_to_);
     const bool turns = first != 0 && last == -first;
     if (event().crossing == Crossing::either && turns) {
       add(first_of(open_from_, open_to_, [&](double t) { return slope_at(t) == last; }), 0);
-    } else if (event().crossing == Crossing::either && leaves) {
-      add(lowest(open_from_, open_to_), 0);
-    } else {
+    } else if (!leaves || !touch()) {
       f_.add_open(event_, open_from_, open_to_);
     }
   }
+  bool is_at_rest(double t) {
+    if (value_at(t) != 0) return false;
+    return event().bounds ? at_point(t, 0).rate.has(0) : slope_near(t) == 0;
+  }
+  // A function that is zero in this part, and was not before: the part before in which it could not be
+  // distinguished from zero belongs to its way there.
+  void come_to_rest(int direction) {
+    f_.signs_[event_] = 0;
+    std::erase_if(f_.open_,
+                  [this](const OpenEvent& open) { return open.event == event_ && open.t1 == open_from_; });
+    if (counts(direction)) add(open_from_, direction);
+    f_.add_open(event_, open_from_, open_to_, true);
+  }
+  // The function comes close to zero in the open part and leaves it again: it jumps onto zero, as mod(x, 1)
+  // does, or past it, or touches it. False if this is undecided.
+  bool touch() {
+    const double from = std::abs(value_at(open_from_)), to = std::abs(value_at(open_to_));
+    const bool rises = to > from;
+    const double t = first_of(open_from_, open_to_,
+                              [&](double at) { return (std::abs(value_at(at)) > (from + to) / 2) == rises; });
+    const double jump = std::abs(std::abs(value_at(t)) - std::abs(value_at(std::nextafter(t, open_from_))));
+    if (std::min(from, to) < jump / 4 && jump > std::max(from, to) / 2) {
+      const int direction = slope_at(rises ? open_from_ : open_to_) * direction_;
+      if (counts(direction)) add(t, direction);
+      return true;
+    }
+    const double least = lowest(open_from_, open_to_);
+    const bool is_far = std::abs(value_at(least)) > std::max(from, to) / 4;
+    if (is_far && (may_jump(open_from_) || may_jump(least) || may_jump(open_to_))) return true;
+    if (event().crossing != Crossing::either) return false;
+    add(least, 0);
+    return true;
+  }
+  bool may_jump(double t) { return event().bounds && !std::isfinite(at_point(t, 1).rate.width()); }
   // Time of the minimum of |g|, by golden section.
   double lowest(double a, double b) {
     constexpr double part = 0.381966011250105;
@@ -386,7 +419,9 @@ void EventFinder::begin(double t, const State& x) {
   for (std::size_t i = 0; i < events_.size(); ++i) {
     const double value = events_[i].value(t, x);
     if (std::isnan(value) && status_.ok()) status_ = event_undefined(t);
-    signs_[i] = sign_of(value);
+    // A function that an earlier part has brought to zero keeps its sign: its zero is still to be counted.
+    const bool has_arrived = value == 0 && signs_[i] != 0 && !has_hit_before(i, t);
+    if (!has_arrived) signs_[i] = sign_of(value);
   }
   if (goes_on_) {
     const Hit& last = hits_.back();
@@ -397,6 +432,12 @@ void EventFinder::begin(double t, const State& x) {
   goes_on_ = false;
 }
 
+bool EventFinder::has_hit_before(std::size_t i, double t) const {
+  return std::ranges::any_of(hits_, [&](const Hit& h) {
+    return h.event == i && (t > last_from_ ? h.t >= last_from_ : h.t <= last_from_);
+  });
+}
+
 void EventFinder::go_on() {
   goes_on_ = changed_;
   changed_ = false;
@@ -405,6 +446,7 @@ void EventFinder::go_on() {
 bool EventFinder::see(const System& system, const Step& step, const Limits& limits) {
   if (events_.empty()) return true;
   if (step.index == 1) begin(step.t0, step.x0);
+  last_from_ = step.t0;
   const auto first = static_cast<std::ptrdiff_t>(hits_.size());
   Scan scan(*this, system, step, limits);
   for (std::size_t i = 0; i < events_.size() && status_.ok(); ++i) scan.run(i);
@@ -437,10 +479,12 @@ bool EventFinder::stops_at(Hit& hit) {
   return ended_ || changed_;
 }
 
-void EventFinder::add_open(std::size_t event, double t0, double t1) {
-  const auto known = std::ranges::find(open_, event, &OpenEvent::event);
+void EventFinder::add_open(std::size_t event, double t0, double t1, bool is_zero) {
+  const bool rests = is_zero && std::ranges::find(hits_, event, &Hit::event) != hits_.end();
+  const auto is_known = [&](const OpenEvent& open) { return open.event == event && open.rests == rests; };
+  const auto known = std::ranges::find_if(open_, is_known);
   if (known == open_.end())
-    open_.push_back({event, t0, t1});
+    open_.push_back({event, t0, t1, rests});
   else
     known->t1 = t1;
 }

@@ -53,11 +53,12 @@ struct Hit {
   State after = {};   ///< state after the change by the event; empty without a change
 };
 
-/// A part of an integration in which it is undecided whether an event takes place.
+/// A part of an integration in which an event function is zero to within the errors of the state.
 struct OpenEvent {
-  std::size_t event;  ///< its place in the list
-  double t0;          ///< start of the part
-  double t1;          ///< end of the part
+  std::size_t event;   ///< its place in the list
+  double t0;           ///< start of the part
+  double t1;           ///< end of the part
+  bool rests = false;  ///< does the function stay at zero after an event there? Otherwise zeros are undecided
 };
 
 /// Error bounds of the states of a run: relative |x_i| + absolute.
@@ -72,7 +73,8 @@ struct StateAccuracy {
 /// one by those on dg/dt (interval bisection). The box of states of a part is that of the Chebyshev
 /// polynomial of degree 7 through the dense output, if its last two coefficients are small enough. Zeros that
 /// stay undecided within the accuracy of the states, such as double zeros, are hits of direction 0 if g has a
-/// minimum or maximum there and the event counts both directions; otherwise they are in open().
+/// minimum or maximum there and the event counts both directions; otherwise they are in open(). Where a
+/// function comes to rest at zero, as the level of a tank does, there is one hit, and the rest is in open().
 ///
 /// A zero at the start of the integration is not an event. Poles and jumps, which change the sign without a
 /// zero, are not events.
@@ -113,8 +115,11 @@ class EventFinder {
     int wait = 0, pause = 1;              // steps until the next search for a box, and after that
   };
   void begin(double t, const State& x);
+  // Did event @p i have a hit in the step that ended at @p t?
+  [[nodiscard]] bool has_hit_before(std::size_t i, double t) const;
   bool stops_at(Hit& hit);
-  void add_open(std::size_t event, double t0, double t1);
+  // @param is_zero is the function zero throughout?
+  void add_open(std::size_t event, double t0, double t1, bool is_zero = false);
 
   std::vector<Event> events_;
   StateAccuracy accuracy_;
@@ -127,6 +132,7 @@ class EventFinder {
   std::vector<Hit> hits_;
   std::vector<OpenEvent> open_;
   Status status_;
+  double last_from_ = 0;  // start of the step before
   bool ended_ = false, changed_ = false, goes_on_ = false;
 };
 

@@ -47,8 +47,8 @@ using LongState = BasicState<long double>;
 using Nodes = Eigen::MatrixXd;
 /// df/dx.
 using Jacobian = Eigen::MatrixXd;
-/// Side of each switching surface: 1 where its function is positive, -1 where it is negative, 0 for a motion
-/// that stays on the surface.
-using Mode = std::vector<std::int8_t>;
+/// Cell of each switching function: 1 where it is positive, -1 where it is negative; 2 n + 1 between n and n
+/// + 1 for a function that switches at every integer. Even, 0 or 2 n, for a motion that stays on the surface.
+using Mode = std::vector<int>;
 
 }  // namespace nlmech::ivp

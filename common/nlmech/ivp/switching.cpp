@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <map>
 #include <optional>
@@ -14,6 +13,16 @@
 
 namespace nlmech::ivp {
 namespace {
+
+using program::stays_on_surface;
+
+constexpr double greatest_rounded = 1e9;  // the cell must be an int
+
+/// The cell of a function; the upper side on a surface.
+int cell_of(bool rounded, double value) {
+  if (!rounded) return value < 0 ? -1 : 1;
+  return std::abs(value) <= greatest_rounded ? 2 * static_cast<int>(std::floor(value)) + 1 : 1;
+}
 
 /// A point where the equations of a mode cease to be valid.
 struct Switch {
@@ -39,7 +48,9 @@ class Walk {
         rates_(mode_.size()),
         greatest_(mode_.size()),
         before_(mode_.size()),
-        after_(mode_.size()) {}
+        after_(mode_.size()) {
+    for (int i = 0; i < system.switches(); ++i) rounded_.push_back(system.is_rounded(i));
+  }
 
   Solution from(double t, const State& x0) {
     solution_ = {t, x0, {}, {}};
@@ -78,44 +89,72 @@ class Walk {
     if (systems_.size() > most_known) systems_.clear();
     return systems_.emplace(mode, system_.in_mode(mode)).first->second;
   }
-  // Rate of function i in the direction of integration, with the equations of the given side of its zero.
-  double rate(std::size_t i, int side, double t, const State& x) {
-    Mode mode = mode_;
-    mode[i] = static_cast<std::int8_t>(side);
-    evaluate(mode, t, x);
+  // Rate of function i in the direction of integration, with the equations of a cell beside its surface.
+  double rate(std::size_t i, int cell, double t, const State& x) {
+    evaluate(beside(i, cell, t, x), t, x);
     return direction_ * rates_[i];
   }
+  // The mode in a cell of function i: functions that jump with it, as mod(x, 1) - 0.5 with floor(x), have the
+  // cells of their new values.
+  Mode beside(std::size_t i, int cell, double t, const State& x) {
+    Mode mode = mode_;
+    evaluate(mode, t, x);
+    std::vector<double> before = values_;
+    mode[i] = cell;
+    for (std::size_t k = 0; k < mode.size(); ++k) {
+      evaluate(mode, t, x);
+      const Mode last = mode;
+      for (std::size_t j = 0; j < mode.size(); ++j) {
+        if (j == i || stays_on_surface(mode[j]) || !is_jump(j, before[j], values_[j])) continue;
+        mode[j] = cell_of(rounded_[j], values_[j]);
+        before[j] = values_[j];
+      }
+      if (mode == last) break;
+    }
+    return mode;
+  }
+  // Do two values of function j at one point differ by more than errors of the state do?
+  [[nodiscard]] bool is_jump(std::size_t j, double before, double after) const {
+    constexpr double relative = 1e-6;
+    return greatest_[j] > 0 &&
+           std::abs(after - before) > relative * std::max({greatest_[j], std::abs(before), std::abs(after)});
+  }
 
-  // Sets the mode: the sign of each function that is not zero; at a zero the side to which the motion leads,
-  // which may depend on the other functions.
+  // Sets the mode: the cell of each function; on a surface the side to which the motion leads, which may
+  // depend on the other functions.
   void begin(double t, const State& x) {
     if (!solution_.status.ok()) return;
-    std::fill(mode_.begin(), mode_.end(), std::int8_t{1});
-    std::vector<bool> zero(mode_.size());
+    const Cells cells = cells_at(system_, segment_(t), x);
+    mode_ = cells.mode;
+    std::vector<int> surface(mode_.size(), off_surfaces);
     for (std::size_t i = 0; i < mode_.size(); ++i) {
-      evaluate(mode_, t, x);
-      if (std::isnan(values_[i])) return undefined(i, t);
-      zero[i] = values_[i] == 0;
-      if (values_[i] < 0) mode_[i] = -1;
+      if (std::isnan(cells.values[i])) return undefined(i, t);
+      if (rounded_[i] && std::abs(cells.values[i]) > greatest_rounded) return too_great(i, t);
+      if (is_on_surface(rounded_[i], cells.values[i])) surface[i] = mode_[i] - 1;
     }
     Mode last;
     for (std::size_t k = 0; k <= mode_.size() && mode_ != last; ++k) {
       last = mode_;
       for (std::size_t i = 0; i < mode_.size(); ++i) {
-        if (zero[i]) choose(i, t, x);
+        if (surface[i] != off_surfaces) choose_at_start(i, surface[i], t, x);
       }
     }
     for (std::size_t i = 0; i < mode_.size(); ++i) {
-      if (zero[i] && mode_[i] != 0) prefer_smooth(i, t, x);
+      if (surface[i] == 0 && !rounded_[i] && mode_[i] != 0) prefer_smooth(i, t, x);
     }
     if (solution_.status.ok()) hold(t, x);
+  }
+  // At an integer floor has the value of the upper side, which is taken unless it leads away.
+  void choose_at_start(std::size_t i, int surface, double t, const State& x) {
+    const bool is_upper = rounded_[i] && rate(i, surface + 1, t, x) >= 0;
+    mode_[i] = is_upper ? surface + 1 : chosen(i, surface, mode_[i], t, x);
   }
   // Selects the side with finite derivatives if no side leads away, as in an empty tank, h' = -sqrt(max(h,
   // 0)).
   void prefer_smooth(std::size_t i, double t, const State& x) {
     if (rate(i, 1, t, x) != 0 || rate(i, -1, t, x) != 0 || is_smooth(t, x)) return;
-    mode_[i] = static_cast<std::int8_t>(-mode_[i]);
-    if (!is_smooth(t, x)) mode_[i] = static_cast<std::int8_t>(-mode_[i]);
+    mode_[i] = -mode_[i];
+    if (!is_smooth(t, x)) mode_[i] = -mode_[i];
   }
   // Are the derivatives close to the state finite?
   bool is_smooth(double t, const State& x) {
@@ -126,26 +165,32 @@ class Walk {
   }
 
   // [choose]
-  // Sets the mode of a function at its zero: the side to which the motion leads; 0 if both sides lead to the
-  // surface.
-  void choose(std::size_t i, double t, const State& x) {
-    const double above = rate(i, 1, t, x), below = rate(i, -1, t, x);
+  // The cell of a function on a surface: the side to which the motion leads, or the surface if both sides
+  // lead to it; @p undecided if the rates do not decide.
+  int chosen(std::size_t i, int surface, int undecided, double t, const State& x) {
+    const double above = rate(i, surface + 1, t, x), below = rate(i, surface - 1, t, x);
     if (above > 0 && below < 0 && direction_ < 0) {
       no_past(i, t);
     } else if (above > 0 || below < 0) {
-      mode_[i] = above > 0 ? 1 : -1;
+      return surface + (above > 0 ? 1 : -1);
     } else if (above < 0 || below > 0) {
-      mode_[i] = 0;
+      return surface;
     }
+    return undecided;
   }
   // [choose]
   // Checks that there is a motion on the surfaces of this mode.
   void hold(double t, const State& x) {
     evaluate(mode_, t, x);
     for (std::size_t i = 0; i < mode_.size(); ++i) {
-      if (mode_[i] != 0) continue;
+      if (!stays_on_surface(mode_[i])) continue;
       if (direction_ < 0) return no_past(i, t);
-      if (std::isnan(values_[i]))
+      const bool is_open = std::isnan(values_[i]);
+      if (is_open && rate(i, mode_[i] + 1, t, x) == 0 && rate(i, mode_[i] - 1, t, x) == 0) {
+        ++mode_[i];  // both sides rest there, as those of sqrt(abs(x)) sign(x) do: each share is as good
+        return hold(t, x);
+      }
+      if (is_open)
         return fail(Outcome::outside_validity, t,
                     "the equations do not define the sliding motion on the surface of switching function {}",
                     i + 1);
@@ -160,6 +205,12 @@ class Walk {
   void undefined(std::size_t i, double t) {
     fail(Outcome::non_finite, t, "switching function {} is not a number; the equations end here", i + 1);
   }
+  void too_great(std::size_t i, double t) {
+    fail(Outcome::outside_validity, t,
+         "the argument of floor, ceil, frac or mod of switching function {} is beyond {:.0e} periods; scale "
+         "it",
+         i + 1, greatest_rounded);
+  }
   template <class... Args>
   void fail(Outcome outcome, double t, fmt::format_string<Args...> sentence, Args&&... args) {
     solution_.status = failed_with(outcome, "switching at t = {:.17g}: {}", t,
@@ -168,9 +219,31 @@ class Walk {
 
   // Margin of function i from values_ and rates_.
   [[nodiscard]] Margin margin(std::size_t i) const {
-    const double value = values_[i], side = mode_[i];
-    if (mode_[i] == 0) return {std::min(value, 1 - value), 0};
-    return {side * value, side * direction_ * rates_[i]};
+    const double value = values_[i];
+    if (stays_on_surface(mode_[i])) return {std::min(value, 1 - value), 0};
+    if (!rounded_[i]) return {mode_[i] * value, mode_[i] * direction_ * rates_[i]};
+    const auto [below, above] = distances(i);
+    return {below * above, (above - below) * direction_ * rates_[i]};
+  }
+  // Distances of a rounded function from the integers that bound its cell.
+  struct Distances {
+    double below, above;
+  };
+  [[nodiscard]] Distances distances(std::size_t i) const {
+    const double n = (mode_[i] - 1) / 2;
+    return {values_[i] - n, n + 1 - values_[i]};
+  }
+  // The surface that is nearest to the value of function i: zero, or an end of its cell.
+  [[nodiscard]] int surface_of(std::size_t i) const {
+    if (!rounded_[i]) return 0;
+    const auto [below, above] = distances(i);
+    return below < above ? mode_[i] - 1 : mode_[i] + 1;
+  }
+  // Distance of function i from that surface.
+  [[nodiscard]] double to_surface(std::size_t i) const {
+    if (!rounded_[i]) return values_[i];
+    const auto [below, above] = distances(i);
+    return below < above ? below : -above;
   }
   Margin margin(std::size_t i, double t, const State& x) {
     evaluate(mode_, t, x);
@@ -201,7 +274,7 @@ class Walk {
       if (repeated_ > most_repeated)
         fail(Outcome::outside_validity, begin, "switches accumulate; smooth the equation there");
       else
-        change(*found_);
+        change(*found_, found_->t == begin);
       return;
     }
     solution_.t = part.t;
@@ -216,14 +289,24 @@ class Walk {
   [[nodiscard]] std::int64_t used() const {
     return solution_.statistics.steps + solution_.statistics.rejected;
   }
-  void change(const Switch& at) {
-    const std::int8_t before = mode_[at.surface];
-    if (before == 0) {
-      mode_[at.surface] = rate(at.surface, 1, at.t, at.x) > 0 ? 1 : -1;
+  // @param at_start does the present mode end where it begins?
+  void change(const Switch& at, bool at_start) {
+    const std::size_t i = at.surface;
+    const int before = mode_[i];
+    if (stays_on_surface(before)) {
+      mode_ = beside(i, before + (rate(i, before + 1, at.t, at.x) > 0 ? 1 : -1), at.t, at.x);
     } else {
-      // choose() decides by the rates; if they do not decide, the motion crosses to the other side.
-      mode_[at.surface] = static_cast<std::int8_t>(-before);
-      choose(at.surface, at.t, at.x);
+      evaluate(mode_, at.t, at.x);
+      const int surface = surface_of(i);
+      // Where the rates do not decide, or by rounding for the mode that ends at once, the motion crosses to
+      // the other side.
+      const int across = 2 * surface - before;
+      int cell = chosen(i, surface, across, at.t, at.x);
+      if (at_start && cell == before) cell = across;
+      if (stays_on_surface(cell))
+        mode_[i] = cell;
+      else
+        mode_ = beside(i, cell, at.t, at.x);
     }
     if (solution_.status.ok()) hold(at.t, at.x);
   }
@@ -235,7 +318,7 @@ class Walk {
     while (from != step.t1) {
       const double to = next_place(step, from);
       for (std::size_t i = 0; i < mode_.size(); ++i) {
-        if (after_[i].value > 0) armed_[i] = true;
+        if (after_[i].value > 0 || inside_[i]) armed_[i] = true;
         const double beyond = after_[i].value < 0 ? to : dip(step, i, from, to);
         if (beyond != from && (!found_ || earlier(first_zero(step, i, from, beyond), found_->t)))
           found(smooth, step, i, from, beyond);
@@ -257,6 +340,7 @@ class Walk {
   double next_place(const Step& step, double from) {
     const double whole = std::abs(step.t1 - step.t0) / places, least = whole * 0x1p-30;
     for (double part = std::min(part_, whole);; part /= 2) {
+      inside_.assign(mode_.size(), false);
       const double after = from + direction_ * part,
                    to = earlier(after, step.t1 - direction_ * part / 16) ? after : step.t1;
       margins(to, step.at(to), after_);
@@ -274,13 +358,14 @@ class Walk {
       const double r = 1 - s, t = from + s * (to - from);
       evaluate(mode_, t, step.at(t));
       for (std::size_t i = 0; i < mode_.size(); ++i) {
-        if (mode_[i] == 0) continue;  // the share of a motion on the surface has no rate
+        if (stays_on_surface(mode_[i])) continue;  // the share of a motion on the surface has no rate
         const Margin &a = before_[i], &b = after_[i];
         const double cubic = r * r * ((1 + 2 * s) * a.value + s * h * a.slope) +
                              s * s * ((1 + 2 * r) * b.value - r * h * b.slope);
         const double here = margin(i).value,
                      size = std::max({std::abs(a.value), std::abs(b.value), std::abs(here)});
         greatest_[i] = std::max(greatest_[i], size);
+        if (here > 0) inside_[i] = true;
         if (std::abs(here - cubic) > part_of_size * size + noise * greatest_[i]) return false;
       }
     }
@@ -338,9 +423,9 @@ class Walk {
       solution_.statistics += there.statistics;
       if (!there.status.ok()) return;
       x = there.x;
-      if (mode_[i] == 0 || k == most) return;
+      if (stays_on_surface(mode_[i]) || k == most) return;
       smooth.surfaces(segment_(t), x, values_, rates_);
-      const double change = -values_[i] / rates_[i], next = t + change;
+      const double change = -to_surface(i) / rates_[i], next = t + change;
       const bool inside = earlier(step.t0, next) && !earlier(step.t1, next);
       if (!inside || std::abs(change) <= 4 * std::numeric_limits<double>::epsilon() * std::abs(t)) return;
       t = next;
@@ -363,14 +448,17 @@ class Walk {
   const Limits& limits_;
   int direction_;
   double first_, end_;
-  double stretch_end_ = end_;  // next discontinuity, or the end
-  SmoothSegment segment_;      // up to stretch_end_
+  double stretch_end_ = end_;             // next discontinuity, or the end
+  SmoothSegment segment_;                 // up to stretch_end_
+  static constexpr int off_surfaces = 1;  // surfaces are even
   Mode mode_;
+  std::vector<bool> rounded_;  // does each function switch at every integer?
   std::map<Mode, System> systems_;
   std::vector<double> values_, rates_;
   std::vector<double> greatest_;  // largest magnitude of each function so far
   std::vector<Margin> before_, after_;
-  std::vector<bool> armed_;
+  std::vector<bool> armed_;   // has the margin been positive in this segment?
+  std::vector<bool> inside_;  // is it positive within the part that was evaluated last?
   std::optional<Switch> found_;
   double part_ = std::numeric_limits<double>::infinity();  // limit on the part between two evaluations
   bool is_reported_ = false;
@@ -386,23 +474,37 @@ Solution integrate_switching(const System& system, const State& x0, double t0, d
   return Walk(system, t0, t1, run, observer, limits).from(t0, x0);
 }
 
-Mode mode_at(const System& system, double t, const State& x, const State& errors) {
+Cells cells_at(const System& system, double t, const State& x) {
   const auto count = static_cast<std::size_t>(system.switches());
-  std::vector<double> values(count), moved(count), rates(count), spread(count);
-  Mode mode(count, 1);
-  const System any = system.in_mode(mode);
-  any.surfaces(t, x, values, rates);
+  Cells at{Mode(count, 1), std::vector<double>(count)};
+  std::vector<double> rates(count);
+  bool is_new = true;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (is_new) system.in_mode(at.mode).surfaces(t, x, at.values, rates);
+    const int cell = cell_of(system.is_rounded(static_cast<int>(i)), at.values[i]);
+    is_new = cell != at.mode[i];
+    at.mode[i] = cell;
+  }
+  return at;
+}
+
+bool is_on_surface(bool rounded, double value) { return rounded ? value == std::floor(value) : value == 0; }
+
+Mode mode_at(const System& system, double t, const State& x, const State& errors) {
+  auto [mode, values] = cells_at(system, t, x);
+  const std::size_t count = mode.size();
+  std::vector<double> moved(count), rates(count), spread(count);
+  const System here = system.in_mode(mode);
   State beside = x;
   for (Eigen::Index j = 0; j < x.size(); ++j) {
     beside[j] = x[j] + errors[j];
-    any.surfaces(t, beside, moved, rates);
+    here.surfaces(t, beside, moved, rates);
     for (std::size_t i = 0; i < count; ++i) spread[i] += std::abs(moved[i] - values[i]);
     beside[j] = x[j];
   }
-  for (std::size_t i = 0; i < count; ++i) mode[i] = values[i] < 0 ? -1 : 1;
-  const auto rate = [&](std::size_t i, std::int8_t side) {
+  const auto rate = [&](std::size_t i, int cell) {
     Mode on = mode;
-    on[i] = side;
+    on[i] = cell;
     system.in_mode(on).surfaces(t, x, moved, rates);
     return rates[i];
   };
@@ -411,9 +513,12 @@ Mode mode_at(const System& system, double t, const State& x, const State& errors
   for (std::size_t k = 0; k <= count && mode != last; ++k) {
     last = mode;
     for (std::size_t i = 0; i < count; ++i) {
-      if (!(std::abs(values[i]) <= spread[i])) continue;
-      const bool stays = rate(i, 1) < 0 && rate(i, -1) > 0;
-      mode[i] = static_cast<std::int8_t>(stays ? 0 : values[i] < 0 ? -1 : 1);
+      const bool is_rounded = system.is_rounded(static_cast<int>(i));
+      const double nearest = is_rounded ? std::round(values[i]) : 0;
+      if (!(std::abs(values[i] - nearest) <= spread[i])) continue;
+      const int surface = 2 * static_cast<int>(nearest);
+      const bool stays = rate(i, surface + 1) < 0 && rate(i, surface - 1) > 0;
+      mode[i] = stays ? surface : cell_of(is_rounded, values[i]);
     }
   }
   return mode;

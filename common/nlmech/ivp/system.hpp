@@ -81,8 +81,10 @@ class System {
   [[nodiscard]] std::vector<double> discontinuities(double t0, double t1) const {
     return problem_->discontinuities(t0, t1);
   }
-  /// Number of switching functions, whose signs select the equations; 0 for smooth equations.
+  /// Number of switching functions, whose cells select the equations; 0 for smooth equations.
   [[nodiscard]] int switches() const { return problem_->switches(); }
+  /// Does switching function @p i switch at every integer? Others switch at zero.
+  [[nodiscard]] bool is_rounded(int i) const { return problem_->is_rounded(i); }
   /// The smooth equations of a mode. @throws std::logic_error if there are no switches
   [[nodiscard]] System in_mode(const Mode& mode) const { return System(problem_->in_mode(mode)); }
   /// Switching functions, or shares (switching.hpp), of the equations of a mode, and their rates of change.

@@ -90,6 +90,7 @@ Graph::Graph(int size) : size_(size) {
   for (int i = 0; i <= size; ++i) nodes_.push_back({Operation::variable, {}, i, i, 0, 0});
   drifts_.assign(nodes_.size(), std::numeric_limits<double>::quiet_NaN());
   drifts_[0] = 1;
+  stepwise_.assign(nodes_.size(), false);
 }
 
 double Graph::drift_of(const Node& n) const {
@@ -108,6 +109,12 @@ double Graph::drift_of(const Node& n) const {
   }
 }
 
+bool Graph::is_stepwise_of(const Node& n) const {
+  if (n.operation == Operation::number || n.operation == Operation::floor) return true;
+  if (n.operation == Operation::table) return tables_[static_cast<std::size_t>(n.c)]->stepped;
+  return is_stepwise(n.a) && is_stepwise(n.b);
+}
+
 NodeId Graph::add(Operation operation, NodeId a, NodeId b, double c, Function function, NodeId decides) {
   const Node node{operation, function, a, b, decides, c};
   const bool leaf = operation == Operation::number;
@@ -119,6 +126,7 @@ NodeId Graph::add(Operation operation, NodeId a, NodeId b, double c, Function fu
   if (id == nodes()) {
     nodes_.push_back(node);
     drifts_.push_back(drift_of(node));
+    stepwise_.push_back(is_stepwise_of(node));
   }
   return id;
 }
@@ -227,11 +235,11 @@ NodeId Graph::call(Function function, NodeId a, NodeId b) {
 
 // An expression that is constant between jumps may be zero over an interval.
 NodeId Graph::sign_of(NodeId a) {
-  if (drift(a) != 0) return by_sign(a, number(1), number(-1));
+  if (!is_stepwise(a)) return by_sign(a, number(1), number(-1));
   return choice(a, choice(negative(a), number(0), number(1)), number(-1));
 }
 NodeId Graph::where(NodeId a, bool strict, NodeId yes, NodeId no) {
-  if (drift(a) != 0) return by_sign(a, yes, no);
+  if (!is_stepwise(a)) return by_sign(a, yes, no);
   return strict ? choice(negative(a), no, yes) : choice(a, yes, no);
 }
 

@@ -34,7 +34,7 @@ enum class Operation : std::uint8_t {
   function,    ///< function of a
   atan2,       ///< atan2(a, b)
   choice,      ///< a where the switching function is not negative, otherwise b
-  floor,       ///< floor(a), where a depends on time only
+  floor,       ///< floor(a)
   table,       ///< value of table number c at the time a
   combined     ///< a + c b; in Program only
 };
@@ -129,8 +129,8 @@ class Graph {
   /// Any function but `choose`; @p b is the second argument of functions of two. abs, sign, heaviside, min
   /// and max become choices, with one switching function if they change on the same surface: abs(x), sign(-2
   /// x) and max(0, x) all have x. On the surface sign and heaviside have the value of one side; of the number
-  /// 0, sign is 0 and heaviside 1. floor, ceil, frac and mod are defined for numbers and for expressions
-  /// linear in time between jumps: see drift(). At a jump they have the value just after it.
+  /// 0, sign is 0 and heaviside 1. floor, ceil, frac and mod of an expression linear in time between jumps,
+  /// see drift(), have the value just after a jump at the jump.
   [[nodiscard]] NodeId call(Function function, NodeId a, NodeId b);
   /// @p yes where @p a >= 0 (@p strict: > 0), otherwise @p no. On a surface of the state it has the value of
   /// one side.
@@ -146,6 +146,9 @@ class Graph {
   /// The time derivative of an expression that depends on time only and is linear in it between jumps: 2 t -
   /// 1, mod(t, 3). NaN for other expressions.
   [[nodiscard]] double drift(NodeId id) const { return drifts_[static_cast<std::size_t>(id)]; }
+
+  /// Does an expression change at jumps only, as floor(x) and sign(x) do?
+  [[nodiscard]] bool is_stepwise(NodeId id) const { return stepwise_[static_cast<std::size_t>(id)]; }
 
   /// The operation of @p node on other operands.
   [[nodiscard]] NodeId again(const Node& node, NodeId a, NodeId b);
@@ -167,10 +170,12 @@ class Graph {
   NodeId rounded_down(NodeId a);
   NodeId rounded_up(NodeId a);
   [[nodiscard]] double drift_of(const Node& node) const;
+  [[nodiscard]] bool is_stepwise_of(const Node& node) const;
 
   int size_;
   std::vector<Node> nodes_;
   std::vector<double> drifts_;  // drift() of each node
+  std::vector<bool> stepwise_;  // is_stepwise() of each node
   std::vector<std::shared_ptr<const Table>> tables_;
   std::map<decltype(Node{}.key()), NodeId> known_;
 };

@@ -183,32 +183,12 @@ LinearForm Meaning::call(const Syntax& node) {
   if (node.function == Function::table || node.function == Function::stepped_table) return {table(node), {}};
   std::vector<NodeId> arguments;
   for (const Syntax::Operand& operand : node.operands) arguments.push_back(argument(operand.node));
-  check_domain(node, arguments);
+  const bool is_zero = graph_.is_number(arguments.back(), 0);
+  if (node.function == Function::mod && (is_zero || !graph_.is_number(arguments.back())))
+    throw source_.mistake(tree_.nodes[node.operands[1].node].place,
+                          "the second argument of mod must be a number other than 0");
   return {graph_.call(node.function, arguments.front(), arguments.back()), {}};
 }
-// Checks the arguments of functions whose jumps must be known in advance.
-void Meaning::check_domain(const Syntax& node, const std::vector<NodeId>& arguments) const {
-  const std::string_view name =
-      source_.at(node.place).substr(0, source_.at(node.place).find_first_of(" \t("));
-  switch (node.function) {
-    case Function::mod:
-      if (!graph_.is_number(arguments[1]) || graph_.is_number(arguments[1], 0))
-        throw source_.mistake(tree_.nodes[node.operands[1].node].place,
-                              "the second argument of mod must be a number other than 0");
-      break;
-    case Function::floor:
-    case Function::ceil:
-    case Function::frac: break;
-    default: return;
-  }
-  if (!std::isnan(graph_.drift(arguments[0]))) return;
-  throw source_.mistake(
-      tree_.nodes[node.operands[0].node].place,
-      fmt::format("{} takes a number, or a t + b with numbers a and b; for a state or another function of "
-                  "time that reaches a known value c, write step(... - c)",
-                  name));
-}
-
 NodeId Meaning::table(const Syntax& node) {
   if (!names_.read_table) throw source_.mistake(node.place, "tables are not supported here");
   Table table = names_.read_table(node.name);

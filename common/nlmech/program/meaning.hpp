@@ -98,7 +98,6 @@ class Meaning {
   [[nodiscard]] LinearForm product(const Syntax& node);
   [[nodiscard]] LinearForm power(const Syntax& node);
   [[nodiscard]] LinearForm call(const Syntax& node);
-  void check_domain(const Syntax& node, const std::vector<NodeId>& arguments) const;
   [[nodiscard]] LinearForm choose(const Syntax& node);
   [[nodiscard]] NodeId table(const Syntax& node);
   [[nodiscard]] NodeId where(std::size_t condition, NodeId yes, NodeId no);

@@ -64,8 +64,10 @@ class Problem {
   }
   /// Can the times of discontinuities() differ by rounding in other precisions?
   [[nodiscard]] bool has_rounded_times() const { return switches_->has_rounded_times(); }
-  /// Number of switching functions, whose signs select the equations; 0 within a mode.
+  /// Number of switching functions, whose cells select the equations; 0 within a mode.
   [[nodiscard]] int switches() const { return smooth_ ? 0 : switches_->count(); }
+  /// Does switching function @p i switch at every integer? Others switch at zero.
+  [[nodiscard]] bool is_rounded(int i) const { return switches_->is_rounded(static_cast<std::size_t>(i)); }
   /// The smooth equations of a mode. They have no bounds and invariants: steps may continue beyond the
   /// switch.
   [[nodiscard]] Problem in_mode(const Mode& mode) const {

@@ -77,15 +77,16 @@ std::optional<double> time_of(const Graph& graph, NodeId decides) {
   return {};
 }
 
-/// Marks nodes that change at choices only, as sign(x): if one of them is a switching function, the choices
-/// that it depends on are the switches.
-std::vector<bool> constant_between_choices(const Graph& graph) {
+/// Marks nodes that change at choices and at jumps of floor only, as sign(x): if one of them is a switching
+/// function, the choices and jumps that it depends on are the switches.
+std::vector<bool> constant_between_switches(const Graph& graph) {
   std::vector<bool> constant(static_cast<std::size_t>(graph.nodes()));
   for (NodeId i = 0; i < graph.nodes(); ++i) {
     const Node& n = graph[i];
     const bool is_variable = n.operation == Operation::variable;
-    constant[index(i)] =
-        n.operation == Operation::number || (!is_variable && constant[index(n.a)] && constant[index(n.b)]);
+    const bool is_jump = n.operation == Operation::floor && std::isnan(graph.drift(n.a));
+    constant[index(i)] = n.operation == Operation::number || is_jump ||
+                         (!is_variable && constant[index(n.a)] && constant[index(n.b)]);
   }
   return constant;
 }
@@ -94,10 +95,16 @@ std::vector<bool> constant_between_choices(const Graph& graph) {
 
 Switches::Switches(const Graph& graph, const std::vector<NodeId>& slopes, const std::vector<NodeId>& further)
     : graph_(graph), slopes_(slopes), further_(further) {
-  const std::vector<bool> part = parts_of(graph_, slopes_), constant = constant_between_choices(graph_);
-  for (NodeId i = 0; i < graph_.nodes(); ++i) {
+  const std::vector<bool> part = parts_of(graph_, slopes_), constant = constant_between_switches(graph_);
+  for (NodeId i = 0; index(i) < part.size(); ++i) {
     if (!part[index(i)]) continue;
-    if (graph_[i].operation == Operation::floor) timed_.push_back(i);
+    if (graph_[i].operation == Operation::floor) {
+      const NodeId a = graph_[i].a;
+      if (!std::isnan(graph_.drift(a)))
+        timed_.push_back(i);
+      else if (!constant[index(a)])
+        add_rounding(i);
+    }
     if (graph_[i].operation == Operation::table) {
       const Table& table = *graph_.tables()[static_cast<std::size_t>(graph_[i].c)];
       times_.insert(times_.end(), table.times.begin(), table.times.end());
@@ -109,8 +116,9 @@ Switches::Switches(const Graph& graph, const std::vector<NodeId>& slopes, const 
       times_.push_back(*time);
     } else if (!std::isnan(graph_.drift(decides))) {
       timed_.push_back(decides);
-    } else if (std::find(deciding_.begin(), deciding_.end(), decides) == deciding_.end()) {
+    } else if (function_of(decides, false) == deciding_.size()) {
       deciding_.push_back(decides);
+      rounded_.push_back(false);
     }
   }
   const auto sort_once = [](auto& all) {
@@ -120,6 +128,24 @@ Switches::Switches(const Graph& graph, const std::vector<NodeId>& slopes, const 
   sort_once(times_);
   sort_once(timed_);
   timed_values_ = Program(graph_, timed_);
+}
+
+// floor(x) and floor(-x), which is in ceil(x), have one switching function.
+void Switches::add_rounding(NodeId node) {
+  const NodeId a = graph_[node].a, opposite = graph_.negative(a);
+  const std::size_t of_opposite = function_of(opposite, true), known = function_of(a, true);
+  const bool is_of_opposite = of_opposite < deciding_.size();
+  if (!is_of_opposite && known == deciding_.size()) {
+    deciding_.push_back(a);
+    rounded_.push_back(true);
+  }
+  roundings_.emplace(node, Rounding{is_of_opposite ? of_opposite : known, is_of_opposite});
+}
+// The number of functions if there is none.
+std::size_t Switches::function_of(NodeId node, bool rounded) const {
+  std::size_t i = 0;
+  while (i < deciding_.size() && (deciding_[i] != node || rounded_[i] != rounded)) ++i;
+  return i;
 }
 
 // A value that is constant between two jumps: the rounded value, or the sign of the switching function.
@@ -178,10 +204,21 @@ bool Switches::is_root_of_size(const Node& n) const {
   const bool is_root = (n.operation == Operation::function && n.function == Function::sqrt) ||
                        (n.operation == Operation::power && n.c != std::floor(n.c));
   return is_root && is_never_negative(graph_, n.a) &&
-         std::find(deciding_.begin(), deciding_.end(), graph_[n.a].decides) != deciding_.end();
+         function_of(graph_[n.a].decides, false) < deciding_.size();
 }
 
-// The slopes, the further expressions, and then the functions, without choices, for a mode without zeros.
+// A choice within a mode; one without a switching function of its own follows from numbers.
+NodeId Switches::choice_in(const Mode& mode, const Node& n, const std::vector<NodeId>& made,
+                           Graph& graph) const {
+  const std::size_t decides = function_of(n.decides, false);
+  if (decides < mode.size()) return made[index(mode[decides] < 0 ? n.b : n.a)];
+  const bool is_sign = graph.is_number(n.a) && graph.is_number(n.b) && graph[n.a].c == -graph[n.b].c;
+  if (is_sign && graph.is_number(made[index(n.decides)], 0)) return graph.number(0);
+  return graph.choice(made[index(n.decides)], made[index(n.a)], made[index(n.b)]);
+}
+
+// The slopes, the further expressions, and then the functions, without choices and jumps, for a mode off all
+// surfaces.
 std::vector<NodeId> Switches::resolved(const Mode& mode, Graph& graph) const {
   std::vector<NodeId> ids = slopes_;
   ids.insert(ids.end(), further_.begin(), further_.end());
@@ -194,15 +231,11 @@ std::vector<NodeId> Switches::resolved(const Mode& mode, Graph& graph) const {
     if (i <= graph_.size() || n.operation == Operation::number) {
       made[index(i)] = i;
     } else if (n.operation == Operation::choice) {
-      const auto decides = static_cast<std::size_t>(std::find(deciding_.begin(), deciding_.end(), n.decides) -
-                                                    deciding_.begin());
-      const bool is_sign = graph.is_number(n.a) && graph.is_number(n.b) && graph[n.a].c == -graph[n.b].c;
-      if (decides < mode.size())
-        made[index(i)] = made[index(mode[decides] < 0 ? n.b : n.a)];
-      else if (is_sign && graph.is_number(made[index(n.decides)], 0))
-        made[index(i)] = graph.number(0);
-      else
-        made[index(i)] = graph.choice(made[index(n.decides)], made[index(n.a)], made[index(n.b)]);
+      made[index(i)] = choice_in(mode, n, made, graph);
+    } else if (const auto known = roundings_.find(i); known != roundings_.end()) {
+      const auto [function, is_of_opposite] = known->second;
+      const int n_below = (mode[function] - 1) / 2;
+      made[index(i)] = graph.number(is_of_opposite ? -n_below - 1 : n_below);
     } else if (is_root_of_size(n)) {
       // Within a mode sqrt(abs(x)) is a root of x or -x, which is NaN for trial steps beyond the surface.
       const NodeId a = made[index(n.a)];
@@ -224,16 +257,16 @@ std::shared_ptr<const RepeatedProgram> Switches::in_mode(const Mode& mode) const
 
   Graph graph = graph_;
   Mode below = mode;
-  std::replace(below.begin(), below.end(), std::int8_t{0}, std::int8_t{-1});
+  for (int& cell : below) cell -= stays_on_surface(cell) ? 1 : 0;
   const std::vector<NodeId> all = resolved(below, graph);
   const auto middle = all.end() - static_cast<std::ptrdiff_t>(deciding_.size());
   std::vector<NodeId> values(all.begin(), middle), deciding(middle, all.end()), watched = deciding;
   if (below != mode) {
     Sliding sliding(graph, values, deciding);
     for (std::size_t i = 0; i < mode.size(); ++i) {
-      if (mode[i] != 0) continue;
+      if (!stays_on_surface(mode[i])) continue;
       Mode above = below;
-      above[i] = 1;
+      above[i] = mode[i] + 1;
       std::vector<NodeId> upper = resolved(above, graph);
       upper.resize(values.size());
       sliding.add(i, upper);
@@ -241,7 +274,7 @@ std::shared_ptr<const RepeatedProgram> Switches::in_mode(const Mode& mode) const
     const std::vector<NodeId> shares = sliding.shares();
     values = sliding.values(shares);
     for (std::size_t i = 0, k = 0; i < mode.size(); ++i) {
-      if (mode[i] == 0) watched[i] = shares[k++];
+      if (stays_on_surface(mode[i])) watched[i] = shares[k++];
     }
   }
   const auto further = values.begin() + static_cast<std::ptrdiff_t>(slopes_.size());

@@ -167,6 +167,26 @@ def test_events_are_all_there(draw):
 
 
 @needs_integrators
+@randomised_test(quick=10, full=3_000, least_right=0.7)
+def test_doses_add_up(draw):
+    """c' = -k c with a dose at each of some times: a sum of exponential functions."""
+    k, dose, c0 = draw.log_uniform(0.01, 10), draw.log_uniform(0.1, 10), draw.one_of([0.0, draw.log_uniform(0.1, 10)])
+    first, interval, count = draw.uniform(0.1, 5), draw.log_uniform(0.1, 10), draw.whole(1, 20)
+    times = [first + n * interval for n in range(count)]
+    end = times[-1] + interval * draw.uniform(0.01, 3)
+    method = draw.one_of(METHODS[:-1])  # laier takes equations of second order alone
+    words = ["integrators", "integrate", "--equation", f"c' = -{k!r} c", "--initial", repr(c0), "--until", repr(end), "--tolerance", "1e-9",
+             "--event", f"dose: t = {first!r}:{interval!r}:{times[-1] + interval / 2!r}", "--set-at", f"dose: c = c + {dose!r}"]
+    r = ran(words + (["--method", method] if method else []))
+    if r.exit_code:
+        return failed(r)
+    found = [number(row[0]) for row in r.rows if row[-1] == "dose"]
+    exact = c0 * math.exp(-k * end) + sum(dose * math.exp(-k * (end - t)) for t in times)
+    errors = [abs(a - b) for a, b in zip(found, times)] + [abs(number(r.rows[-1][1]) - exact)]
+    return judged(max(errors) if len(found) == count else math.inf, 100e-9 * (1 + c0 + count * dose), r.words)
+
+
+@needs_integrators
 @randomised_test(quick=15, full=3_000, least_right=0.7)
 def test_balls_bounce(draw):
     """From height h, with restitution e: the k-th time of flight is 2 e^k (2 h/g)^(1/2)."""

@@ -230,7 +230,70 @@ def oscillator(draw):
                 lambda t: [mp.re(2 * free * r**i * mp.exp(r * t) + force * f**i * mp.exp(f * t)) for i in range(2)])
 
 
-KINDS = [quadrature, pulse, train, tank, decay, growth, drag, orbit, bistable, tangent, smoothed, relay, filtered, shaken, oscillator]
+def stairs(draw):
+    """x' = a floor(b x) from b x > 1: the slope between n/b and (n + 1)/b is a n; down to 1/b, below which it rests."""
+    a, b, x0 = draw.signed_log(0.1, 10), draw.log_uniform(0.1, 10), draw.uniform(1.1, 5)
+    A, B, start = mpf(a), mpf(b), mpf(x0 / b)
+
+    def solution(t):
+        x, left = start, t
+        n = mp.floor(B * x)
+        while True:
+            edge = (n + 1 if A > 0 else n) / B
+            time = (edge - x) / (A * n)
+            if time >= left:
+                return [x + A * n * left]
+            x, left, n = edge, left - time, n + (1 if A > 0 else -1)
+            if n == 0:
+                return [x]
+
+    text = draw.one_of([f"x' = {a!r}*floor({b!r}*x)", f"x' = {a!r}*({b!r}*x - frac({b!r}*x))", f"x' = {a!r}*{b!r}*(x - mod(x, 1/{b!r}))",
+                        f"x' = {a!r}*(ceil({b!r}*x) - 1)"])
+    return Case(text, [x0 / b], draw.log_uniform(0.2, 4) / abs(a * b), solution)
+
+
+def wrapped(draw):
+    """A phase of which mod makes a saw-tooth u from 0 to p: u' = w + k u."""
+    w, k, p = draw.log_uniform(0.1, 10), draw.log_uniform(0.1, 10), draw.log_uniform(0.1, 10)
+    W, K, P = mpf(w), mpf(k), mpf(p)
+    turn = mp.log1p(K * P / W) / K
+
+    def solution(t):
+        turns = mp.floor(t / turn)
+        return [turns * P + W / K * mp.expm1(K * (t - turns * turn))]
+
+    return Case(f"x' = {w!r} + {k!r}*mod(x, {p!r})", [0.0], float(turn) * draw.uniform(0.2, 12), solution)
+
+
+def woken(draw):
+    """A smoothed switch of a state that rests first: x = v t wakes y' = 1/(1 + exp(-k (x - c)))."""
+    k, c, v = draw.log_uniform(1, 300), draw.uniform(0.5, 5), draw.log_uniform(0.1, 10)
+    K, C, V = mpf(k), mpf(c), mpf(v)
+    return Case(f"x' = {v!r}; y' = (1 + tanh({k!r}*(x - {c!r})))/2", [0.0, 0.0], c / v * draw.log_uniform(0.5, 50),
+                lambda t: [V * t, (t + (mp.log(mp.cosh(K * (V * t - C))) - mp.log(mp.cosh(K * C))) / (K * V)) / 2])
+
+
+def ellipse(draw):
+    """From its far end, with an eccentricity up to 0.99: a near miss of the centre."""
+    mu, r, miss = draw.log_uniform(0.1, 10), draw.log_uniform(0.1, 10), draw.log_uniform(0.01, 1)
+    v = float(mp.sqrt(miss * mpf(mu) / r))
+    M, R, V = mpf(mu), mpf(r), mpf(v)
+    e = 1 - V**2 * R / M
+    a = R / (1 + e)
+    b, n = a * mp.sqrt(1 - e**2), mp.sqrt(M / a**3)
+
+    def solution(t):
+        mean = mp.pi + n * t
+        E = mp.findroot(lambda E: E - e * mp.sin(E) - mean, [mean - 1, mean + 1], solver="anderson")
+        rate = n / (1 - e * mp.cos(E))
+        return [-a * (mp.cos(E) - e), -b * mp.sin(E), a * mp.sin(E) * rate, -b * mp.cos(E) * rate]
+
+    text = f"x'' = -{mu!r}*x/(x^2 + y^2)^1.5; y'' = -{mu!r}*y/(x^2 + y^2)^1.5"
+    return Case(text, [r, 0.0, 0.0, v], draw.log_uniform(0.1, 5) * float(2 * mp.pi / n), solution)
+
+
+KINDS = [quadrature, pulse, train, tank, decay, growth, drag, orbit, bistable, tangent, smoothed, relay, filtered, shaken, oscillator, stairs, wrapped,
+         woken, ellipse]
 
 
 def relative(error, x, size):
@@ -243,6 +306,23 @@ def relative(error, x, size):
 def test_everyday_equations_are_answered(draw):
     with mp.workdps(DIGITS):
         return answered(draw, draw.one_of(KINDS)(draw))
+
+
+@needs("integrators")
+@randomised_test(quick=6, full=3_000, least_right=0.8)
+def test_collisions_are_named(draw):
+    """A central fall in the plane, r' = -c r^p with p < 1, meets the centre at r0^(1 - p)/((1 - p) c) by any method that chooses its steps."""
+    c, p, r0, angle = draw.log_uniform(0.1, 10), draw.one_of([-2, -1, -0.5]), draw.log_uniform(0.1, 10), draw.uniform(0, 6.28)
+    factor = {-2: "(x^2 + y^2)^1.5", -1: "(x^2 + y^2)", -0.5: "(x^2 + y^2)^0.75"}[p]
+    x, y = r0 * math.cos(angle), r0 * math.sin(angle)
+    ends = math.hypot(x, y)**(1 - p) / ((1 - p) * c)
+    method, tolerance = draw.one_of(["", "--method dop853", "--method series", "--method ode45"]), draw.log_uniform(1e-11, 1e-4)
+    r = ran(f"integrators integrate --equation x'=-{c!r}*x/{factor};y'=-{c!r}*y/{factor} --initial {x!r},{y!r} --until {ends * draw.uniform(1.1, 5)!r} "
+            f"--tolerance {tolerance!r} {method}")
+    said = re.search(r"becomes zero at t = ([^ ,:]+)", r.errors)
+    if r.exit_code != 1 or not said:
+        return wrong(f"{r.words}: {r.errors}") if r.exit_code == 0 else failed(r)
+    return judged(abs(number(said[1]) - ends), ends * (MOST_TOLERANCES * tolerance + 1e-2), f"{r.words}: {r.errors}")
 
 
 def judged_end(case, r, tolerance):

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <numbers>
 
 #include "nlmech/program/switches.hpp"
@@ -36,29 +35,24 @@ std::string remark_on_jumps(const UserProblem& problem, double t0, double t1) {
                      first_of(fmt::format("{:.6g}", times.front()), times.size()));
 }
 
-/// Do solutions on both sides of a switching function that is zero at the start leave it, as x' = sign(x)
-/// from 0?
+/// Do solutions on both sides of a switching surface on which the start is leave it, as x' = sign(x) from 0?
+/// At an integer floor has the value of the upper side, on which a solution may also stay: x' = floor(x) from
+/// 0.
 bool leaves_both_sides(const ivp::System& system, const RunOptions& r) {
-  const auto count = static_cast<std::size_t>(system.switches());
-  ivp::Mode mode(count, 1);
-  std::vector<double> values(count), rates(count);
-  const auto evaluate = [&] { system.in_mode(mode).surfaces(r.t0, r.x0, values, rates); };
-  std::vector<bool> is_zero(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    evaluate();
-    is_zero[i] = values[i] == 0;
-    if (values[i] < 0) mode[i] = -1;
-  }
+  auto [mode, values] = ivp::cells_at(system, r.t0, r.x0);
+  std::vector<double> any(values.size()), rates(values.size());
   const double direction = r.t1 > r.t0 ? 1 : -1;
-  for (std::size_t i = 0; i < count; ++i) {
-    if (!is_zero[i]) continue;
-    const auto rate_on = [&](int side) {
-      mode[i] = static_cast<std::int8_t>(side);
-      evaluate();
-      mode[i] = 1;
+  for (std::size_t i = 0; i < mode.size(); ++i) {
+    const bool is_rounded = system.is_rounded(static_cast<int>(i));
+    if (!ivp::is_on_surface(is_rounded, values[i])) continue;
+    const auto rate_in = [&](int cell) {
+      ivp::Mode there = mode;
+      there[i] = cell;
+      system.in_mode(there).surfaces(r.t0, r.x0, any, rates);
       return direction * rates[i];
     };
-    if (rate_on(1) > 0 && rate_on(-1) < 0) return true;
+    const double above = rate_in(mode[i]), below = rate_in(mode[i] - 2);
+    if ((is_rounded ? above >= 0 : above > 0) && below < 0) return true;
   }
   return false;
 }
@@ -67,8 +61,8 @@ std::string remark_on_start(const UserProblem& problem, const RunOptions& r) {
   if (r.t0 == r.t1) return {};
   if (leaves_both_sides(problem.system, r))
     return fmt::format(
-        "the solution from t = {:.6g} is not unique: on both sides of a switching surface it leaves the "
-        "surface; this run takes the side where the switching function is positive",
+        "the solution from t = {:.6g} is not unique: it may go to either side of a switching surface; this "
+        "run takes the side where the switching function is greater",
         r.t0);
   if (problem.domain && ivp::several_begin(*problem.domain, r.t0, r.x0, r.t1 > r.t0 ? 1 : -1))
     return fmt::format(

@@ -225,7 +225,7 @@ std::vector<double> Run::columns_at(double t, const ivp::State& x) const {
     const ivp::State errors =
         many * (accuracy_.absolute + accuracy_.relative * x.array().abs()) + least * largest_.array();
     const ivp::Mode mode = ivp::mode_at(problem_.system, t, x, errors);
-    if (std::ranges::find(mode, 0) != mode.end()) {
+    if (std::ranges::any_of(mode, program::stays_on_surface)) {
       const auto before = static_cast<std::size_t>(x.size()) + 2 * mode.size();
       columns.switches->in_mode(mode)->run(t, x, before, before + count, add);
       return all;
@@ -314,6 +314,11 @@ std::string Run::remark_on_events() const {
                     options_.events[i].name, count, first.t));
   }
   for (const ivp::OpenEvent& open : finder_.open()) {
+    if (open.rests) {
+      remarks.push_back(fmt::format("{} stays at zero from t = {:.9g} to {:.9g}",
+                                    options_.events[open.event].name, open.t0, open.t1));
+      continue;
+    }
     remarks.push_back(
         fmt::format("{} cannot be distinguished from zero between t = {:.9g} and {:.9g}: rows may be missing",
                     options_.events[open.event].name, open.t0, open.t1));

@@ -152,6 +152,12 @@ void add_change(const std::string& option, const std::string& typed, const UserP
   for (WantedEvent& event : events) {
     if (event.name != name) continue;
     found = true;
+    for (const auto& [i, value] : values) {
+      const bool is_new = event.changed.insert(i).second;
+      if (!is_new)
+        throw refuse(fmt::format("another change of {} gives {} a value; leave one of them out",
+                                 quoted_input(name), problem.state_names[static_cast<std::size_t>(i)]));
+    }
     event.event.change = [values, before = std::move(event.event.change)](double t, ivp::State& x) {
       if (before) before(t, x);
       const ivp::State old = x;

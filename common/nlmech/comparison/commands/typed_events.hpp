@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -13,9 +14,10 @@ namespace nlmech::comparison {
 
 /// A typed event.
 struct WantedEvent {
-  std::string name;               ///< printed name: the typed one or the equation as typed
-  ivp::Event event;               ///< event for the integrator
-  std::optional<double> at = {};  ///< time of the event, if it is one of a typed list of times
+  std::string name;                     ///< printed name: the typed one or the equation as typed
+  ivp::Event event;                     ///< event for the integrator
+  std::optional<double> at = {};        ///< time of the event, if it is one of a typed list of times
+  std::set<Eigen::Index> changed = {};  ///< components that the event changes
 };
 
 /// Parses "x = 0", "apex: x' = 0 falling", "x = 0 end after 3", or "dose: t = 0:24:240", which is one event
