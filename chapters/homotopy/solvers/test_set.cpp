@@ -129,7 +129,7 @@ void put(const TestSet& set, scene::Show& show) {
     tics += fmt::format("{}\"{}\" {}", i == 0 ? "" : ", ", set.solvers[i].name, i + 1);
   panel.set("xtics rotate by -50 (" + tics + ")")
       .key("top right")
-      .place(0.09, 0.98, 0.28, 0.9)
+      .place(0.09, 0.94, 0.28, 0.9)
       .y_range(0, static_cast<double>(set.systems.size() + 5));
   for (std::size_t k = 0; k < scales.size(); ++k) {
     std::vector<double> x, y;
@@ -137,8 +137,7 @@ void put(const TestSet& set, scene::Show& show) {
       x.push_back(static_cast<double>(i + 1));
       y.push_back(set.solvers[i].arrived(k));
     }
-    panel.curve(k == 0 ? "standard start" : fmt::format("start times {}", scales[k]), x, y,
-                scene::linespoints());
+    panel.curve(k == 0 ? "standard start" : fmt::format("start times {}", scales[k]), x, y, scene::points());
   }
   const auto count = static_cast<double>(set.systems.size()),
              roots = static_cast<double>(std::ranges::count(set.systems, true, &TestSystem::has_root));
