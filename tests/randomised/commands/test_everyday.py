@@ -317,8 +317,8 @@ def test_collisions_are_named(draw):
     x, y = r0 * math.cos(angle), r0 * math.sin(angle)
     ends = math.hypot(x, y)**(1 - p) / ((1 - p) * c)
     method, tolerance = draw.one_of(["", "--method dop853", "--method series", "--method ode45"]), draw.log_uniform(1e-11, 1e-4)
-    r = ran(f"integrators integrate --equation x'=-{c!r}*x/{factor};y'=-{c!r}*y/{factor} --initial {x!r},{y!r} --until {ends * draw.uniform(1.1, 5)!r} "
-            f"--tolerance {tolerance!r} {method}")
+    r = ran(["integrators", "integrate", "--equation", f"x' = -{c!r}*x/{factor}; y' = -{c!r}*y/{factor}", "--initial", f"{x!r},{y!r}",
+             "--until", repr(ends * draw.uniform(1.1, 5)), "--tolerance", repr(tolerance), *method.split()])
     said = re.search(r"becomes zero at t = ([^ ,:]+)", r.errors)
     if r.exit_code != 1 or not said:
         return wrong(f"{r.words}: {r.errors}") if r.exit_code == 0 else failed(r)
