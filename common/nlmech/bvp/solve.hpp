@@ -14,8 +14,8 @@ enum class Verification : std::uint8_t {
   none,   ///< no verification
   whole,  ///< one integration from the initial values to the end; the solution's jumps between phases are
           ///< added
-  pieces  ///< each interval is integrated from the solution at its start: for problems whose solutions grow
-          ///< too fast for one integration over all intervals
+  pieces  ///< each interval is integrated from the solution at its start, or backwards from its end if that
+          ///< is closer: for problems whose solutions grow too fast for one integration over all intervals
 };
 
 /// Options of solve(); with the defaults the states have at least 10 digits.
@@ -25,8 +25,8 @@ struct Options {
   bool refine = true;         ///< whether to refine the mesh by the residual
   double tolerance = 1e-9;    ///< bound of Solution::residual, > 0
   int most_intervals = 2000;  ///< largest number of intervals in all phases; >= 1
-  /// Bound of the last update, > 0: rms of |dx_i| / max |x_i| and |dp_j| / |p_j|. Sizes are at least those
-  /// that rounding errors have, over this bound.
+  /// Bound of the last update, > 0: rms of |dx_i| / max |x_i| and |dp_j| / |p_j|. Sizes are at least ten
+  /// times the effect of rounding errors over this bound.
   double newton_tolerance = 1e-10;
   Verification verification = Verification::whole;  ///< kind of verification
   double verification_tolerance = 1e-6;  ///< bound of Solution::integration_error, > 0; else spurious
