@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "nlmech/bvp/typed/typed_solve.hpp"
 #include "nlmech/support/errors.hpp"
 
@@ -70,6 +73,125 @@ TEST(TypedProblem, DerivativesAreSlopes) {
   EXPECT_EQ(all.parameters(), 2);
   EXPECT_EQ(all.points(), (std::vector<double>{0, 0.3, 0.4, 2}));
   expect_derivatives(all, Eigen::Vector3d(0.8, 0.5, 0.2), Eigen::Vector2d(0.7, 2.3));
+}
+
+std::string mistake_in(const ProblemText& text) {
+  try {
+    static_cast<void>(read_problem(text));
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+TEST(TypedProblem, TellsConditionsFromEquations) {
+  // x(1 - x) is a product, x(1) a value; r = x(2) is a definition with a product.
+  const DividedText divided =
+      divide("--equation", "x' = r x(1 - x); x(1) = 2\nr = a x(2); integral(x) = k; k = x(0)", {"k"});
+  ASSERT_EQ(divided.conditions.size(), 3U);
+  EXPECT_EQ(divided.conditions[0].text, "x(1) = 2");
+  EXPECT_EQ(divided.conditions[1].text, "integral(x) = k");
+  EXPECT_EQ(divided.conditions[2].text, "k = x(0)");
+  EXPECT_EQ(divided.equations.find("r = a x(2)"), 26U);  // places stay those of the text
+}
+
+TEST(TypedProblem, PointsAtMistakes) {
+  EXPECT_EQ(mistake_in({.name = "--equation", .equations = "x'' = 0; x(0) = 1; 2 x(1) = 3 y(1)"}),
+            "--equation:1:1: y is not defined: it has neither a derivative (y') nor a definition (y = ...)\n"
+            "  y\n  ^");
+  EXPECT_EQ(
+      mistake_in({.name = "--equation", .equations = "x'' = 0", .conditions = "x(0) = 1, 2 x(1) + (b = 3"})
+          .substr(0, 19),
+      "--conditions:1:10: ");
+}
+
+/// The solution at the first time.
+VectorXd first_of(const ProblemText& text, const std::string& guess, Status& status) {
+  TypedProblem problem = read_problem(text, guess);
+  const Solution solution = solve_typed(problem, problem.guess(), 1e-9);
+  status = solution.status;
+  return status.ok() ? problem.components_at(solution, problem.points().front()) : VectorXd();
+}
+
+// x'' + k x = 0 with x(0) = x(1) = 0 has k = pi^2 for a normalisation of any size and in any unit of time;
+// the tolerance is 1e-9.
+TEST(SolveTyped, EigenvaluesDoNotDependOnSizes) {
+  const double pi2 = std::numbers::pi * std::numbers::pi;
+  for (const double size : {1e-300, 1e-9, 1., 1e12}) {
+    for (const double unit : {1e-6, 1., 1e8}) {
+      Status status;
+      const ProblemText text{.name = "--equation",
+                             .equations = "x'' + k x = 0; x(0) = 0; x(u) = 0; x'(0) = s",
+                             .settings = {{"s", size}, {"u", unit}},
+                             .unknowns = "k"};
+      const VectorXd x = first_of(text, "x = s sin(3 t/u), k = 8/u^2", status);
+      ASSERT_TRUE(status.ok()) << size << " " << unit << " " << status.text();
+      EXPECT_NEAR(x[1] * unit * unit, pi2, 1e-8);
+    }
+  }
+}
+
+TEST(SolveTyped, NamesWhatNothingDetermines) {
+  Status status;
+  const ProblemText rest{.name = "--equation",
+                         .equations = "x'' - 5 (1 - x^2) x' + x = 0; x(0) = x(T); x'(0) = x'(T); x'(0) = 0",
+                         .unknowns = "T",
+                         .until = "T"};
+  first_of(rest, "x = 0.1 cos(t), T = 9", status);
+  EXPECT_EQ(status.outcome(), Outcome::singular_matrix);
+  EXPECT_NE(status.sentence().find("nothing determines T"), std::string::npos) << status.text();
+  // A family of solutions, x = c cos(t), of which Newton's iteration finds one: the matrix there is singular.
+  const ProblemText family{
+      .name = "--equation",
+      .equations = "x'' + x + (x^2 + x'^2 - c)^2 = 0; x(0) = x(2 pi); x'(0) = x'(2 pi); c = x(0)^2 + x'(0)^2",
+      .unknowns = "c"};
+  first_of(family, "x = cos(t), c = 1", status);
+  EXPECT_EQ(status.outcome(), Outcome::singular_matrix) << status.text();
+}
+
+// Gauss points do not contain the ends: sin(t)/t solves x'' + 2 x'/t + x = 0, and t cot(t) - 1 ... at both
+// ends Legendre's equation ((1 - t^2) x')' + 6 x = 0 has (3 t^2 - 1)/2.
+TEST(SolveTyped, SingularEnds) {
+  TypedProblem sphere =
+      read_problem({.name = "--equation", .equations = "x'' + 2 x'/t + x = 0; x'(0) = 0; x(2) = sin(2)/2"});
+  EXPECT_TRUE(sphere.is_singular_at_ends());
+  Solution solution = solve_typed(sphere, sphere.guess(), 1e-9);
+  ASSERT_TRUE(solution.status.ok()) << solution.status.text();
+  for (const double t : {0.1, 0.7, 1.9}) EXPECT_NEAR(solution.at(t)[0], std::sin(t) / t, 1e-9) << t;
+  TypedProblem legendre = read_problem(
+      {.name = "--equation", .equations = "x'' = (2 t x' - 6 x)/(1 - t^2); x(1) = 1; x'(-1) = -3"});
+  solution = solve_typed(legendre, legendre.guess(), 1e-9);
+  ASSERT_TRUE(solution.status.ok()) << solution.status.text();
+  for (const double t : {-0.9, 0.1, 0.8}) EXPECT_NEAR(solution.at(t)[0], 1.5 * t * t - 0.5, 1e-9) << t;
+}
+
+// Without the condition that makes a solution regular there is none: x'(0) = 1.
+TEST(SolveTyped, RefusesSingularSolutions) {
+  Status status;
+  first_of({.name = "--equation", .equations = "x'' + 2 x'/t + x = 0; x'(0) = 1; x(2) = 1"}, "", status);
+  EXPECT_FALSE(status.ok());
+}
+
+// Troesch's problem; x'(0) by Jacobi's elliptic functions (mpmath). Bratu's branch turns back at 3.5138307.
+TEST(FollowParameter, ReachesTheEndOrTheFold) {
+  const auto troesch = [](double n) {
+    return read_problem(
+        {.name = "--equation", .equations = "x'' = n sinh(n x); x(0) = 0; x(1) = 1", .settings = {{"n", n}}});
+  };
+  TypedProblem easy = troesch(1);
+  Continuation found = follow_parameter(troesch, 1, 10, solve_typed(easy, easy.guess(), 1e-9), 1e-9);
+  ASSERT_TRUE(found.solution.status.ok()) << found.solution.status.text();
+  EXPECT_NEAR(found.solution.first()[1], 3.583377846308e-4, 148e-9);  // the tolerance times the largest x'
+  const auto bratu = [](double a) {
+    return read_problem({.name = "--equation",
+                         .equations = "x'' + a exp(x) = 0; x(0) = 0; x(1) = 0",
+                         .settings = {{"a", a}}});
+  };
+  TypedProblem low = bratu(1);
+  found = follow_parameter(bratu, 1, 4, solve_typed(low, low.guess(), 1e-9), 1e-9);
+  EXPECT_FALSE(found.solution.status.ok());
+  EXPECT_NEAR(found.reached, 3.5138307, 0.01);
+  EXPECT_LE(found.reached, 3.5138308);
 }
 
 }  // namespace

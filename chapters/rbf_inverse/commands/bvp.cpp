@@ -186,13 +186,18 @@ Solved solve_by_continuation(const BvpOptions& typed) {
   bvp::Continuation followed =
       bvp::follow_parameter(make, range.from, range.to, std::move(first.solutions.front()), typed.tolerance);
   const Status& status = followed.solution.status;
-  if (!status.ok())
+  if (!status.ok()) {
+    const std::string place =
+        fmt::format("{} = {:.9g} was reached in {} steps", range.name, followed.reached, followed.steps);
     throw Failure(Status::failure(
         status.outcome(),
-        fmt::format(
-            "{} = {:.9g} was reached in {} steps, and no solution near it was found beyond: the branch "
-            "ends or turns back there, or needs another --guess ({})",
-            range.name, followed.reached, followed.steps, status.sentence())));
+        followed.reached == range.to
+            ? fmt::format("{}, but {}", place, status.sentence())
+            : fmt::format(
+                  "{}, and no solution near it was found beyond: the branch ends or turns back there, "
+                  "or needs another --guess ({})",
+                  place, status.sentence())));
+  }
   TypedProblem problem = make(range.to);
   if (problem.is_infinite()) problem.truncate(followed.solution.end());
   return {std::move(problem), {std::move(followed.solution)}, std::move(first.remarks)};

@@ -37,6 +37,8 @@ constexpr double unit_roundoff = std::numeric_limits<double>::epsilon() / 2;
 constexpr double rounding = 200 * unit_roundoff;
 /// Unknowns below this share of their largest size in an iteration tend to 0.
 constexpr double vanishing = 1e-12;
+/// States below this share of the largest one are measured by it.
+constexpr double small = 1e-8;
 
 /// max |x_i| over the mesh.
 VectorXd largest_values(const Unknowns& y) {
@@ -48,6 +50,7 @@ VectorXd largest_values(const Unknowns& y) {
 /// Largest sizes in an iteration from its start on.
 struct History {
   VectorXd states, parameters, terms, condition_terms;
+  VectorXd state_noise, parameter_noise;    // effect of rounding errors on the last iterate
   VectorXd least_states, least_parameters;  // Problem::least_sizes()
 
   explicit History(const Problem& problem)
@@ -73,37 +76,22 @@ struct History {
   }
 };
 
-/// Change of each parameter that changes an equation or a condition by the size of its terms.
-VectorXd parameter_changes(const NewtonSystem& system) {
-  const Eigen::MatrixXd& influence = system.influence();
-  VectorXd terms(influence.rows());
-  terms << system.terms(), system.condition_terms();
-  VectorXd changes = VectorXd::Zero(influence.cols());
-  for (Index j = 0; j < influence.cols(); ++j) {
-    double least = std::numeric_limits<double>::infinity();
-    for (Index i = 0; i < influence.rows(); ++i) {
-      if (influence(i, j) > 0) least = std::min(least, terms[i] / influence(i, j));
-    }
-    if (std::isfinite(least)) changes[j] = least;
-  }
-  return changes;
-}
-
 /// Sizes by which updates are measured: max |x_i| over the mesh and |p_j|, of the iterate or of the next one,
-/// but not less than the rounding errors of their equations.
+/// but such that rounding errors are a tenth of the tolerance or less.
 struct Scales {
-  Scales(const Unknowns& y, const Unknowns& next, const NewtonSystem& system, const History& history,
-         double tolerance)
-      : states(largest_values(y).cwiseMax(largest_values(next))),
-        parameters(y.parameters.cwiseAbs().cwiseMax(next.parameters.cwiseAbs())) {
-    const double least = rounding / tolerance,
-                 span = y.intervals.back().t0 + y.intervals.back().h - y.intervals.front().t0;
-    states = states.cwiseMax(vanishing * history.states)
-                 .cwiseMax(least * span * system.terms())
-                 .cwiseMax(history.least_states);
-    parameters = parameters.cwiseMax(vanishing * history.parameters)
-                     .cwiseMax(least * parameter_changes(system))
-                     .cwiseMax(history.least_parameters);
+  Scales(const Unknowns& y, const Unknowns& next, const History& history, double tolerance)
+      : states(largest_values(y)
+                   .cwiseMax(largest_values(next))
+                   .cwiseMax(vanishing * history.states)
+                   .cwiseMax(10 / tolerance * history.state_noise)
+                   .cwiseMax(history.least_states)),
+        parameters(y.parameters.cwiseAbs()
+                       .cwiseMax(next.parameters.cwiseAbs())
+                       .cwiseMax(vanishing * history.parameters)
+                       .cwiseMax(10 / tolerance * history.parameter_noise)
+                       .cwiseMax(history.least_parameters)) {
+    // Rounding errors of the linear solver are relative to all states together.
+    states = states.cwiseMax(small * states.maxCoeff());
   }
   /// Without rounding errors, which are not known before the matrix of the iterate is.
   Scales(const Unknowns& y, const History& history)
@@ -234,7 +222,8 @@ class Run {
         statistics_(statistics),
         step_(y),
         simplified_(y),
-        trial_(y) {}
+        trial_(y),
+        noise_(y) {}
 
   Status run(Index conditions, double& pivot_ratio) {
     if (!system_.residual(y_)) return not_finite(0);
@@ -247,8 +236,11 @@ class Run {
       if (!(pivot_ratio > 1e-13)) return singular(system_, conditions, k);
       system_.solve(step_);
       history_.add(y_, system_);
+      system_.solve_rounding(y_, noise_);
+      history_.state_noise = largest_values(noise_);
+      history_.parameter_noise = noise_.parameters.cwiseAbs();
       advance(y_, 1, step_, trial_);
-      const Scales scales(y_, trial_, system_, history_, options_.newton_tolerance);
+      const Scales scales(y_, trial_, history_, options_.newton_tolerance);
       const double update = length(step_, step_, 0, scales);
       if (!std::isfinite(update)) return singular(system_, conditions, k);
       if (update <= options_.newton_tolerance) return finish();
@@ -329,7 +321,7 @@ class Run {
   const Options& options_;
   History& history_;
   Statistics& statistics_;
-  Unknowns step_, simplified_, trial_;
+  Unknowns step_, simplified_, trial_, noise_;
   double damping_ = 1, before_ = 0, simplified_length_ = 0;
   bool done_ = false;
 };
@@ -498,6 +490,18 @@ Status mesh_limit(const Options& options, const Solution& solution) {
                      options.most_intervals);
 }
 
+/// Terms of f; a state that consists of rounding errors, as one that is 0 may, counts with the size that has
+/// such errors.
+VectorXd terms_with_noise(const NewtonSystem& system, const Unknowns& y, const History& history) {
+  VectorXd sizes = largest_values(y);
+  const double largest = sizes.maxCoeff();
+  for (Index i = 0; i < sizes.size(); ++i)
+    sizes[i] = sizes[i] <= vanishing * largest            ? vanishing * largest
+               : sizes[i] <= 1e3 * history.state_noise[i] ? history.state_noise[i] / unit_roundoff
+                                                          : 0;
+  return (system.terms() + system.state_influence() * sizes).cwiseMax(vanishing * history.terms);
+}
+
 /// Solves on successively refined meshes.
 Status refine(const Problem& problem, const Options& options, Solution& solution) {
   const std::vector<double> points = problem.points();
@@ -508,7 +512,7 @@ Status refine(const Problem& problem, const Options& options, Solution& solution
         iterate(system, solution.unknowns, options, history, solution.statistics, solution.pivot_ratio);
     ++solution.statistics.steps;
     if (!status.ok()) return status;
-    solution.terms = system.terms().cwiseMax(vanishing * history.terms);
+    solution.terms = terms_with_noise(system, solution.unknowns, history);
     std::vector<double> residual = residuals(problem, solution, options.tolerance);
     solution.residual = *std::max_element(residual.begin(), residual.end());
     for (std::size_t i = 0; i < residual.size(); ++i) {
@@ -524,6 +528,10 @@ Status refine(const Problem& problem, const Options& options, Solution& solution
     }
     solution.unknowns = transfer(solution, mesh, points);
   }
+}
+
+double largest_ratio(const VectorXd& a, const VectorXd& b) {
+  return a.cwiseQuotient(b).lpNorm<Eigen::Infinity>();
 }
 
 Status spurious(double t, double error, const Options& options) {
@@ -687,7 +695,8 @@ void verify_by_integration(const Problem& problem, const Options& options, Solut
               all[k].t0 + (k == 0 ? scheme.nodes[scheme.skipped] * all[k].h : 0),
               k + 1 < all.size() ? all[k + 1].t0 : all[k].t0 + scheme.nodes[last_node] * all[k].h};
     // f may jump between phases, and rhs() is then the limit from the right.
-    if (k + 1 < all.size() && all[k + 1].phase != all[k].phase) span.end = std::nextafter(span.end, span.begin);
+    if (k + 1 < all.size() && all[k + 1].phase != all[k].phase)
+      span.end = std::nextafter(span.end, span.begin);
     const bool is_piece = options.verification == Verification::pieces;
     // Errors of integration in one state have an effect on the others.
     VectorXd scale = sizes;

@@ -26,8 +26,8 @@ struct Options {
   bool refine = true;         ///< whether to refine the mesh by the residual
   double tolerance = 1e-9;    ///< bound of Solution::residual, > 0
   int most_intervals = 2000;  ///< largest number of intervals in all phases; >= 1
-  /// Bound of the last update, > 0: rms of |dx_i| / max |x_i| and |dp_j| / |p_j|. Sizes are at least those
-  /// that rounding errors have, over this bound.
+  /// Bound of the last update, > 0: rms of |dx_i| / max |x_i| and |dp_j| / |p_j|. Sizes are at least ten
+  /// times the effect of rounding errors over this bound.
   double newton_tolerance = 1e-10;
   Verification verification = Verification::whole;  ///< kind of verification
   double verification_tolerance = 1e-6;  ///< bound of Solution::integration_error, > 0; else spurious

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace nlmech::bvp {
 
@@ -86,6 +87,7 @@ void NewtonSystem::condense(const Interval& interval, Condensed& c) {
     }
     terms_ = terms_.cwiseMax(by_state.cwiseAbs() * x.cwiseAbs() +
                              by_parameter.cwiseAbs() * parameters_.cwiseAbs());
+    state_influence_ = state_influence_.cwiseMax(by_state.cwiseAbs());
     influence_.topRows(n_) = influence_.topRows(n_).cwiseMax(by_parameter.cwiseAbs());
     for (Index i = 0; j == 0 && i + 1 < nodes; ++i) block.middleRows(i * n_, n_).diagonal().array() -= 1;
     if (j > 0) block.middleRows((j - 1) * n_, n_).diagonal().array() += 1;
@@ -201,6 +203,7 @@ Index NewtonSystem::loosest_unknown(const VectorXd& sizes) const {
 bool NewtonSystem::factorise(const Unknowns& y) {
   terms_ = VectorXd::Zero(n_);
   influence_ = MatrixXd::Zero(n_ + conditions_.size(), m_);
+  state_influence_ = MatrixXd::Zero(n_, n_);
   for (std::size_t k = 0; k < parts_.size(); ++k) {
     condense(y.intervals[k], parts_[k]);
     if (!parts_[k].bottom.allFinite() || !parts_[k].top.allFinite()) return false;
@@ -265,6 +268,20 @@ void NewtonSystem::solve(Unknowns& step) {
   right_hand_sides();
   rest_x_ = column_scale_.cwiseProduct(rest_.solve(row_scale_.cwiseProduct(rest_r_)));
   back_substitute(step);
+}
+
+void NewtonSystem::solve_rounding(const Unknowns& y, Unknowns& step) {
+  constexpr double unit_roundoff = std::numeric_limits<double>::epsilon() / 2;
+  double sign = unit_roundoff;
+  for (std::size_t k = 0; k < parts_.size(); ++k) {
+    const Interval& interval = y.intervals[k];
+    MatrixXd r = interval.values.rightCols(interval.values.cols() - 1).cwiseAbs();
+    r.colwise() += interval.h * terms_;
+    for (Index j = 0; j < r.cols(); ++j, sign = -sign) r.col(j) *= sign;
+    parts_[k].r = r.reshaped();
+  }
+  for (Index i = 0; i < conditions_.size(); ++i, sign = -sign) conditions_[i] = sign * condition_terms_[i];
+  solve(step);
 }
 
 }  // namespace nlmech::bvp

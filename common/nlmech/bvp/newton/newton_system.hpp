@@ -63,6 +63,10 @@ class NewtonSystem {
   [[nodiscard]] const Eigen::VectorXd& condition_terms() const { return condition_terms_; }
   /// Largest |df_i/dp_j| over the nodes, then |dr_i/dp_j| of the conditions; one column for each parameter.
   [[nodiscard]] const Eigen::MatrixXd& influence() const { return influence_; }
+  /// Largest |df_i/dx_j| over the nodes.
+  [[nodiscard]] const Eigen::MatrixXd& state_influence() const { return state_influence_; }
+  /// Sets step to the effect of rounding errors in F at @p y, with the last factorisation; replaces F.
+  void solve_rounding(const Unknowns& y, Unknowns& step);
   /// Unknown that changes most, relative to @p sizes of states and parameters, in the direction that the
   /// matrix maps closest to 0: the state, or n + the parameter.
   [[nodiscard]] Eigen::Index loosest_unknown(const Eigen::VectorXd& sizes) const;
@@ -103,7 +107,7 @@ class NewtonSystem {
   Eigen::Index independent_ = 0;
   std::int64_t evaluations_ = 0;
   Eigen::VectorXd parameters_, terms_, condition_terms_;
-  Eigen::MatrixXd influence_;
+  Eigen::MatrixXd influence_, state_influence_;
 };
 
 }  // namespace nlmech::bvp
