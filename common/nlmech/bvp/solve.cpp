@@ -530,10 +530,6 @@ Status refine(const Problem& problem, const Options& options, Solution& solution
   }
 }
 
-double largest_ratio(const VectorXd& a, const VectorXd& b) {
-  return a.cwiseQuotient(b).lpNorm<Eigen::Infinity>();
-}
-
 Status spurious(double t, double error, const Options& options) {
   return failed_with(Outcome::spurious_root,
                      "bvp: the root of the collocation equations is no solution: integrated from its own "
