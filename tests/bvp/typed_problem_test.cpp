@@ -159,6 +159,16 @@ TEST(SolveTyped, SingularEnds) {
   for (const double t : {0.1, 0.7, 1.9}) EXPECT_NEAR(solution.at(t)[0], std::sin(t) / t, 1e-9) << t;
 }
 
+// Regular solutions have x'(0) = 0.
+TEST(SolveTyped, RefusesSingularSolutions) {
+  for (const char* conditions : {"x'(0) = 1; x(2) = 1", "x(0) = 1; x(1) = 0", "x'(0) = 1e-4; x(2) = 1"}) {
+    Status status;
+    first_of({.name = "--equation", .equations = "x'' + 2 x'/t + x = 0", .conditions = conditions}, "",
+             status);
+    EXPECT_FALSE(status.ok()) << conditions;
+  }
+}
+
 // Troesch's problem; x'(0) by Jacobi's elliptic functions (mpmath). Bratu's branch turns back at 3.5138307.
 TEST(FollowParameter, ReachesTheEndOrTheFold) {
   const auto troesch = [](double n) {

@@ -722,6 +722,33 @@ void verify_by_integration(const Problem& problem, const Options& options, Solut
   if (!(worst <= options.verification_tolerance)) solution.status = spurious(where, worst, options);
 }
 
+namespace {
+
+/// At a singular end the solution is not verified by integration. Beside it |f| (t - t_0) tends to 0 if the
+/// solution is regular, and not if f has a term x/(t - t_0) with another limit of x than 0.
+Status check_regular_ends(const Problem& problem, const Options& options, const Solution& solution) {
+  const VectorXd sizes = largest_values(solution.unknowns);
+  const double length = solution.end() - solution.begin();
+  VectorXd f(problem.states());
+  for (const bool at_start : {true, false}) {
+    const double end = at_start ? solution.begin() : solution.end();
+    const double beside =
+        std::max(1e-15 * length, 64 * std::numeric_limits<double>::epsilon() * std::abs(end));
+    const double t = at_start ? end + beside : end - beside;
+    problem.rhs(t, solution.at(t), solution.parameters(), f);
+    for (Index i = 0; i < f.size(); ++i) {
+      if (std::abs(f[i]) * beside <= options.verification_tolerance * sizes[i]) continue;
+      return failed_with(Outcome::spurious_root,
+                         "bvp: at the singular end t = {:.6g} the conditions leave {} without a finite "
+                         "derivative; give the condition that makes the solution regular there",
+                         end, problem.unknown_name(static_cast<int>(i)));
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
 Solution solve(const Problem& problem, const Start& start, const Options& options) {
   check_problem(problem);
   check_options(options);
@@ -742,6 +769,8 @@ Solution solve(const Problem& problem, const Start& start, const Options& option
   fill(start, mapped ? start.mesh.front() : points.front(),
        mapped ? (start.mesh.back() - start.mesh.front()) / length : 1, *solution.scheme, solution.unknowns);
   solution.status = refine(problem, options, solution);
+  if (solution.status.ok() && problem.is_singular_at_ends())
+    solution.status = check_regular_ends(problem, options, solution);
   if (solution.status.ok() && options.verification != Verification::none)
     verify_by_integration(problem, options, solution);
   solution.statistics.seconds = watch.seconds();

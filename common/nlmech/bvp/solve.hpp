@@ -49,7 +49,8 @@ struct Options {
 ///  - `newton_diverged`, `not_converged`: no root was found from this start;
 ///  - `non_finite`: f or a condition is not finite at the start;
 ///  - `step_limit`: limit of meshes or intervals reached with the residual above the tolerance;
-///  - `spurious_root`: the integration from the initial values deviates from the solution.
+///  - `spurious_root`: the integration from the initial values deviates from the solution, or the solution is
+///    not regular at a singular end.
 /// Unless nothing could be evaluated, the solution contains the last iterate.
 ///
 /// Tests compare both solutions of Bratu's problem with the closed form (1e-8), an eigenvalue (1e-12) and
