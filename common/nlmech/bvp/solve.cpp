@@ -502,6 +502,24 @@ VectorXd terms_with_noise(const NewtonSystem& system, const Unknowns& y, const H
   return (system.terms() + system.state_influence() * sizes).cwiseMax(vanishing * history.terms);
 }
 
+/// Whether rounding errors change a state by more than the tolerance of the verification. A state that
+/// consists of them, as one that is 0 may, is compared with the largest state.
+Status check_rounding(const Problem& problem, const Options& options, const Solution& solution,
+                      const History& history) {
+  const VectorXd sizes = largest_values(solution.unknowns);
+  const double allowed = std::max(options.verification_tolerance, 1e-8);
+  for (Index i = 0; i < sizes.size(); ++i) {
+    const double noise = history.state_noise[i];
+    const double size = sizes[i] > 1e3 * noise ? sizes[i] : sizes.maxCoeff();
+    if (noise <= allowed * size) continue;
+    return failed_with(Outcome::singular_matrix,
+                       "bvp: the problem multiplies rounding errors so much that they change {} by {:.2g} of "
+                       "its size; the equations and conditions do not determine it in this precision",
+                       problem.unknown_name(static_cast<int>(i)), noise / size);
+  }
+  return {};
+}
+
 /// Solves on successively refined meshes.
 Status refine(const Problem& problem, const Options& options, Solution& solution) {
   const std::vector<double> points = problem.points();
@@ -520,8 +538,10 @@ Status refine(const Problem& problem, const Options& options, Solution& solution
           is_change_of_states(problem, solution, solution.unknowns.intervals[i], options.tolerance))
         residual[i] = options.tolerance;
     }
-    if (std::ranges::all_of(residual, [&](double r) { return r <= options.tolerance; }) || !options.refine)
-      return check_determined(problem, system, solution.unknowns, history);
+    if (std::ranges::all_of(residual, [&](double r) { return r <= options.tolerance; }) || !options.refine) {
+      status = check_determined(problem, system, solution.unknowns, history);
+      return status.ok() ? check_rounding(problem, options, solution, history) : status;
+    }
     const std::vector<double> mesh = next_mesh(solution, residual, options.tolerance);
     if (k == most_meshes || static_cast<int>(mesh.size()) - 1 > options.most_intervals) {
       return mesh_limit(options, solution);

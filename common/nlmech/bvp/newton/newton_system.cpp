@@ -67,6 +67,7 @@ void NewtonSystem::condense(const Interval& interval, Condensed& c) {
   MatrixXd edges = MatrixXd::Zero(rows, 2 * n_ + m_), between = MatrixXd::Zero(rows, inner);
   MatrixXd by_state(n_, n_), by_parameter(n_, m_);
   VectorXd x(n_);
+  c.terms = VectorXd::Zero(n_);
   for (Index j = 0; j < nodes; ++j) {
     x = interval.values.col(j);
     if (j < scheme_.skipped || j >= nodes - scheme_.skipped) {
@@ -85,13 +86,14 @@ void NewtonSystem::condense(const Interval& interval, Condensed& c) {
         if (m_ > 0) edges.block(i * n_, 2L * n_, n_, m_) += by_slope * by_parameter;
       }
     }
-    terms_ = terms_.cwiseMax(by_state.cwiseAbs() * x.cwiseAbs() +
-                             by_parameter.cwiseAbs() * parameters_.cwiseAbs());
+    c.terms = c.terms.cwiseMax(by_state.cwiseAbs() * x.cwiseAbs() +
+                               by_parameter.cwiseAbs() * parameters_.cwiseAbs());
     state_influence_ = state_influence_.cwiseMax(by_state.cwiseAbs());
     influence_.topRows(n_) = influence_.topRows(n_).cwiseMax(by_parameter.cwiseAbs());
     for (Index i = 0; j == 0 && i + 1 < nodes; ++i) block.middleRows(i * n_, n_).diagonal().array() -= 1;
     if (j > 0) block.middleRows((j - 1) * n_, n_).diagonal().array() += 1;
   }
+  terms_ = terms_.cwiseMax(c.terms);
   c.has_inner = inner > 0;
   if (c.has_inner) {
     c.inner.compute(between);
@@ -276,7 +278,7 @@ void NewtonSystem::solve_rounding(const Unknowns& y, Unknowns& step) {
   for (std::size_t k = 0; k < parts_.size(); ++k) {
     const Interval& interval = y.intervals[k];
     MatrixXd r = interval.values.rightCols(interval.values.cols() - 1).cwiseAbs();
-    r.colwise() += interval.h * terms_;
+    r.colwise() += interval.h * parts_[k].terms;
     for (Index j = 0; j < r.cols(); ++j, sign = -sign) r.col(j) *= sign;
     parts_[k].r = r.reshaped();
   }

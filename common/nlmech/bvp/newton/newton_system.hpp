@@ -78,6 +78,7 @@ class NewtonSystem {
     Eigen::HouseholderQR<Eigen::MatrixXd> inner;  // of the columns of the interior nodes
     Eigen::MatrixXd top, bottom;                  // after Q^T: columns start, end, parameters
     Eigen::VectorXd r;                            // residual of the interval's equations
+    Eigen::VectorXd terms;  // largest sum of the terms of each component of f, over the nodes
     Eigen::VectorXd r_top, r_bottom;
     // Elimination of the left end of the interval, unless that is the start of a phase.
     Eigen::HouseholderQR<Eigen::MatrixXd> left;
