@@ -17,7 +17,8 @@ struct ControlProblem {
   int states = 0;                             ///< n
   std::vector<program::NodeId> slopes;        ///< f, n nodes of graph
   program::NodeId running_cost = 0;           ///< L, node of graph
-  std::vector<double> low, high;              ///< bounds of the controls, q each; infinite: none
+  std::vector<double> low;                    ///< lower bounds of the q controls; -infinity: none
+  std::vector<double> high;                   ///< upper bounds of the q controls; infinity: none
   std::vector<program::NodeId> state_bounds;  ///< S, nodes of graph
   std::vector<double> points;                 ///< t_0 < t_1 < ... < t_J
   program::Graph ends{0};                     ///< expressions of x(t_0), x(t_1), ..., x(t_J)
@@ -50,7 +51,8 @@ struct NecessaryConditions {
   int n;                                               ///< states
   int q;                                               ///< controls
   int bounds;                                          ///< bounds on states
-  std::vector<double> low, high;                       ///< bounds of the controls
+  std::vector<double> low;                             ///< lower bounds of the controls
+  std::vector<double> high;                            ///< upper bounds of the controls
   std::vector<double> points;                          ///< t_0 < ... < t_J
   program::Graph graph;                                ///< expressions of t, x, lambda, u, mu
   std::vector<program::NodeId> flow;                   ///< f, then -dH/dx
