@@ -129,7 +129,7 @@ void put(const TestSet& set, scene::Show& show) {
     tics += fmt::format("{}\"{}\" {}", i == 0 ? "" : ", ", set.solvers[i].name, i + 1);
   panel.set("xtics rotate by -50 (" + tics + ")")
       .key("top right")
-      .place(0.09, 0.94, 0.28, 0.9)
+      .place(0.09, 0.91, 0.28, 0.9)
       .y_range(0, static_cast<double>(set.systems.size() + 5));
   for (std::size_t k = 0; k < scales.size(); ++k) {
     std::vector<double> x, y;

@@ -40,9 +40,10 @@ struct PrescribedValue {
 /// The conditions of @p problem that prescribe one component at one point.
 [[nodiscard]] std::vector<PrescribedValue> prescribed_values(const ControlProblem& problem);
 
-/// Pontryagin's conditions: H = L + lambda f + sum of mu_k S_k^(r) with the first time derivative of each
-/// bound S_k on which the control acts (A. E. Bryson, Y.-C. Ho, Applied Optimal Control, 1975, sections 3.8
-/// to 3.11), as expressions of t and of the components x, lambda, u, mu.
+/// Pontryagin's conditions as expressions of t and of the components x, lambda, u, mu.
+///
+/// H = L + lambda f + sum of mu_k S_k^(r) with the first time derivative of each bound S_k on which the
+/// control acts (A. E. Bryson, Y.-C. Ho, Applied Optimal Control, 1975, sections 3.8 to 3.11).
 struct NecessaryConditions {
   /// @throws std::invalid_argument with a sentence for a bound on which no control acts within four
   /// derivatives, or that contains a control
