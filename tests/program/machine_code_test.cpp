@@ -245,17 +245,18 @@ int requests_until_code(machine_code::SeriesCodes& codes, const Tape& tape, int 
 
 /// The expansions of an earlier run count, if it had the same tape and order.
 TEST_F(MachineCode, OfATapeIsSharedByRuns) {
-  const Problem problem(equations(everything)), copy = problem, other(equations(everything));
+  const Problem problem(equations(everything)), other(equations(everything));
+  const std::vector<Problem> copies{problem};
   const Tape tape = tapes()[0], another = tapes()[1];
   TapeExpansion run(InstructionSet::avx2);
   run.load(tape, 9, problem.series_codes().get());
   const std::vector<double> x = {0.3, 0.5, 0.7};
   constexpr int expansions = TapeExpansion::repays_after - 10;
   for (int i = 0; i < expansions; ++i) run.expand(0, x.data());
-  EXPECT_EQ(requests_until_code(*copy.series_codes(), tape, 9), 10);
-  EXPECT_EQ(requests_until_code(*copy.series_codes(), tape, 9), 1);
-  EXPECT_EQ(requests_until_code(*copy.series_codes(), tape, 8), TapeExpansion::repays_after);
-  EXPECT_EQ(requests_until_code(*copy.series_codes(), another, 9), TapeExpansion::repays_after);
+  EXPECT_EQ(requests_until_code(*copies[0].series_codes(), tape, 9), 10);
+  EXPECT_EQ(requests_until_code(*copies[0].series_codes(), tape, 9), 1);
+  EXPECT_EQ(requests_until_code(*copies[0].series_codes(), tape, 8), TapeExpansion::repays_after);
+  EXPECT_EQ(requests_until_code(*copies[0].series_codes(), another, 9), TapeExpansion::repays_after);
   EXPECT_EQ(requests_until_code(*other.series_codes(), tape, 9), TapeExpansion::repays_after);
 }
 

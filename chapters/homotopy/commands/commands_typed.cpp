@@ -86,7 +86,7 @@ std::vector<algebraic::TypedSolver> solvers_of(const algebraic::TypedSystem& sys
 std::vector<algebraic::TypedSolver> solvers_of(const algebraic::TypedSystem& system,
                                                const std::string& option,
                                                const std::vector<std::string>& names) {
-  const std::vector<algebraic::TypedSolver> all = solvers_of(system);
+  std::vector<algebraic::TypedSolver> all = solvers_of(system);
   if (names.empty()) return all;
   std::vector<algebraic::TypedSolver> chosen;
   for (const std::string& name : names) {

@@ -230,7 +230,8 @@ class Walk {
     double below, above;
   };
   [[nodiscard]] Distances distances(std::size_t i) const {
-    const double n = (mode_[i] - 1) / 2;
+    const int below = (mode_[i] - 1) / 2;
+    const double n = below;
     return {values_[i] - n, n + 1 - values_[i]};
   }
   // The surface that is nearest to the value of function i: zero, or an end of its cell.
@@ -491,7 +492,9 @@ Cells cells_at(const System& system, double t, const State& x) {
 bool is_on_surface(bool rounded, double value) { return rounded ? value == std::floor(value) : value == 0; }
 
 Mode mode_at(const System& system, double t, const State& x, const State& errors) {
-  auto [mode, values] = cells_at(system, t, x);
+  Cells cells = cells_at(system, t, x);
+  Mode& mode = cells.mode;
+  const std::vector<double>& values = cells.values;
   const std::size_t count = mode.size();
   std::vector<double> moved(count), rates(count), spread(count);
   const System here = system.in_mode(mode);
@@ -521,7 +524,7 @@ Mode mode_at(const System& system, double t, const State& x, const State& errors
       mode[i] = stays ? surface : cell_of(is_rounded, values[i]);
     }
   }
-  return mode;
+  return std::move(mode);
 }
 
 }  // namespace nlmech::ivp

@@ -276,9 +276,9 @@ CheckedRoot check_root(const TypedSystem& system, const VectorXd& start, const V
   if (root.defect > 0) root.bound = root.bound.cwiseMax(4 * eps * typical);
   widen_bound(system, svd.matrixV().rightCols(root.defect), typical, row_size, root);
   root.order = polish.order;
-  const bool is_singular = root.defect > 0;
-  root.kind = is_singular ? CheckedRoot::Kind::singular : CheckedRoot::Kind::unproved;
-  if (is_singular) root.order = std::max(root.order, 2);
+  const bool loses_rank = root.defect > 0;
+  root.kind = loses_rank ? CheckedRoot::Kind::singular : CheckedRoot::Kind::unproved;
+  if (loses_rank) root.order = std::max(root.order, 2);
   return root;
 }
 

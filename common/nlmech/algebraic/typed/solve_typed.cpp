@@ -29,7 +29,7 @@ VectorXd sizes_of(const VectorXd& start, const VectorXd& end) {
 /// Typed equations in units of their sizes. With an energy the matrix stays symmetric.
 /// @tparam Base Equations or Potential
 template <class Base>
-class ScaledEquations final : public Base {
+class ScaledEquations : public Base {
  public:
   ScaledEquations(const TypedSystem& system, const VectorXd& start)
       : system_(system), unit_(start.cwiseAbs()), f_(start.size()) {
@@ -63,7 +63,9 @@ class ScaledEquations final : public Base {
     out.noalias() = b_.transpose() * v;
   }
   void matrix(MatrixXd& b) const override { b = b_; }
-  [[nodiscard]] double energy(const VectorXd& y) {
+
+ protected:
+  [[nodiscard]] double scaled_energy(const VectorXd& y) const {
     const VectorXd x = typed(y);
     return system_.contains(x) ? system_.energy(x) / (rows_[0] * unit_[0]) : HUGE_VAL;
   }
@@ -74,10 +76,16 @@ class ScaledEquations final : public Base {
   MatrixXd j_, b_;
 };
 
-template <class Base>
+class ScaledPotential final : public ScaledEquations<Potential> {
+ public:
+  using ScaledEquations::ScaledEquations;
+  [[nodiscard]] double energy(const VectorXd& y) override { return scaled_energy(y); }
+};
+
+template <class Scaled>
 Report run_scaled(const TypedSolver& solver, const TypedSystem& system, const VectorXd& start,
                   double tolerance, std::int64_t iterations, VectorXd& end) {
-  ScaledEquations<Base> equations(system, start);
+  Scaled equations(system, start);
   VectorXd y = equations.scaled(start);
   Report report = solver.run(tolerance, iterations, equations, y);
   end = equations.typed(y);
@@ -124,9 +132,10 @@ TypedSolution solve_by(const TypedSolver& solver, const TypedSystem& system, con
   TypedSolution all;
   all.solver = solver.name;
   const Stopwatch time;
-  all.report = system.has_energy()
-                   ? run_scaled<Potential>(solver, system, start, tolerance, iterations, all.end)
-                   : run_scaled<Equations>(solver, system, start, tolerance, iterations, all.end);
+  all.report =
+      system.has_energy()
+          ? run_scaled<ScaledPotential>(solver, system, start, tolerance, iterations, all.end)
+          : run_scaled<ScaledEquations<Equations>>(solver, system, start, tolerance, iterations, all.end);
   all.seconds = time.seconds();
   all.typical = sizes_of(start, all.end);
   const bool is_near = all.report.status.ok() || all.report.last <= 1e-4 * all.report.first;

@@ -129,7 +129,7 @@ class BranchTracer {
     met_.clear();
     begin_ = path_.now().at;
     steps_ = 0;
-    const Status status = follow(
+    Status status = follow(
         path_, [this](const Path&) { return list(); }, options_.steps, met_);
     if (!lost_.ok()) return std::exchange(lost_, {});
     if (status.ok()) return status;

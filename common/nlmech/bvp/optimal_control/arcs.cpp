@@ -261,7 +261,7 @@ Index ArcProblem::column_of(int point) const {
 VectorXd ArcProblem::end_state(const MatrixXd& ends, const VectorXd& p) const {
   const auto points = static_cast<int>(necessary_->points.size());
   const auto nu = static_cast<Index>(necessary_->multipliers);
-  VectorXd state(points * n_ + nu);
+  VectorXd state(static_cast<Index>(points) * n_ + nu);
   for (int j = 0; j < points; ++j) state.segment(Index{j} * n_, n_) = ends.col(column_of(j)).head(n_);
   state.tail(nu) = p.head(nu);
   return state;
@@ -277,7 +277,7 @@ void ArcProblem::conditions(const MatrixXd& ends, const VectorXd& p, VectorXd& r
   r.head(m) = psi.head(m);
   r.segment(m, n_) = ends.col(0).tail(n_) + psi.segment(m, n_);
   r.segment(m + n_, n_) = ends.col(last).tail(n_) - psi.tail(n_);
-  Index row = m + 2 * n_;
+  Index row = m + 2L * n_;
   for (std::size_t j = 0; j < joined_.size(); ++j) {
     const JunctionConditions& c = joined_[j];
     const auto before = static_cast<Index>(2 * j + 1), after = before + 1;
@@ -289,7 +289,7 @@ void ArcProblem::conditions(const MatrixXd& ends, const VectorXd& p, VectorXd& r
     if (c.count > 0) {
       const VectorXd values =
           flows_[side].values(c.conditions, all[j + 1], ends.col(c.before ? before : after));
-      r.segment(row + 2 * n_, c.count) = values.head(c.count);
+      r.segment(row + 2L * n_, c.count) = values.head(c.count);
       for (int k = 0; k < c.jumps; ++k) jump -= p[c.multipliers + k] * values.segment(c.count + k * n_, n_);
     }
     row += 2 * n_ + c.count;
@@ -319,7 +319,7 @@ void ArcProblem::condition_jacobian(const MatrixXd& ends, const VectorXd& p, Mat
   by_ends.block(m, n_, n_, n_) += one;
   add_ends(m + n_, m + Index{points - 1} * n_, n_, -1);
   by_ends.block(m + n_, last * size + n_, n_, n_) += one;
-  Index row = m + 2 * n_;
+  Index row = m + 2L * n_;
   for (std::size_t j = 0; j < joined_.size(); ++j) {
     const JunctionConditions& c = joined_[j];
     const auto before = static_cast<Index>(2 * j + 1), after = before + 1;
@@ -332,7 +332,7 @@ void ArcProblem::condition_jacobian(const MatrixXd& ends, const VectorXd& p, Mat
     if (c.point >= 0) add_ends(row + n_, m + Index{c.point} * n_, n_, -1);
     if (c.count > 0) {
       flows_[arc].differentiate(c.conditions, all[j + 1], ends.col(side), values, by);
-      const Index own = row + 2 * n_;
+      const Index own = row + 2L * n_;
       by_ends.block(own, side * size, c.count, size) += by.block(0, 1, c.count, size);
       if (c.time >= 0) by_parameter.block(own, c.time, c.count, 1) += by.block(0, 0, c.count, 1);
       for (int k = 0; k < c.jumps; ++k) {

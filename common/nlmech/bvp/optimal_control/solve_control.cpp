@@ -59,7 +59,7 @@ class ArcCheck {
         for (int i = 0; i <= samples; ++i) {
           const double s = std::min(k + static_cast<double>(i) / samples, std::nextafter(k + 1.0, 0.0));
           const double t = problem_.place(s, found_.solution.parameters()).first;
-          const std::string said = at(problem_.arc(k).arc(), t, found_.at(s), measures);
+          std::string said = at(problem_.arc(k).arc(), t, found_.at(s), measures);
           if (!said.empty()) return said;
         }
       }
@@ -277,7 +277,7 @@ ControlSolution solve_arcs(const std::shared_ptr<const NecessaryConditions>& nec
     direct.start.states(necessary->points[static_cast<std::size_t>(j)], z);
     at_points.col(j) = z;
   }
-  VectorXd sizes = VectorXd::Zero(2 * necessary->n);
+  VectorXd sizes = VectorXd::Zero(2L * necessary->n);
   constexpr int samples = 100;
   const double t0 = necessary->points.front(), length = necessary->points.back() - t0;
   for (int i = 0; i <= samples; ++i) {

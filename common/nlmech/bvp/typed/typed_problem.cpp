@@ -293,8 +293,7 @@ bool TypedProblem::has_guess_of_states() const {
 
 std::vector<int> TypedProblem::components_at_infinity() const {
   std::vector<int> all;
-  for (std::size_t i = 0; i < conditions_.values().size(); ++i) {
-    const Conditions::Value& value = conditions_.values()[i];
+  for (const Conditions::Value& value : conditions_.values()) {
     if (value.time != infinity) continue;
     for (int k = 0; k < equations_.size(); ++k) {
       if (value.what == program::Graph::state(k)) all.push_back(k);

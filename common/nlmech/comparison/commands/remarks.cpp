@@ -39,7 +39,9 @@ std::string remark_on_jumps(const UserProblem& problem, double t0, double t1) {
 /// At an integer floor has the value of the upper side, on which a solution may also stay: x' = floor(x) from
 /// 0.
 bool leaves_both_sides(const ivp::System& system, const RunOptions& r) {
-  auto [mode, values] = ivp::cells_at(system, r.t0, r.x0);
+  const ivp::Cells cells = ivp::cells_at(system, r.t0, r.x0);
+  const ivp::Mode& mode = cells.mode;
+  const std::vector<double>& values = cells.values;
   std::vector<double> any(values.size()), rates(values.size());
   const double direction = r.t1 > r.t0 ? 1 : -1;
   for (std::size_t i = 0; i < mode.size(); ++i) {

@@ -10,7 +10,8 @@ std::shared_ptr<const SeriesCode> SeriesCodes::of(const Tape& tape, int order, i
       known_, [&](const Known& k) { return k.order == order && k.lanes == lanes && k.tape == tape; });
   if (found != known_.end()) return found->code;
   if (known_.size() == most_known) known_.erase(known_.begin());
-  return known_.emplace_back(tape, order, lanes, std::make_shared<const SeriesCode>(repays_after)).code;
+  known_.push_back({tape, order, lanes, std::make_shared<const SeriesCode>(repays_after)});
+  return known_.back().code;
 }
 
 }  // namespace nlmech::machine_code
