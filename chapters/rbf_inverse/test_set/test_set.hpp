@@ -17,7 +17,7 @@ namespace nlmech::chapters::rbf_inverse {
 struct TestProblem {
   int number;                     ///< 1 to 35: bvpT1 to bvpT35
   double moderate;                ///< smallest eps of the vignette bvpTests of the R package bvpSolve
-  double hard;                    ///< a harder value: up to 1000 times for linear problems, 10 at most for most others
+  double hard;                    ///< a harder value
   const char* parameter = "eps";  ///< its name
   double easy = 0.1;              ///< value at which zeros, or the guess, are a sufficient start
   const char* guess = "";         ///< see bvp::TypedProblem
