@@ -130,6 +130,7 @@ void put(const TestSet& set, scene::Show& show) {
   panel.set("xtics rotate by -50 (" + tics + ")")
       .key("top right")
       .place(0.09, 0.91, 0.28, 0.9)
+      .x_range(0, static_cast<double>(set.solvers.size() + 1))
       .y_range(0, static_cast<double>(set.systems.size() + 5));
   for (std::size_t k = 0; k < scales.size(); ++k) {
     std::vector<double> x, y;

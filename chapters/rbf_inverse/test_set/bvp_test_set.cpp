@@ -123,7 +123,7 @@ std::vector<Row> compute(bool quick) {
 void plot(const std::vector<Row>& rows, scene::Show& show) {
   scene::Panel& panel = show.plot("Nine digits of the test set: time by problem", "problem", "run time (ms)");
   show.figure().columns({"curve", "problem", "time_ms"});
-  panel.log_y().key("below");
+  panel.log_y().key("below").x_range(0, 36);
   const auto curve = [&](const char* name, bool is_hard, Times Row::*times) {
     std::vector<double> x, y;
     for (const Row& row : rows) {
