@@ -16,7 +16,7 @@ struct HardWall {
 int main() {
   using namespace nlmech::ivp;
   const Series method{.relative_tolerance = 1e-13, .absolute_tolerance = 1e-13};
-  const auto end = integrate(Direct(HardWall{}), State{0.9, 0}, 0, 100, method);
+  const auto end = integrate(System(HardWall{}), State{0.9, 0}, 0, 100, method);
   std::printf("%s: x = %.12f, v = %.12f\n", end.status.text().c_str(), end.x[0], end.x[1]);
   return end.status.ok() ? 0 : 1;
 }

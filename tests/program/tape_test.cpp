@@ -1,4 +1,4 @@
-/// The tape and the unrolled recurrence against series in 50 digits of the same equations; SIMD lanes.
+/// The tape against series in 50 digits of the same equations; SIMD lanes.
 #include "nlmech/program/recorded.hpp"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,6 @@
 #include <limits>
 #include <string>
 
-#include "nlmech/ivp/series/taylor.hpp"
 #include "nlmech/program/growing_series.hpp"
 #include "nlmech/program/tape_expansion.hpp"
 #include "nlmech/program/tape_lanes.hpp"
@@ -63,8 +62,8 @@ struct Few {
   }
 };
 
-/// Every operation of an unrolled series, with constants as either operand and functions of time.
-struct Unrollable {
+/// Arithmetic with constants as either operand and functions of time.
+struct Arithmetic {
   static constexpr int dimension = 3;
   template <class T>
   void operator()(const T& t, const Vector<T, 3>& x, Vector<T, 3>& f) const {
@@ -171,27 +170,7 @@ void expect_taped(const Problem& problem, const std::vector<int>& orders) {
 TEST(Tape, HasTheCoefficientsOfTheSolution) {
   expect_taped(Tangle{}, {1, 2, 3, 7, 16, 33, 60, 100});
   expect_taped(Inverses{}, {1, 2, 3, 8, 30, 60});
-}
-
-template <int most, class Problem>
-void expect_unrolled(const Problem& problem, const std::vector<int>& orders) {
-  for (const int order : orders) {
-    const auto reference = exact(problem, 0.3, point, static_cast<std::size_t>(order));
-    ivp::UnrolledTaylor<Problem, most> taylor(problem, order, false);
-    taylor.begin_segment(0.3, point);
-    for (const double scale : {1.0, 0.25}) {
-      taylor.expand(0.3, point, scale);
-      expect_coefficients(
-          reference, [&](int i) { return taylor.coefficients(i); }, scale);
-    }
-  }
-}
-
-TEST(Unrolled, HasTheCoefficientsOfTheSolution) {
-  // Every order has code of its own: all operations for the first orders, a few for the highest.
-  expect_unrolled<9>(Unrollable{}, {1, 2, 3, 4, 5, 7, 8, 9});
-  constexpr int most = unrolled::most_order;
-  expect_unrolled<most>(Few{}, {1, 2, most / 4, most / 2, most / 2 + 1, most - 1, most});
+  expect_taped(Arithmetic{}, {1, 2, 3, 4, 9, 33});
 }
 
 // A tape is valid for other times and states than those of the recording.
@@ -273,11 +252,8 @@ struct Branches {
 };
 
 std::string complaint(const Branches& problem, bool announced) {
-  return thrown<std::invalid_argument>([&] {
-    static_cast<void>(program::record(problem, 0.25, 1, announced).tape());
-    ivp::UnrolledTaylor<Branches, 5> taylor(problem, 5, announced);
-    taylor.begin_segment(0.25, Vector<double, 1>(1.0));
-  });
+  return thrown<std::invalid_argument>(
+      [&] { static_cast<void>(program::record(problem, 0.25, 1, announced).tape()); });
 }
 
 TEST(Tape, RefusesBranchesThatAreNotAnnounced) {

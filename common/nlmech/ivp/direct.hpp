@@ -141,9 +141,6 @@ concept GivesBounds = requires(const Problem& problem, State& bound) {
   { problem.bounds(bound, bound) } -> std::same_as<bool>;
 };
 
-/// Largest dimension with unrolled Taylor coefficients; above it they are computed by a tape.
-inline constexpr int most_unrolled = 8;
-
 /// Partial derivatives carried at once: all n for a fixed dimension, 8 for a dynamic one.
 template <int n>
 inline constexpr int lanes = n == Eigen::Dynamic ? 8 : n;
@@ -435,19 +432,6 @@ class Direct final : public std::conditional_t<n == Eigen::Dynamic, detail::AnyP
 
   /// Machine code for the tapes of this problem, which runs in all threads share.
   [[nodiscard]] machine_code::SeriesCodes& series_codes() const { return *series_codes_; }
-
-  /// Taylor coefficients of solutions to the order @p order >= 1. The result refers to this object and has
-  /// begin_segment(t, x), expand(t, x, scale) and coefficients(i); see TapedTaylor. The problem is inlined
-  /// into it up to 8 components and order unrolled::most_order.
-  [[nodiscard]] auto taylor(int order) const {
-    constexpr bool inlined =
-        n == m && m >= 1 && m <= detail::most_unrolled && detail::TakesDual<Problem, UnrolledSeries<1>>;
-    if constexpr (inlined) {
-      return DirectTaylor<Direct, Problem>(*this, order, detail::GivesDiscontinuities<Problem>);
-    } else {
-      return TapedTaylor<Direct>(*this, order);
-    }
-  }
 
  private:
   static constexpr int m = Problem::dimension;

@@ -9,15 +9,8 @@
 #include <cstdint>
 #include <limits>
 #include <string_view>
-#include <utility>
 
-#include "nlmech/ivp/chosen_steps.hpp"
-#include "nlmech/ivp/failures.hpp"
 #include "nlmech/ivp/integrate.hpp"
-#include "nlmech/ivp/named/fixed_steps.hpp"
-#include "nlmech/ivp/smooth_segment.hpp"
-#include "nlmech/ivp/solution.hpp"
-#include "nlmech/ivp/state.hpp"
 #include "nlmech/ivp/step_control.hpp"
 #include "nlmech/program/series_step.hpp"
 
@@ -76,74 +69,6 @@ struct Tail : SeriesTail<double> {
     const double log2 = std::max(rough_log2(last) / order, rough_log2(before) / (order - 1));
     return scale * rough_exp2(log2_safety - log2);
   }
-};
-
-/// The series of a step: coefficients in powers of tau = (t - t0)/T with a power of two for T.
-template <class S>
-class Expansion : public DenseOutputOf<S> {
- public:
-  using State = typename S::State;  ///< all components
-
-  /// @param system outlives the expansion
-  Expansion(const S& system, int order)
-      : taylor_(system.taylor(order)), size_(system.size()), order_(order), carry_(State::Zero(size_)) {}
-
-  /// Starts an interval on which the right-hand side is smooth.
-  void begin_segment(double begin, double end, const State& x) {
-    segment_ = SmoothSegment(begin, end);
-    taylor_.begin_segment(segment_(begin), x);
-  }
-  /// Computes the coefficients at (t, x) with T = @p scale.
-  void expand(double t, const State& x, double scale) {
-    t0_ = t;
-    scale_ = scale;
-    taylor_.expand(segment_(t), x, scale);
-  }
-  /// The last terms of the series. @param x the state at its start
-  [[nodiscard]] Tail tail(const State& x, double atol, double rtol) const {
-    Tail tail;
-    for (int i = 0; i < size_; ++i) {
-      const double* const c = taylor_.coefficients(i);
-      tail.add(x[i], c[1], c[order_ - 1], c[order_], atol, rtol);
-    }
-    return tail;
-  }
-  /// Coefficient @p k of component @p i, times T^k.
-  [[nodiscard]] double coefficient(int i, int k) const { return taylor_.coefficients(i)[k]; }
-  /// Time at which to evaluate f for the time @p t; see SmoothSegment.
-  [[nodiscard]] double inside(double t) const { return segment_(t); }
-
-  /// The state @p x1 at t0 + @p h. The rounding error is stored for accept().
-  void advance(double h, const State& x0, State& x1) {
-    const double s = h / scale_;
-    if constexpr (S::dimension == Eigen::Dynamic) next_carry_.resize(size_);
-    for (int i = 0; i < size_; ++i) {
-      add_increment(x0[i], carry_[i], increment(taylor_.coefficients(i), order_, s), x1[i], next_carry_[i]);
-    }
-  }
-  /// Continues from the end of the latest advance().
-  void accept() { carry_ = next_carry_; }
-  /// dx/dt of the series at t0 + @p h, component @p i.
-  [[nodiscard]] double slope_at(double h, int i) const {
-    return slope(taylor_.coefficients(i), order_, h / scale_) / scale_;
-  }
-
-  /// Dense output of the latest step.
-  void at(double t, State& x) const override {
-    x.resize(size_);
-    const double s = (t - t0_) / scale_;
-    for (int i = 0; i < size_; ++i) {
-      const double* const c = taylor_.coefficients(i);
-      x[i] = c[0] + increment(c, order_, s);
-    }
-  }
-
- private:
-  decltype(std::declval<const S&>().taylor(1)) taylor_;
-  int size_, order_;
-  SmoothSegment segment_;
-  State carry_, next_carry_;
-  double t0_ = 0, scale_ = 1;
 };
 
 /// Tolerances, order, and the formulas of step-size control; see Series.
@@ -247,143 +172,8 @@ void check_options(const Series& method);
           method.order > 0 ? method.order : series_order(method.relative_tolerance)};
 }
 
-namespace taylor_series {
-
-/// Stepper of fixed step size and order.
-template <class S>
-class FixedStepper : public StepperOf<S> {
- public:
-  using State = typename S::State;  ///< all components
-
-  /// @param problem outlives the stepper
-  FixedStepper(const InitialValueProblemOf<S>& problem, int order)
-      : StepperOf<S>(problem.system.size()), expansion_(problem.system, order), order_(order) {}
-
-  /// Name of the method.
-  [[nodiscard]] std::string_view name() const { return Series::name; }
-  /// See Stepper.
-  void begin_segment(double begin, double end) {
-    begin_ = begin;
-    end_ = end;
-    is_new_ = true;
-  }
-  /// Integrates from t to t + h.
-  Status step(double t, double h, const State& x0, State& x1, Statistics& statistics) {
-    if (std::exchange(is_new_, false)) expansion_.begin_segment(begin_, end_, x0);
-    expansion_.expand(t, x0, power_of_two(std::abs(h)));
-    statistics.right_hand_sides += order_;
-    if (!expansion_.tail(x0, 1, 0).is_finite()) return non_finite_coefficients(Series::name, t, order_);
-    expansion_.advance(h, x0, x1);
-    expansion_.accept();
-    return {};
-  }
-  /// Dense output of the latest step.
-  void at(double t, State& x) const override { expansion_.at(t, x); }
-
- private:
-  Expansion<S> expansion_;
-  int order_;
-  double begin_ = 0, end_ = 0;
-  bool is_new_ = true;
-};
-
-/// One integration with adaptive steps.
-template <class S>
-class Run : public AdaptiveStepLoop<S, Run<S>> {
- public:
-  /// @param problem outlives the run
-  Run(const InitialValueProblemOf<S>& problem, const Rule& rule)
-      : Base(problem, Series::name, Rule::steps),
-        rule_(rule),
-        log2_safety_(rule.log2_safety()),
-        expansion_(problem.system, rule.order),
-        next_(problem.x0),
-        f_(problem.x0) {}
-
- private:
-  using Base = AdaptiveStepLoop<S, Run>;
-  friend Base;
-  using Base::control_;
-  using Base::now_;
-  using Base::problem_;
-
-  Status begin(double end) {
-    expansion_.begin_segment(now_.t, end, now_.x);
-    problem_.system.rhs(expansion_.inside(now_.t), now_.x, f_);
-    ++now_.statistics.right_hand_sides;
-    if (!f_.allFinite()) return non_finite_rhs(Series::name, now_.t);
-    scale_ = rule_.first_scale(now_.x, f_, std::abs(end - now_.t));
-    before_ = 0;
-    return {};
-  }
-
-  [[nodiscard]] bool expand(Tail& tail) {
-    for (int attempt = 0; attempt < Rule::attempts; ++attempt) {
-      expansion_.expand(now_.t, now_.x, scale_);
-      now_.statistics.right_hand_sides += rule_.order;
-      tail = expansion_.tail(now_.x, rule_.absolute_tolerance, rule_.relative_tolerance);
-      if (tail.is_finite()) return true;
-      scale_ = Rule::smaller(scale_);
-    }
-    return false;
-  }
-  // The step size follows from the coefficients, independent of the last step.
-  Status prepare() {
-    Tail tail;
-    if (!expand(tail)) return non_finite_coefficients(Series::name, now_.t, rule_.order);
-    const double length = rule_.length(tail, scale_, log2_safety_);
-    is_tested_ = length > 2 * before_;
-    control_.start(length);
-    return {};
-  }
-
-  double attempt(double t1) {
-    const double h = t1 - now_.t;
-    expansion_.advance(h, now_.x, next_);
-    return !is_tested_ || slope_agrees(t1, h) ? 0 : HUGE_VAL;
-  }
-  [[nodiscard]] double shorter(double /*error*/) const { return control_.taken() / 2; }
-  [[nodiscard]] Status missed(double /*t1*/, double /*error*/) const {
-    return step_underflow(Series::name, now_.t, control_.length());
-  }
-
-  [[nodiscard]] bool slope_agrees(double t1, double h) {
-    if (!next_.allFinite()) return false;
-    problem_.system.rhs(expansion_.inside(t1), next_, f_);
-    ++now_.statistics.right_hand_sides;
-    return rule_.slope_agrees(next_, f_, h, [&](int i) { return expansion_.slope_at(h, i); });
-  }
-  Status accept(double t1, double /*error*/) {
-    if (!next_.allFinite()) return non_finite_state(Series::name, now_.t, t1 - now_.t);
-    expansion_.accept();
-    before_ = control_.taken();
-    scale_ = Rule::next_scale(scale_, before_);
-    return this->take(t1, next_, expansion_);
-  }
-
-  Rule rule_;
-  double log2_safety_, scale_ = 1, before_ = 0;
-  bool is_tested_ = true;
-  Expansion<S> expansion_;
-  typename S::State next_, f_;
-};
-
-}  // namespace taylor_series
-
 /// See integrate(). @throws std::invalid_argument also for a problem that cannot be expanded: in double only,
 /// or with a branch for which it gives no discontinuities
-template <SystemLike S>
-[[nodiscard]] SolutionOf<S> run(const InitialValueProblemOf<S>& problem, const Series& method) {
-  check_options(method);
-  const taylor_series::Rule rule = rule_of(method);
-  if (method.step > 0) {
-    taylor_series::FixedStepper<S> stepper(problem, rule.order);
-    return integrate_fixed_steps(problem, method.step, stepper);
-  }
-  return taylor_series::Run<S>(problem, rule).run();
-}
-
-/// Overload for System, compiled in the library.
 [[nodiscard]] Solution run(const InitialValueProblem& problem, const Series& method);
 
 }  // namespace nlmech::ivp
