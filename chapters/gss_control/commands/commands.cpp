@@ -293,9 +293,8 @@ spacecraft::TimeResponse respond(const StepOptions& typed, const spacecraft::Par
   if (!typed.craft.gains.empty())
     return step_response(typed_loop(craft, typed.craft.gains), typed.angle.value_or(1), places);
   if (typed.angle) throw InputError(fmt::format("--final-angle {}: needs --gains k1,k2,k3", *typed.angle));
-  if (!on_tips) return torque_response(spacecraft::Plant(craft), 1, places);
-  // Terms of the deflection fall like n^-3 without a tip body.
-  return torque_response(spacecraft::Plant(craft), 1, places, {.most = 5000}, spacecraft::Input::tips);
+  return torque_response(spacecraft::Plant(craft), 1, places, {},
+                         on_tips ? spacecraft::Input::tips : spacecraft::Input::hub);
 }
 
 std::string print_step(const StepOptions& typed) {

@@ -455,6 +455,11 @@ TimeResponse torque_response(const Plant& plant, double torque, std::span<const 
   const ResidueTerms terms = enough_terms(options, places.size(), response, [&](int pairs, Status& status) {
     return plant_terms(plant, pairs, torque, places, input, status);
   });
+  if (!response.status.ok() && input == Input::tips && plant.parameters().tip_inertia == 0)
+    response.status =
+        failed_with(Outcome::not_converged,
+                    "step response: a torque on tips without inertia gives the appendages rates whose "
+                    "sum over the modes does not converge; give a tip_inertia, or ask for no deflection");
   // theta/u = gain/s^2 with gain = 1/(I_hub + 2B), on the tips 2 w'(L)/(I_hub + 2B), expanded in s^2.
   const Appendage& appendage = plant.appendage();
   const Motion<Jet> slow = motion_by_series(appendage.ratios(), Jet::variable(0));

@@ -73,7 +73,8 @@ enum class Input : std::uint8_t {
 /// Open-loop response from rest to the constant torque u = @p torque from t = 0 on: theta = u [t^2/(2J) + c +
 /// sum], with c from the static strain energy of the appendages; with Input::tips to that torque on each tip.
 ///
-/// The terms of a torque on the tips fall like n^-3 for y and n^-1 for y': its y' is not accurate near t = 0.
+/// The terms of a torque on free tips without inertia fall like n^-3 for y and n^-1 for y', and the status is
+/// `not_converged` where a place is given; with tip_inertia they fall faster.
 ///
 /// Tests compare both inputs with finite elements.
 /// @throws std::invalid_argument as step_response(), or if Parameters::swings(): nothing limits y

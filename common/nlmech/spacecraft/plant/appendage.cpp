@@ -268,6 +268,8 @@ template <class T>
 
 template <class T>
 T relative_deflection(const Motion<T>& motion, const Ratios& ratios, double xi, int order) {
+  // Exactly what the support holds; else rounding would decide.
+  if (xi == 1 && ((order == 0 && ratios.tip_stays) || (order == 1 && ratios.tip_keeps_slope))) return T(0.);
   if (motion.waves && motion.wave_number * xi >= 2.5) {
     const T w = wave_sum(motion, xi, order);
     if (order > 1) return T(w / motion.b);
