@@ -152,6 +152,76 @@ Any consistent units: the help names keys and no unit of the user's.
   >   grep -q 'consistent units' help.txt && grep -q mass_per_length help.txt && ! grep -e 'ft from the rim' -e '1/ft^2' help.txt || echo $command
   > done
 
+Ends of the appendages
+----------------------
+
+A beam of unit data on a hub of radius 0. Its frequencies with the hub at rest, the zeros of theta/u, are q^2 with the zeros q of the characteristic
+equations of single beams (R. D. Blevins, Formulas for Natural Frequency and Mode Shape, 1979, table 8-1): cos q cosh q = -1, tan q = tanh q, tan q = -tanh q,
+cos q cosh q = 1, sin q = 0 and cos q = 0:
+
+  $ unit() {
+  >   printf 'hub_inertia = 1\nmass_per_length = 1\nyoungs_modulus = 1\nlength = 1\nhub_radius = 0\nsecond_moment = 1\ntip_mass = 0\ntip_inertia = 0\n%b' "$1" > unit.toml
+  >   shift; gss_control "$@" --spacecraft unit.toml
+  > }
+  $ unit '' zeros --count 1 | holds 'sqrt(imag) = findroot(lambda q: cos(q) * cosh(q) + 1, 1.9) +- 1e-12'
+  $ unit 'root_stiffness = "clamped"\ntip_support = "free"' zeros --count 1 | holds 'sqrt(imag) = 1.875104068711961 +- 1e-12'
+  $ unit 'root_stiffness = 0' zeros --count 2 | holds --each 'q := sqrt(imag)' 'tan(q) - tanh(q) = 0 +- 1e-11' 'q = [3.9266, 7.0686] +- 1e-4'
+  $ unit 'tip_support = "pinned"' zeros --count 1 | holds 'sqrt(imag) = 3.926602312047919 +- 4e-12'
+  $ unit 'tip_support = "guided"' zeros --count 1 | holds 'sqrt(imag) = 2.365020372431352 +- 3e-12'
+  $ unit 'tip_support = "clamped"' zeros --count 1 | holds 'sqrt(imag) = 4.730040744862704 +- 5e-12'
+  $ unit 'root_stiffness = 0\ntip_support = "pinned"' zeros --count 3 | holds --each 'sqrt(imag) = (i + 1)*pi +- 1e-11'
+  $ unit 'root_stiffness = 0\ntip_support = "guided"' zeros --count 3 | holds --each 'sqrt(imag) = (i + 0.5)*pi +- 1e-11'
+
+The elastically hinged beam has k (1 + cos q cosh q) + q (cos q sinh q - sin q cosh q) = 0, a soft one is a rigid bar on a spring, omega^2 = 3 k:
+
+  $ unit 'root_stiffness = 2.5' zeros --count 3 | holds --each 'q := sqrt(imag)' '2.5*(1/cosh(q) + cos(q)) + q*(cos(q)*tanh(q) - sin(q)) = 0 +- 1e-10'
+  $ unit 'root_stiffness = 1e-8' zeros --count 1 | holds 'imag^2 = 3e-8 +- 3e-16'
+
+A torque on each tip turns the rigid body of inertia 1 + 2/3 by t^2/J. At rest it bends the beams by 1/2, and the turn of the hub, whose inertial load is
+triangular, by -11/120 of 2/J (any table of beams):
+
+  $ unit '' response --torque-on tips --omega 1e-4 --at 1 | holds 'theta_re = -1e8*2/(5/3) +- 10' 'theta_im = 0' 'y@1_re = 1/2 - 11/120*6/5 +- 1e-8' 'y@1_im = 0'
+  $ gss step --torque-on tips --until 100 --at 4 | holds 'theta/(1e4/18.0961) = 1 +- 1e-3'
+  $ unit '' step --torque-on tips --until 1 --at 1
+  gss_control: not_converged: step response: a torque on tips without inertia gives the appendages rates whose sum over the modes does not converge; give a tip_inertia, or ask for no deflection
+  [1]
+  $ gss step --torque-on hub --until 3 > hub.csv
+  $ gss step --until 3 | cmp - hub.csv
+
+A guided tip keeps the slope of the hub, so that a torque on it is one on the hub; with pinned tips the hub still turns to its angle:
+
+  $ echo 'tip_support = "guided"' > guided.toml
+  $ gss response --omega 1,30,200 --at 2 --spacecraft guided.toml > hub.csv
+  $ gss response --omega 1,30,200 --at 2 --torque-on tips --spacecraft guided.toml | paste -d , - hub.csv | sed '1s/.*/w,t,ti,y,yi,W,T,Ti,Y,Yi/' |
+  >   holds --each 't/T = 2 +- 1e-12' 'y/Y = 2 +- 1e-11'
+  $ printf 'root_stiffness = 20\ntip_support = "pinned"\n' > pinned.toml
+  $ gss step --gains 12,0,16 --until 200 --at 2,4 --spacecraft pinned.toml | holds 'theta = 1 +- 1e-9' 'y@2 = 0 +- 1e-6' 'y@4 = 0'
+
+Appendages that swing freely about pinned roots have frequencies and responses, but no motion that is told, nor a control:
+
+  $ echo 'root_stiffness = 0' > swinging.toml
+  $ gss response --omega 3 --at 4 --spacecraft swinging.toml | wc -l
+  2
+  $ refused gss_control step --until 1 --spacecraft swinging.toml
+  gss_control: step: the appendages swing freely about pinned roots; give a root_stiffness above 0 or a support of the tips
+  $ refused gss_control poles --gains 1,0,1 --spacecraft swinging.toml
+  gss_control: --gains: the appendages swing freely about pinned roots; give a root_stiffness above 0 or a support of the tips
+  $ refused gss_control zeros --at 4 --spacecraft pinned.toml
+  gss_control: --at 4: the deflection of a held tip is 0 for every s
+  $ refused gss_control step --until 1 --torque-on tips --gains 1,0,1
+  gss_control: --torque-on tips: the controller of --gains acts on the hub; leave one of them out
+  $ refused gss_control optimal-gains --deflection-weight 1 --torque-weight 1 --spacecraft pinned.toml
+  gss_control: --deflection-weight 1 --torque-weight 1: statics: for appendages with a clamped root and a free tip alone; leave out root_stiffness and tip_support
+  $ for text in 'root_stiffness = -1' 'root_stiffness = "soft"' 'root_stiffness = inf' 'root_stiffness = 1e-200' 'tip_support = "welded"' 'tip_support = 3'; do
+  >   echo "$text" > ends.toml; refused gss_control poles --spacecraft ends.toml
+  > done
+  gss_control: ends.toml, line 1: root_stiffness = -1: must not be negative
+  gss_control: ends.toml, line 1: root_stiffness = 'soft': neither a number nor 'clamped'
+  gss_control: ends.toml, line 1: root_stiffness = inf: not a finite number
+  gss_control: ends.toml: spacecraft: root_stiffness length/(youngs_modulus second_moment) = 5.36204e-202 is outside 1e-75 to 1e+75: no computation in double precision is possible
+  gss_control: ends.toml, line 1: tip_support = 'welded': must be 'free', 'pinned', 'guided' or 'clamped'
+  gss_control: ends.toml, line 1: tip_support = 3: must be 'free', 'pinned', 'guided' or 'clamped'
+
 Where no number can be told
 ---------------------------
 
@@ -278,14 +348,14 @@ A file with line, key and value, by each command:
   $ for command in poles zeros "response --omega 1" "step --until 1" "optimal-gains --deflection-weight 1 --torque-weight 1"; do
   >   wrong $command --spacecraft bad.toml
   > done
-  gss_control: bad.toml, line 1: mass = 3: no such key; the keys are hub_inertia, mass_per_length, youngs_modulus, length, hub_radius, second_moment, tip_mass, tip_inertia
-  gss_control: bad.toml, line 1: mass = 3: no such key; the keys are hub_inertia, mass_per_length, youngs_modulus, length, hub_radius, second_moment, tip_mass, tip_inertia
-  gss_control: bad.toml, line 1: mass = 3: no such key; the keys are hub_inertia, mass_per_length, youngs_modulus, length, hub_radius, second_moment, tip_mass, tip_inertia
-  gss_control: bad.toml, line 1: mass = 3: no such key; the keys are hub_inertia, mass_per_length, youngs_modulus, length, hub_radius, second_moment, tip_mass, tip_inertia
-  gss_control: bad.toml, line 1: mass = 3: no such key; the keys are hub_inertia, mass_per_length, youngs_modulus, length, hub_radius, second_moment, tip_mass, tip_inertia
+  gss_control: bad.toml, line 1: mass = 3: no such key; the keys are hub_inertia, mass_per_length, youngs_modulus, length, hub_radius, second_moment, tip_mass, tip_inertia, root_stiffness, tip_support
+  gss_control: bad.toml, line 1: mass = 3: no such key; the keys are hub_inertia, mass_per_length, youngs_modulus, length, hub_radius, second_moment, tip_mass, tip_inertia, root_stiffness, tip_support
+  gss_control: bad.toml, line 1: mass = 3: no such key; the keys are hub_inertia, mass_per_length, youngs_modulus, length, hub_radius, second_moment, tip_mass, tip_inertia, root_stiffness, tip_support
+  gss_control: bad.toml, line 1: mass = 3: no such key; the keys are hub_inertia, mass_per_length, youngs_modulus, length, hub_radius, second_moment, tip_mass, tip_inertia, root_stiffness, tip_support
+  gss_control: bad.toml, line 1: mass = 3: no such key; the keys are hub_inertia, mass_per_length, youngs_modulus, length, hub_radius, second_moment, tip_mass, tip_inertia, root_stiffness, tip_support
   $ bad() { printf "$1" > bad.toml; refused gss_control poles --spacecraft bad.toml; }
   $ bad '\n\nlenght = 5\n'
-  gss_control: bad.toml, line 3: lenght = 5: no such key; the keys are hub_inertia, mass_per_length, youngs_modulus, length, hub_radius, second_moment, tip_mass, tip_inertia
+  gss_control: bad.toml, line 3: lenght = 5: no such key; the keys are hub_inertia, mass_per_length, youngs_modulus, length, hub_radius, second_moment, tip_mass, tip_inertia, root_stiffness, tip_support
   $ bad 'length = "long"\n'
   gss_control: bad.toml, line 1: length = 'long': not a number
   $ bad 'length = true\n'
@@ -311,4 +381,4 @@ A file with line, key and value, by each command:
   $ bad 'length 4\n'
   gss_control: bad.toml, line 1, column 8: Error while parsing key-value pair: expected '=', saw '4'
   $ bad '[craft]\nlength = 4\n'
-  gss_control: bad.toml, line 1: craft = length = 4: no such key; the keys are hub_inertia, mass_per_length, youngs_modulus, length, hub_radius, second_moment, tip_mass, tip_inertia
+  gss_control: bad.toml, line 1: craft = length = 4: no such key; the keys are hub_inertia, mass_per_length, youngs_modulus, length, hub_radius, second_moment, tip_mass, tip_inertia, root_stiffness, tip_support

@@ -79,6 +79,18 @@ RC_GTEST_PROP(ClosedLoopPoles, AreZerosOfTheExactCharacteristic, ()) {
   RC_ASSERT(distance(p, g, poles.s[i]) < 2e-12);
 }
 
+RC_GTEST_PROP(ClosedLoopPoles, OfOtherEndsAreZerosToo, ()) {
+  Parameters p = *random_spacecraft();
+  p.root_stiffness = p.bending_stiffness() / p.length * std::pow(10, *between(-3, 3));
+  p.tip_support = static_cast<TipSupport>(*rc::gen::inRange(0, 4));
+  const Gains g{std::pow(10, *between(-2, 2)), *between(-1.9, 6), std::pow(10, *between(-2, 2))};
+  const LoopPoles poles = ClosedLoop(p, g).poles(5);
+  if (poles.status.outcome() == Outcome::outside_validity) return;  // a pole may be far to the left
+  RC_ASSERT(poles.status.ok());
+  for (const Complex s : poles.s) RC_ASSERT(s.real() < 0);
+  RC_ASSERT(distance(p, g, poles.s[*rc::gen::inRange<std::size_t>(0, 5)]) < 5e-12);
+}
+
 // Between two successive hub-locked resonances beyond k3/I_hub there is one pole with positive imaginary
 // part: up to a high hub-locked resonance there are as many as resonances, or one more or less near the axis.
 TEST(ClosedLoopPoles, NoneIsMissed) {

@@ -93,24 +93,29 @@ struct Pair {
   Z theta, deflection;
 };
 
-/// w(0) = r, w'(0) = 1, EI w'' = -s^2 I_tip w', EI w''' = s^2 m w at L, and u = s^2 (I_hub theta + 2
-/// (integral of rho (r + x) w + m (r + L) w(L) + I_tip w'(L))).
+/// w(0) = r, EI w''(0) = k (w'(0) - 1), EI w'' = -s^2 I_tip w' or w' = 1, EI w''' = s^2 m w or w = r + L at
+/// L, and u = s^2 (I_hub theta + 2 (integral of rho (r + x) w + m (r + L) w(L) + I_tip w'(L))).
 template <class MakeColumns>
 Pair transfer(const Parameters& p, const Z& s, double place, const MakeColumns& make) {
   const Real ei = Real(p.youngs_modulus) * Real(p.second_moment), rho(p.mass_per_length), l(p.length),
              r(p.hub_radius), m(p.tip_mass), j(p.tip_inertia), x(place);
   const Z square = s * s, k = root(root(-(square * Z(rho / ei))));
   const Columns columns = make(k, l);
+  const bool turns = std::isfinite(p.root_stiffness);
+  const Real stiffness(turns ? p.root_stiffness : 0);
   std::array<std::array<Z, 5>, 4> a;
   for (std::size_t i = 0; i < 4; ++i) {
     const Column& c = columns[i];
     a[0][i] = c.at(Real(0), 0);
     a[1][i] = c.at(Real(0), 1);
-    a[2][i] = Z(ei) * c.at(l, 2) + square * Z(j) * c.at(l, 1);
-    a[3][i] = Z(ei) * c.at(l, 3) - square * Z(m) * c.at(l, 0);
+    if (turns) a[1][i] = Z(stiffness) * a[1][i] - Z(ei) * c.at(Real(0), 2);
+    a[2][i] = p.tip_keeps_slope() ? c.at(l, 1) : Z(ei) * c.at(l, 2) + square * Z(j) * c.at(l, 1);
+    a[3][i] = p.tip_stays() ? c.at(l, 0) : Z(ei) * c.at(l, 3) - square * Z(m) * c.at(l, 0);
   }
   a[0][4] = Z(r);
-  a[1][4] = Z(Real(1));
+  a[1][4] = Z(turns ? stiffness : Real(1));
+  if (p.tip_keeps_slope()) a[2][4] = Z(Real(1));
+  if (p.tip_stays()) a[3][4] = Z(r + l);
   const std::array<Z, 4> amplitude = solve(a);
   Z momentum{Real(p.hub_inertia)}, w;
   for (std::size_t i = 0; i < 4; ++i) {

@@ -250,6 +250,19 @@ void expect_as_elements(const Parameters& p, const Gains& g, double x, std::init
   }
 }
 
+TEST(TimeResponses, OfOtherEndsAgreeWithElements) {
+  for (const auto& [root, tip] : {std::pair{6., TipSupport::free},
+                                  {700., TipSupport::pinned},
+                                  {0., TipSupport::guided},
+                                  {HUGE_VAL, TipSupport::clamped}}) {
+    Parameters p = table_3_1();
+    p.root_stiffness = root;
+    p.tip_support = tip;
+    expect_as_elements(p, designed_gains, 2, {0.5, 4});
+    expect_as_elements(p, unit_gains, 2, {2});
+  }
+}
+
 // A slow real pole near s = 0 must not be treated as a pair with it, which gave theta(0) = 1.
 TEST(NearPoles, ASlowRealPoleBesideZero) {
   for (const Gains& g : {Gains{5, 0, 90}, Gains{1, 0, 100}, Gains{12, 0, 150}, Gains{0.01, 0, 16}}) {

@@ -35,10 +35,13 @@ struct Craft {
 
 /// Declares --spacecraft and, with @p with_gains, --gains.
 void declare_craft(scene::Options& options, Craft& craft, bool with_gains = true) {
-  options.add("--spacecraft", craft.file,
-              "TOML file (- is standard input) with hub_inertia, mass_per_length, youngs_modulus, length, "
-              "hub_radius, second_moment, tip_mass, tip_inertia in any consistent units; options and results "
-              "have the same units. Default, also for missing keys: Table 3.1 in slug, ft, lb, s");
+  options.add(
+      "--spacecraft", craft.file,
+      "TOML file (- is standard input) with hub_inertia, mass_per_length, youngs_modulus, length, "
+      "hub_radius, second_moment, tip_mass, tip_inertia in any consistent units; options and results "
+      "have the same units. Default, also for missing keys: Table 3.1 in slug, ft, lb, s. Ends of the "
+      "appendages: root_stiffness, a moment per radian (0: pinned; default 'clamped'), and tip_support: "
+      "'free' (default), 'pinned', 'guided' or 'clamped' in the frame of the hub");
   if (with_gains)
     options.add("--gains", craft.gains, "k1,k2,k3 of u = -k1 (theta - theta_f) - k2 (r S0 - M0) - k3 theta'");
 }
@@ -86,6 +89,30 @@ std::vector<Place> typed_places(const char* option, const std::string& text,
   return all;
 }
 
+/// Declares --torque-on.
+void declare_input(scene::Options& options, std::string& input) {
+  options
+      .add("--torque-on", input,
+           "where the unit torque acts: hub, or tips for that torque on each of them; not with --gains")
+      .one_of({"hub", "tips"});
+}
+
+/// Does the torque act on the tips? @throws InputError with gains
+bool torque_on_tips(const std::string& input, const Craft& craft) {
+  if (input == "tips" && !craft.gains.empty())
+    throw InputError("--torque-on tips: the controller of --gains acts on the hub; leave one of them out");
+  return input == "tips";
+}
+
+/// @throws InputError if the appendages swing freely, where @p what does not exist
+void require_restored(const char* what, const spacecraft::Parameters& craft) {
+  try {
+    spacecraft::require_restored(craft, what);
+  } catch (const std::invalid_argument& error) {
+    throw InputError(error.what());
+  }
+}
+
 /// Closed loop with the gains of --gains.
 spacecraft::ClosedLoop typed_loop(const spacecraft::Parameters& craft, const std::vector<double>& gains) {
   const std::string typed = fmt::format("--gains {}", fmt::join(gains, ","));
@@ -114,7 +141,7 @@ std::vector<double> typed_times(double until, const std::optional<double>& every
 struct FrequencyOptions {
   Craft craft;
   int count = 10;
-  std::string at, omega;
+  std::string at, omega, input = "hub";
 };
 
 void declare_poles(scene::Options& options, FrequencyOptions& typed) {
@@ -131,6 +158,7 @@ void declare_response(scene::Options& options, FrequencyOptions& typed) {
   declare_craft(options, typed.craft);
   options.add("--omega", typed.omega, "w1,w2,... or LO:HI:N, N logarithmically spaced, rad/s").required();
   options.add("--at", typed.at, "places on the appendage x1,x2,..., their distances from the rim");
+  declare_input(options, typed.input);
 }
 
 std::string table_of(const std::vector<Complex>& points, int count) {
@@ -151,6 +179,7 @@ std::string print_poles(const FrequencyOptions& typed) {
   const spacecraft::Parameters craft = read_spacecraft(typed.craft.file);
   if (typed.craft.gains.empty())
     return table_of(on_axis(spacecraft::poles(spacecraft::Plant(craft), typed.count)), typed.count);
+  require_restored("--gains", craft);
   const spacecraft::LoopPoles found = typed_loop(craft, typed.craft.gains).poles(typed.count);
   if (!found.status.ok()) throw Failure(found.status);
   return table_of(found.s, typed.count);
@@ -192,6 +221,8 @@ std::string print_zeros(const FrequencyOptions& typed) {
   if (places[0].x == 0)
     throw InputError(fmt::format(
         "--at {}: the deflection at the root is 0 for every s; give a distance above 0", typed.at));
+  if (places[0].x == craft.length && craft.tip_stays())
+    throw InputError(fmt::format("--at {}: the deflection of a held tip is 0 for every s", typed.at));
   const std::vector<Complex> found = deflection_zeros(plant, places[0].x, count);
   if (found.size() < std::size_t(count))
     throw Failure(
@@ -207,6 +238,7 @@ std::string print_response(const FrequencyOptions& typed) {
   const spacecraft::Plant plant(craft);
   std::optional<spacecraft::ClosedLoop> loop;
   if (!typed.craft.gains.empty()) loop.emplace(typed_loop(craft, typed.craft.gains));
+  const bool on_tips = torque_on_tips(typed.input, typed.craft);
   std::vector<double> x;
   std::string text = "omega,theta_re,theta_im";
   for (const Place& p : places) {
@@ -225,7 +257,7 @@ std::string print_response(const FrequencyOptions& typed) {
       outcome = r.outcome;
       for (std::size_t i = 0; i < x.size(); ++i) y[i] = loop->response(s, x[i]).deflection;
     } else {
-      outcome = plant.response(s, x, theta, y);
+      outcome = on_tips ? plant.tip_torque_response(s, x, theta, y) : plant.response(s, x, theta, y);
     }
     if (outcome != Outcome::success) throw Failure(plant.status(outcome, s));
     text += fmt::format("{:.17g},{:.17g},{:.17g}", w, theta.real() + 0., theta.imag() + 0.);
@@ -239,7 +271,7 @@ std::string print_response(const FrequencyOptions& typed) {
 /// Options of `step`.
 struct StepOptions {
   Craft craft;
-  std::string at;
+  std::string at, input = "hub";
   std::optional<double> angle, every;
   double until = 0;
 };
@@ -251,14 +283,18 @@ void declare_step(scene::Options& options, StepOptions& typed) {
   options.add("--every", typed.every, "time between rows (default: only the first and the last row)")
       .positive();
   options.add("--at", typed.at, "places on the appendage x1,x2,..., their distances from the rim");
+  declare_input(options, typed.input);
 }
 
 spacecraft::TimeResponse respond(const StepOptions& typed, const spacecraft::Parameters& craft,
                                  const std::vector<double>& places) {
+  const bool on_tips = torque_on_tips(typed.input, typed.craft);
+  require_restored("step", craft);
   if (!typed.craft.gains.empty())
     return step_response(typed_loop(craft, typed.craft.gains), typed.angle.value_or(1), places);
   if (typed.angle) throw InputError(fmt::format("--final-angle {}: needs --gains k1,k2,k3", *typed.angle));
-  return torque_response(spacecraft::Plant(craft), 1, places);
+  return torque_response(spacecraft::Plant(craft), 1, places, {},
+                         on_tips ? spacecraft::Input::tips : spacecraft::Input::hub);
 }
 
 std::string print_step(const StepOptions& typed) {

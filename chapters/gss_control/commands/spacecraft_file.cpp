@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <stdexcept>
 
 #include "chapters/toml_file.hpp"
@@ -33,9 +34,12 @@ constexpr std::array keys = {Key{"hub_inertia", &Parameters::hub_inertia, true},
 
 std::string names_of_keys() {
   std::string all;
-  for (const Key& k : keys) all += fmt::format("{}{}", all.empty() ? "" : ", ", k.name);
-  return all;
+  for (const Key& k : keys) all += fmt::format("{}, ", k.name);
+  return all + "root_stiffness, tip_support";
 }
+
+/// Words of tip_support, in the order of TipSupport.
+constexpr std::array supports = {"free", "pinned", "guided", "clamped"};
 
 /// Number of a key. @throws InputError if it is out of range
 double number(const toml::node& node, const Key& key, const std::string& file) {
@@ -45,11 +49,33 @@ double number(const toml::node& node, const Key& key, const std::string& file) {
   return value;
 }
 
+/// The stiffness of the roots: a number, or infinite for "clamped".
+double stiffness(const toml::node& node, const std::string& file) {
+  if (node.value<std::string>() == "clamped") return std::numeric_limits<double>::infinity();
+  if (node.is_string()) complain(file, node, "root_stiffness", "neither a number nor 'clamped'");
+  return number(node, Key{"root_stiffness", nullptr, true}, file);
+}
+
+spacecraft::TipSupport support(const toml::node& node, const std::string& file) {
+  const auto word = std::ranges::find(supports, node.value_or(std::string()));
+  if (word == supports.end())
+    complain(file, node, "tip_support", "must be 'free', 'pinned', 'guided' or 'clamped'");
+  return static_cast<spacecraft::TipSupport>(word - supports.begin());
+}
+
 }  // namespace
 
 spacecraft::Parameters parse_spacecraft(std::string_view text, const std::string& name) {
   Parameters parameters = spacecraft::table_3_1();
   for (const auto& [key, node] : parse_toml(text, name)) {
+    if (key.str() == "root_stiffness") {
+      parameters.root_stiffness = stiffness(node, name);
+      continue;
+    }
+    if (key.str() == "tip_support") {
+      parameters.tip_support = support(node, name);
+      continue;
+    }
     const auto known = std::ranges::find(keys, key.str(), &Key::name);
     if (known == keys.end()) complain(name, node, key.str(), "no such key; the keys are " + names_of_keys());
     parameters.*(known->field) = number(node, *known, name);

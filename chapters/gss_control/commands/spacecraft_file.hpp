@@ -10,7 +10,9 @@
 namespace nlmech::chapters::gss_control {
 
 /// Reads `hub_inertia`, `mass_per_length`, `youngs_modulus`, `length`, `hub_radius`, `second_moment`,
-/// `tip_mass` and `tip_inertia`; missing keys have the values of Table 3.1.
+/// `tip_mass` and `tip_inertia`; missing keys have the values of Table 3.1. `root_stiffness` is a moment per
+/// radian, 0 for pinned roots, or "clamped" (default); `tip_support` is "free" (default), "pinned", "guided"
+/// or "clamped".
 /// @param name name in messages: the file name, or "standard input"
 /// @throws InputError naming file, line, key and value: invalid TOML, an unknown key, or a value that is not
 /// a number, not finite or out of range

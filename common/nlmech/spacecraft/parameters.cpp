@@ -30,6 +30,22 @@ Parameters without_tip(Parameters parameters) {
   return parameters;
 }
 
+void require_cantilever(const Parameters& p, const char* what) {
+  if (!p.is_cantilever())
+    throw invalid_argument(
+        "{}: for appendages with a clamped root and a free tip alone; leave out "
+        "root_stiffness and tip_support",
+        what);
+}
+
+void require_restored(const Parameters& p, const char* what) {
+  if (p.swings())
+    throw invalid_argument(
+        "{}: the appendages swing freely about pinned roots; give a root_stiffness above 0 "
+        "or a support of the tips",
+        what);
+}
+
 void require_physical(const Parameters& p) {
   const auto require = [](const char* name, double value, bool may_be_zero) {
     if (!std::isfinite(value) || value < 0 || (value == 0 && !may_be_zero)) {
@@ -60,6 +76,10 @@ void require_physical(const Parameters& p) {
   within("hub_radius/length", p.hub_radius / l, 0, 1e75);
   within("tip_mass/(mass_per_length length)", p.tip_mass / mass, 0, 1e75);
   within("tip_inertia/(mass_per_length length^3)", p.tip_inertia / inertia, 0, 1e75);
+  if (std::isnan(p.root_stiffness) || p.root_stiffness < 0)
+    throw invalid_argument("spacecraft: root_stiffness = {} is not a non-negative number", p.root_stiffness);
+  if (p.root_stiffness > 0 && std::isfinite(p.root_stiffness))
+    within("root_stiffness length/(youngs_modulus second_moment)", p.root_ratio(), 1e-75, 1e75);
 }
 
 }  // namespace nlmech::spacecraft

@@ -369,7 +369,7 @@ ResidueTerms enough_terms(const ResidueOptions& options, std::size_t places, Tim
 }
 
 ResidueTerms plant_terms(const Plant& plant, int pairs, double torque, std::span<const double> places,
-                         Status& status) {
+                         Input input, Status& status) {
   const Frequencies f = poles(plant, pairs);
   status = f.status;
   ResidueTerms terms;
@@ -377,8 +377,17 @@ ResidueTerms plant_terms(const Plant& plant, int pairs, double torque, std::span
     const Complex p(0, omega);
     const Motion<Jet> motion = plant.appendage().motion_with_slope(p);
     const Complex factor = torque / plant.effective_inertia(motion).slope;
-    Weights w = {factor * motion.determinant.value / (p * p * p), 0.};
-    for (const double x : places) w.push_back(factor * plant.appendage().deflection(motion, x).value / p);
+    // At a pole I_hub D_0 = -2 B D_0; the form with the smaller rounding error.
+    const double hub = plant.parameters().hub_inertia;
+    const Complex determinant = hub > plant.parameters().appendage_inertia()
+                                    ? -2 / hub * plant.appendage().inertia(motion).value
+                                    : motion.determinant.value;
+    // The mode's rotation where the torque acts, times D_0.
+    const Complex turn =
+        input == Input::hub ? determinant : 2. * plant.appendage().tip_rotation(motion).value;
+    Weights w = {factor * turn / (p * p * p), 0.};
+    for (const double x : places)
+      w.push_back(factor * (turn / determinant) * plant.appendage().deflection(motion, x).value / p);
     terms.add(p, std::move(w));
   }
   return terms;
@@ -420,6 +429,7 @@ TimeResponse step_response(const ClosedLoop& loop, double final_angle, std::span
                            const ResidueOptions& options) {
   require_options(options);
   require_places(loop.plant(), places, final_angle);
+  require_restored(loop.parameters(), "step response");
   TimeResponse response;
   const bool moves = loop.gains().k1 > 0;
   const ResidueTerms terms =
@@ -437,20 +447,34 @@ TimeResponse step_response(const ClosedLoop& loop, double final_angle, std::span
 }
 
 TimeResponse torque_response(const Plant& plant, double torque, std::span<const double> places,
-                             const ResidueOptions& options) {
+                             const ResidueOptions& options, Input input) {
   require_options(options);
   require_places(plant, places, torque);
+  require_restored(plant.parameters(), "step response");
   TimeResponse response;
   const ResidueTerms terms = enough_terms(options, places.size(), response, [&](int pairs, Status& status) {
-    return plant_terms(plant, pairs, torque, places, status);
+    return plant_terms(plant, pairs, torque, places, input, status);
   });
-  const double gain = plant.rigid_gain();
-  // 1/(s^2 (J - 2 strain s^2 + ...)) = 1/(J s^2) + 2 strain/J^2 + ...
-  const double constant = 2 * statics(plant.parameters(), 0).strain * gain * gain;
-  response.theta = sum_of(terms, 0, {torque * constant, 0, torque * gain / 2});
+  if (!response.status.ok() && input == Input::tips && plant.parameters().tip_inertia == 0)
+    response.status =
+        failed_with(Outcome::not_converged,
+                    "step response: a torque on tips without inertia gives the appendages rates whose "
+                    "sum over the modes does not converge; give a tip_inertia, or ask for no deflection");
+  // theta/u = gain/s^2 with gain = 1/(I_hub + 2B), on the tips 2 w'(L)/(I_hub + 2B), expanded in s^2.
+  const Appendage& appendage = plant.appendage();
+  const Motion<Jet> slow = motion_by_series(appendage.ratios(), Jet::variable(0));
+  const Jet turn = input == Input::hub ? slow.determinant : 2 * appendage.tip_rotation(slow);
+  const Jet gain = turn / plant.effective_inertia(slow);
+  const double constant = gain.slope.real() * appendage.beta_unit();
+  response.theta = sum_of(terms, 0, {torque * constant, 0, torque * gain.value.real() / 2});
   response.torque = ExponentialSum({torque, 0, 0}, {}, {});
-  for (std::size_t i = 0; i < places.size(); ++i)
-    response.deflection.push_back(sum_of(terms, 2 + i, {torque * plant.static_deflection(places[i]), 0, 0}));
+  std::vector<Complex> still(places.size());
+  Complex theta;
+  static_cast<void>(plant.tip_torque_response(0, places, theta, still));
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const double y = input == Input::hub ? plant.static_deflection(places[i]) : still[i].real();
+    response.deflection.push_back(sum_of(terms, 2 + i, {torque * y, 0, 0}));
+  }
   finish(response, places);
   return response;
 }
@@ -488,6 +512,7 @@ Status certain_at(const TimeResponse& response, double time) {
 
 Statics statics(const Parameters& p, double x) {
   require_physical(p);
+  require_cantilever(p, "statics");
   if (!(x >= 0 && x <= p.length))
     throw invalid_argument("statics: x = {:g} is outside 0 to {:g}", x, p.length);
   using Rule =

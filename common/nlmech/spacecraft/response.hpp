@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -63,11 +64,22 @@ struct TimeResponse {
 [[nodiscard]] TimeResponse step_response(const ClosedLoop& loop, double final_angle,
                                          std::span<const double> places, const ResidueOptions& options = {});
 
+/// Where a torque acts.
+enum class Input : std::uint8_t {
+  hub,  ///< on the hub
+  tips  ///< on each of the two tips
+};
+
 /// Open-loop response from rest to the constant torque u = @p torque from t = 0 on: theta = u [t^2/(2J) + c +
-/// sum], with c from the static strain energy of the appendages.
-/// @throws std::invalid_argument as step_response()
+/// sum], with c from the static strain energy of the appendages; with Input::tips to that torque on each tip.
+///
+/// The terms of a torque on free tips without inertia fall like n^-3 for y and n^-1 for y', and the status is
+/// `not_converged` where a place is given; with tip_inertia they fall faster.
+///
+/// Tests compare both inputs with finite elements.
+/// @throws std::invalid_argument as step_response(), or if Parameters::swings(): nothing limits y
 [[nodiscard]] TimeResponse torque_response(const Plant& plant, double torque, std::span<const double> places,
-                                           const ResidueOptions& options = {});
+                                           const ResidueOptions& options = {}, Input input = Input::hub);
 
 /// Whether the sums are accurate at @p time. Returns `non_finite` if a sum is not finite, and
 /// `outside_validity`, naming the signal, if rounding of the poles can change it by more than a thousandth of
@@ -83,7 +95,7 @@ struct Statics {
 };
 
 /// Statics at @p x.
-/// @throws std::invalid_argument if x is outside 0 to L, or as require_physical()
+/// @throws std::invalid_argument if x is outside 0 to L, or as require_physical() and require_cantilever()
 [[nodiscard]] Statics statics(const Parameters& parameters, double x);
 
 }  // namespace nlmech::spacecraft

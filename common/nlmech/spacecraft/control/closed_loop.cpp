@@ -101,6 +101,7 @@ double ClosedLoop::least_real_part(double top) const {
 // With waves from the root alone, s = -y^2 in the appendage's unit of time, |arg y| <= pi/4, and eta = r/L, B
 // = rho L^3 sqrt 2 (eta^2 y^2 + sqrt 2 eta y + 1)/y^3 up to signs, and P is a polynomial in y.
 std::vector<Complex> ClosedLoop::fast_poles() const {
+  if (!parameters().is_cantilever()) return {};
   const double unit = plant_.appendage().beta_unit(), root2 = std::sqrt(2.);
   const double eta = plant_.appendage().ratios().hub, length = parameters().length;
   const double beam = kappa() * parameters().mass_per_length * length * length * length / unit;
@@ -189,9 +190,20 @@ std::vector<Complex> ClosedLoop::settled(const std::vector<Complex>& roots) cons
 LoopPoles ClosedLoop::poles(int count, PoleOrder order) const {
   if (count < 1 || count > 5000)
     throw invalid_argument("closed-loop poles: count = {}; 1 to 5000 are possible", count);
+  require_restored(parameters(), "closed-loop poles");
   const Frequencies cuts = undamped(parameters(), kappa(), count + 3);
   LoopPoles found;
   if (!cuts.status.ok()) return {{}, cuts.status};
+  if (const double a = 700 / std::sqrt(plant_.appendage().beta_unit());
+      !parameters().is_cantilever() &&
+      a * (parameters().hub_inertia + kappa() * plant_.appendage().inertia(Complex(a)).real()) <=
+          1.5 * gains_.k3) {
+    return {{},
+            failed_with(Outcome::outside_validity,
+                        "closed-loop poles: a pole may lie beyond Re s = {:g}, where only those of "
+                        "appendages with clamped roots and free tips are found; choose a smaller k3",
+                        -a)};
+  }
   const std::vector<Complex> fast = fast_poles();
   double bottom = 0, top = 0;
   for (std::size_t i = 0; i + 2 < cuts.omega.size(); ++i) {

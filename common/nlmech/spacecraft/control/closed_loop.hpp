@@ -13,7 +13,7 @@
 namespace nlmech::spacecraft {
 
 /// The control law u = -[k1 (theta - theta_f) + k2 (r S_0 - M_0) + k3 theta'] (Eq. 3.55), with the root load
-/// of one appendage including its tip body.
+/// of one appendage including its tip body. Supports of the tips are part of that load: it is s^2 B theta.
 struct Gains {
   double k1 = 0;  ///< gain of the angle, lb ft/rad
   double k2 = 0;  ///< gain of the root load, -
@@ -96,10 +96,11 @@ class ClosedLoop {
 
   /// The first @p count poles by modulus, to 12 digits of the modulus (tests/spacecraft). Poles are counted
   /// in bands by the argument principle. Poles far to the left, as one near -k3/I_hub, are computed
-  /// separately: there waves from the tip are negligible, and P is a polynomial.
+  /// separately: there waves from the tip are negligible, and P is a polynomial. (With a clamped root and a
+  /// free tip alone; with others the status is `outside_validity` if such a pole is possible.)
   /// @returns the poles; with PoleOrder::frequency more than @p count if some decay too fast to be among the
   /// first by modulus
-  /// @throws std::invalid_argument if count is not 1 to 5000
+  /// @throws std::invalid_argument if count is not 1 to 5000, or if Parameters::swings()
   [[nodiscard]] LoopPoles poles(int count, PoleOrder order = PoleOrder::modulus) const;
 
  private:

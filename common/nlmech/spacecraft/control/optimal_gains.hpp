@@ -21,7 +21,7 @@ struct StepCosts {
 /// in Statics.
 /// @param gains k1 > 0, k2 > -2, k3 > 0
 /// @param x place of the deflection, ft
-/// @throws std::invalid_argument naming what is out of range
+/// @throws std::invalid_argument naming what is out of range, or as require_cantilever()
 [[nodiscard]] StepCosts step_costs(const Parameters& parameters, const Gains& gains, double x);
 
 /// W and R of the cost int (theta - theta_f)^2 + W y(L)^2 + R u^2 dt for theta_f = 1.

@@ -198,6 +198,7 @@ Family eigenfunctions(const Plant& plant, int count) {
 // Quadrature panels of two half waves of the shortest function make the integrals exact to rounding.
 DiscreteModel assumed_modes(const Parameters& parameters, int count, ModeFunctions functions) {
   const Plant plant(parameters);
+  require_cantilever(parameters, "assumed_modes");
   if (count < 1 || count > 400) throw invalid_argument("assumed_modes: {} modes, of 1 to 400", count);
   const Family family =
       functions == ModeFunctions::eigenfunctions ? eigenfunctions(plant, count) : polynomial_cosine(count);
@@ -288,20 +289,29 @@ DiscreteModel finite_elements(const Parameters& parameters, int elements) {
     rigid[2 * i] = parameters.hub_radius + l * static_cast<double>(i) / elements;
     rigid[2 * i + 1] = h;
   }
+  const bool turns = std::isfinite(parameters.root_stiffness);
+  if (turns) stiffness(1, 1) += 2 * parameters.root_stiffness / (h * h);
+  std::vector<Eigen::Index> moving;  // without the coordinates that the ends hold
+  for (Eigen::Index i = turns ? 1 : 2; i < n; ++i) {
+    if (!(i == n - 2 && parameters.tip_stays()) && !(i == n - 1 && parameters.tip_keeps_slope()))
+      moving.push_back(i);
+  }
+  if (moving.empty())
+    throw std::invalid_argument("finite_elements: a single element between clamps is rigid");
   DiscreteModel model;
   model.hub_inertia = parameters.hub_inertia;
   model.total_inertia = parameters.total_inertia();
-  model.coupling = (mass * rigid).tail(n - 2);
-  model.mass = mass.bottomRightCorner(n - 2, n - 2);
-  model.stiffness = stiffness.bottomRightCorner(n - 2, n - 2);
-  model.shape = [l, elements, n](double x) {
+  model.coupling = (mass * rigid)(moving);
+  model.mass = mass(moving, moving);
+  model.stiffness = stiffness(moving, moving);
+  model.shape = [l, elements, n, moving](double x) {
     if (!(x >= 0 && x <= l))
       throw invalid_argument("finite_elements: x = {} is not on the appendage, 0 to {}", x, l);
     const double at = x / l * elements;
     const int element = std::min(static_cast<int>(at), elements - 1);
     Eigen::VectorXd all = Eigen::VectorXd::Zero(n);
     all.segment<4>(2 * static_cast<Eigen::Index>(element)) = hermite(at - element);
-    return Eigen::VectorXd(all.tail(n - 2));
+    return Eigen::VectorXd(all(moving));
   };
   return model;
 }

@@ -45,14 +45,14 @@ enum class ModeFunctions : std::uint8_t {
 };
 
 /// Assumed-modes model with @p count modes.
-/// @throws std::invalid_argument if count is not 1 to 400, or as require_physical()
+/// @throws std::invalid_argument if count is not 1 to 400, or as require_physical() and require_cantilever()
 /// @throws nlmech::Failure if the frequencies of the eigenfunctions are not found
 [[nodiscard]] DiscreteModel assumed_modes(const Parameters& parameters, int count,
                                           ModeFunctions functions = ModeFunctions::polynomial_cosine);
 
 /// Finite element model: cubic Hermite beam elements of equal length with consistent mass, @p elements per
-/// appendage, 2 coordinates per node (deflection, slope times element length). Poles and responses converge
-/// with the fourth power of the element length; tests check the observed order to 0.2.
+/// appendage, 2 coordinates per node (deflection, slope times element length), with any ends. Poles and
+/// responses converge with the fourth power of the element length; tests check the observed order to 0.2.
 /// @throws std::invalid_argument if elements is not 1 to 500, or as require_physical()
 [[nodiscard]] DiscreteModel finite_elements(const Parameters& parameters, int elements);
 

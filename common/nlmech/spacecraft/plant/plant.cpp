@@ -41,6 +41,24 @@ Outcome Plant::response(Complex s, std::span<const double> x, Complex& theta, st
   return fill(appendage_.motion(s), s * s);
 }
 
+Outcome Plant::tip_torque_response(Complex s, std::span<const double> x, Complex& theta,
+                                   std::span<Complex> y) const {
+  if (x.size() != y.size()) throw invalid_argument("Plant: {} places and {} deflections", x.size(), y.size());
+  for (const double at : x) appendage_.require_place(at);
+  const Motion<Complex> hub = appendage_.motion(s), tip = appendage_.motion_by_tip_torque(s);
+  const Complex sum = effective_inertia(hub), turn = 2. * appendage_.tip_rotation(hub) / sum;
+  const auto real_on_axis = [s](Complex z) { return s.real() == 0 ? Complex(z.real()) : z; };
+  theta = real_on_axis(turn / (s * s));
+  bool finite = is_finite(theta);
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const Complex bend = appendage_.deflection(tip, x[i]) / appendage_.inertia_unit();
+    y[i] = real_on_axis((turn * appendage_.deflection(hub, x[i]) + bend) / hub.determinant);
+    finite = finite && is_finite(y[i]);
+  }
+  if (!is_finite(hub.determinant) || !is_finite(sum)) return Outcome::non_finite;
+  return finite ? Outcome::success : Outcome::at_pole;
+}
+
 Response Plant::response(Complex s, double x) const {
   Response r{};
   r.outcome = response(s, std::span(&x, 1), r.theta, std::span(&r.deflection, 1));

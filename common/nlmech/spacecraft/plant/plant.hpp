@@ -54,12 +54,19 @@ class Plant {
   /// theta/u and y(x)/u at s = j omega: real arithmetic, at most a microsecond.
   /// @throws std::invalid_argument if x is outside 0 to L
   [[nodiscard]] AxisResponse at_frequency(double omega, double x) const;
+  /// Both functions for a unit torque on each of the two tips in place of the hub's: theta/tau = 2
+  /// w'(L)/theta times theta/u by reciprocity, y(x)/tau the sum of that rotation's deflection and of the
+  /// deflection with the hub at rest. Within a relative distance d of a zero of theta/u their rounding errors
+  /// are eps/d of y.
+  /// @throws std::invalid_argument if an x is outside 0 to L, or the sizes differ
+  [[nodiscard]] Outcome tip_torque_response(Complex s, std::span<const double> x, Complex& theta,
+                                            std::span<Complex> y) const;
   /// theta/u at @p s.
   [[nodiscard]] Response response(Complex s) const { return response(s, 0.); }
 
-  /// lim s^2 theta/u for s to 0: 1/J.
+  /// lim s^2 theta/u for s to 0: 1/J, unless Parameters::swings().
   [[nodiscard]] double rigid_gain() const { return 1 / parameters().total_inertia(); }
-  /// lim y(x)/u for s to 0, a polynomial of degree 5 in x, 1/lb.
+  /// lim y(x)/u for s to 0, a polynomial of degree 5 in x, 1/lb; infinite if Parameters::swings().
   /// @throws std::invalid_argument if x is outside 0 to L
   [[nodiscard]] double static_deflection(double x) const;
 

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
-#include <stdexcept>
 
 #include "nlmech/support/sentences.hpp"
 #include "nlmech/support/sign_change.hpp"
@@ -21,16 +20,21 @@ struct Characteristic {
 };
 
 /// Characteristic function from @p part, which evaluates numerator or denominator of a transfer function on a
-/// motion.
+/// motion. Divided by s^2 if the appendages swing about pinned roots, where D_0 and D_0 B vanish at s = 0.
 template <class Part>
-Characteristic characteristic(const Plant& plant, const Part& part) {
+Characteristic characteristic(const Plant& plant, const Part& part, bool divide = false) {
   const Ratios ratios = plant.appendage().ratios();
-  const double unit = plant.appendage().beta_unit();
-  return {unit, [&plant, part](double omega) { return part(plant.appendage().motion_at_frequency(omega)); },
-          [ratios, unit, part](Complex z) {
+  const double unit = plant.appendage().beta_unit(), least = divide ? 1e-10 / std::sqrt(unit) : 0;
+  return {unit,
+          [&plant, part, divide, least](double omega) {
+            const Motion<double> m = plant.appendage().motion_at_frequency(std::max(omega, least));
+            return divide ? part(m) / m.b : part(m);
+          },
+          [ratios, unit, part, divide](Complex z) {
             const Jet b(z * unit, Complex(unit));
-            return Jet(part(std::abs(b.value) < series_limit ? motion_by_series(ratios, b)
-                                                             : motion_by_waves(ratios, b)));
+            const Jet f = part(std::abs(b.value) < series_limit ? motion_by_series(ratios, b)
+                                                                : motion_by_waves(ratios, b));
+            return divide ? f / b : f;
           }};
 }
 
@@ -97,17 +101,18 @@ void append(std::vector<Complex>& s, Complex z) {
 
 Frequencies poles(const Plant& plant, int count) {
   const auto part = [&plant](const auto& m) { return plant.effective_inertia(m); };
-  return frequencies(plant, count, characteristic(plant, part), "poles");
+  return frequencies(plant, count, characteristic(plant, part, plant.parameters().swings()), "poles");
 }
 
 Frequencies hub_zeros(const Plant& plant, int count) {
   const auto part = [](const auto& m) { return m.determinant; };
-  return frequencies(plant, count, characteristic(plant, part), "hub zeros");
+  return frequencies(plant, count, characteristic(plant, part, plant.parameters().swings()), "hub zeros");
 }
 
 Zeros deflection_zeros(const Plant& plant, double x, double omega) {
   plant.appendage().require_place(x);
-  if (x == 0) throw std::invalid_argument("deflection_zeros: y is always 0 at x = 0");
+  if (x == 0 || (x == plant.parameters().length && plant.parameters().tip_stays()))
+    throw invalid_argument("deflection_zeros: y is always 0 at x = {}", x);
   if (!(omega > 0) || !std::isfinite(omega))
     throw invalid_argument("deflection_zeros: up to {} rad/s", omega);
   const auto part = [&plant, x](const auto& m) { return plant.appendage().deflection(m, x); };

@@ -41,7 +41,7 @@ struct Zeros {
 /// All zeros of y(x)/u with |Re s^2| and |Im s^2| up to @p omega^2; the square is enlarged slightly if a zero
 /// lies on its boundary. If s is a zero, so are -s and conj(s): a zero on the imaginary axis is listed once,
 /// a real zero with both signs, any other with its mirror image -conj(s).
-/// @param x place of the deflection, above 0 up to L (y(0) is always 0), ft
+/// @param x place of the deflection, above 0 up to L, ft, where y is not always 0, as at a pinned tip
 /// @throws std::invalid_argument if x or omega is out of range
 [[nodiscard]] Zeros deflection_zeros(const Plant& plant, double x, double omega);
 

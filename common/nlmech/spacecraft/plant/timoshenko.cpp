@@ -100,6 +100,7 @@ ShearBeam solid_section(const Parameters& parameters, double density, double poi
 std::vector<double> timoshenko_frequencies(const Parameters& p, const ShearBeam& beam, int count,
                                            double highest) {
   require_physical(p);
+  require_cantilever(p, "timoshenko_frequencies");
   require_positive("shear_stiffness", beam.shear_stiffness);
   require_positive("rotary_inertia", beam.rotary_inertia, true);
   if (count < 1 || !(highest > 0))

@@ -38,7 +38,8 @@ struct ShearBeam {
 /// Tests compare them with a transition matrix (1e-9) and, for a stiff section, with Euler-Bernoulli theory
 /// (1e-12).
 /// @param highest upper end of the search, rad/s; if fewer than @p count lie below it, fewer are returned
-/// @throws std::invalid_argument as require_physical(), or naming the value that is out of range
+/// @throws std::invalid_argument as require_physical() and require_cantilever(), or naming the value that is
+/// out of range
 [[nodiscard]] std::vector<double> timoshenko_frequencies(const Parameters& parameters, const ShearBeam& beam,
                                                          int count, double highest);
 
