@@ -13,7 +13,7 @@ Of a circle, from the equations of Clohessy and Wiltshire in the inertial frame,
   $ for method in series kepler rkn1210; do
   >   propagate $circle --until -3 --every 1 --stm --method $method > rows.csv
   >   holds --each 'n = 4' 't = -i' 'phi_33 = cos(t) +- 1e-13' 'phi_36 = sin(t) +- 1e-13' 'phi_63 = -sin(t) +- 1e-13' \
-  >     'phi_11 = cos(t)*(2 - cos(t)) + sin(t)*(3*t - sin(t)) +- 1e-12' < rows.csv
+  >     'phi_11 = cos(t)*(2 - cos(t)) + sin(t)*(3*t - 2*sin(t)) +- 1e-12' < rows.csv
   >   cut -d, -f 1-7 rows.csv > states.csv
   >   propagate $circle --until -3 --every 1 --method $method > plain.csv
   >   holds --each --like plain.csv 1e-13 'n = 4' < states.csv

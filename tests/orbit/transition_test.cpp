@@ -94,24 +94,18 @@ RC_GTEST_PROP(KeplerTransition, ConservesWhatTheMotionConserves, ()) {
   RC_ASSERT(defect(s, time) <= identities);
 }
 
-// From the periapsis: circle, nearly parabolic on both sides, parabola, fast hyperbola; at rest, thrown.
+// From the periapsis: circle, nearly parabolic on both sides, parabola, fast hyperbola, some for 1e4
+// revolutions and more; at rest and thrown upwards.
 TEST(KeplerTransition, EveryConic) {
   for (const double e : {0., 0.1, 1 - 1e-12, 1., 1 + 1e-12, 1e3}) {
     const State s{{0, 0.6, 0.8}, {std::sqrt(1 + e), 0, 0}};
-    for (const double t : {-1e4, -1., 1e-8, 0.3, 1e2, 1e4})
+    for (const double t : {-1e4, -1., 1e-8, 0.3, 1e2, 1e5})
       EXPECT_LE(defect(s, t), identities) << e << " " << t;
-    const KeplerTransition none = kepler_transition(s, 0, 1);
-    EXPECT_EQ(none.transition, Matrix6::Identity());
-    EXPECT_EQ(none.by_mu, Six::Zero());
+    EXPECT_EQ(kepler_transition(s, 0, 1).transition, Matrix6::Identity());
+    EXPECT_EQ(kepler_transition(s, 0, 1).by_mu, Six::Zero());
   }
   for (const double v : {0., 0.5, std::sqrt(2.), 3.})
     EXPECT_LE(defect({{0, 0.6, 0.8}, {0, 0.6 * v, 0.8 * v}}, 0.4), identities) << v;
-}
-
-TEST(KeplerTransition, TenThousandRevolutions) {
-  const State s = at_periapsis(0.3);
-  const double r0 = s.position.norm(), scale = r0 * std::sqrt(r0);
-  EXPECT_LE(defect({s.position / r0, s.velocity * std::sqrt(r0)}, (2 * pi * 1e4 + 1) / scale), identities);
 }
 
 // One step or two, and back.

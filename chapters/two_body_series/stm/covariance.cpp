@@ -110,35 +110,27 @@ void draw(const std::vector<Cloud>& all, scene::Show& show) {
 
 void put(const std::vector<Cloud>& all, scene::Show& show) {
   draw(all, show);
-  struct Row {
-    int orbits;
-    double along, along_sampled, across, across_sampled, offset, within;
-  };
-  std::vector<Row> rows;
-  for (const Cloud& c : all)
-    rows.push_back({c.orbits, std::sqrt(c.linear(0, 0)), std::sqrt(c.sampled(0, 0)),
-                    std::sqrt(c.linear(1, 1)), std::sqrt(c.sampled(1, 1)), c.mean[1], c.share_within(3)});
-  show.table(rows, {{"orbits", &Row::orbits},
-                    {"sigma along, linear (km)", &Row::along},
-                    {"sampled (km)", &Row::along_sampled},
-                    {"sigma outwards, linear (km)", &Row::across},
-                    {"sampled (km)", &Row::across_sampled},
-                    {"mean outwards, sampled (km)", &Row::offset},
-                    {"share within 3 sigma", &Row::within}});
+  const auto sigma = [](const Matrix<double, 2>& m, int axis) { return std::sqrt(m(axis, axis)); };
+  show.table(all, {{"orbits", &Cloud::orbits},
+                   {"sigma along, linear (km)", [=](const Cloud& c) { return sigma(c.linear, 0); }},
+                   {"sigma along, sampled (km)", [=](const Cloud& c) { return sigma(c.sampled, 0); }},
+                   {"sigma outwards, linear (km)", [=](const Cloud& c) { return sigma(c.linear, 1); }},
+                   {"sigma outwards, sampled (km)", [=](const Cloud& c) { return sigma(c.sampled, 1); }},
+                   {"mean outwards, sampled (km)", [](const Cloud& c) { return c.mean[1]; }},
+                   {"share within 3 sigma", [](const Cloud& c) { return c.share_within(3); }}});
   const double count = static_cast<double>(all.front().points.size()), scatter = 4 / std::sqrt(2 * count);
-  for (const Row& r : rows)
-    show.near(fmt::format("sigma along after {} orbits, sampled over linear", r.orbits),
-              r.along_sampled / r.along, 1, scatter,
+  for (const Cloud& c : all)
+    show.near(fmt::format("sigma along after {} orbits, sampled over linear", c.orbits),
+              sigma(c.sampled, 0) / sigma(c.linear, 0), 1, scatter,
               "four standard deviations of a sampled one, 1/sqrt(2 n)");
-  // d(along) = -3 pi N a per unit of da/a outside of the periapsis; here from the sagitta s^2/(2 r_c).
-  const double bend = rows.back().along * rows.back().along / 2 * 1e3 / low_orbit().start.position.norm();
+  const double bend = all.back().linear(0, 0) / 2 * 1e3 / low_orbit().start.position.norm();
   show.near(
-      "mean outwards after 10 orbits", {-rows.back().offset, "km"}, bend, 0.25,
+      "mean outwards after 10 orbits", {-all.back().mean[1], "km"}, bend, 0.25,
       "a point at the distance s along a circle of the periapsis' radius r lies s^2/(2 r) inside of its "
       "tangent; the ellipse is flatter by its eccentricity of 0.1, and the sample scatters");
-  show.between("share within 3 sigma after 1 orbit", rows.front().within, 0.98, 0.997,
+  show.between("share within 3 sigma after 1 orbit", all.front().share_within(3), 0.98, 0.997,
                "1 - exp(-9/2) = 0.989 of a normal distribution in the plane, and scatter");
-  show.between("share within 3 sigma after 10 orbits", rows.back().within, 0.2, 0.95,
+  show.between("share within 3 sigma after 10 orbits", all.back().share_within(3), 0.2, 0.95,
                "regression value: the cloud is bent by more than the width of the ellipse");
 }
 

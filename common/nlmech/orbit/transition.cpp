@@ -36,9 +36,10 @@ class VariationalSeries {
     set_units(x, h);
     if (!expand()) {
       // Beyond the radius of convergence, or near it: in two halves.
-      if (halvings == 60) return TransitionMatrix::Constant(std::numeric_limits<double>::quiet_NaN());
-      const TransitionMatrix first = advance(x, h / 2, halvings + 1);
-      return advance(x, h / 2, halvings + 1) * first;
+      if (halvings == 20) return TransitionMatrix::Constant(std::numeric_limits<double>::quiet_NaN());
+      TransitionMatrix m = advance(x, h / 2, halvings + 1);
+      if (m.allFinite()) m = advance(x, h / 2, halvings + 1) * m;
+      return m;
     }
     return sum(x, h);
   }
