@@ -152,43 +152,50 @@ struct Ended {
     a3 = (3 * c5 - c4) * (square * square * s) / 2;
   }
 
-  /// Derivatives of Lagrange's coefficients by mu.
-  [[nodiscard]] LagrangeCoefficients<double> by_mu() const {
+  /// Derivatives of Lagrange's coefficients where r_0, sigma, alpha and mu^(1/2) t have the derivatives
+  /// @p r0, @p s0, @p by_alpha and @p of_t; that of G without `of_t`.
+  [[nodiscard]] LagrangeCoefficients<double> derivatives(double r0, double s0, double by_alpha,
+                                                         double of_t = 0) const {
     const auto& [s, u0, u1, u2, u3, time, r, slope] = at;
-    // d(alpha)/d(mu) = w.w, d(sigma)/d(mu) = -sigma/2, and of mu^(1/2) times the time t/2 + `extra`.
-    const double extra = turns_time == 0 ? 0 : turns_time * (0.5 + 1.5 * ww / alpha);
-    const double s_mu = (t / 2 + extra + sigma * u2 / 2 - ww * (a1 + sigma * a2 + a3)) / r,
-                 r_mu = slope * s_mu - sigma * u1 / 2 + ww * (a0 + sigma * a1 + a2);
-    const double u2_mu = u1 * s_mu + ww * a2;
-    return {-u2_mu, u3 / 2 + extra - u2 * s_mu - ww * a3, (-u1 / 2 - u0 * s_mu - ww * a1 + u1 * r_mu / r) / r,
-            (u2 * r_mu / r - u2_mu) / r, 0};
+    // Kepler's equation r_0 U_1 + sigma U_2 + U_3 = t; whole periods change with alpha.
+    const double periods = turns_time == 0 ? 0 : 1.5 * turns_time / alpha * by_alpha;
+    const double s_by = (of_t + periods - u1 * r0 - u2 * s0 - by_alpha * (a1 + sigma * a2 + a3)) / r;
+    const double r_by = slope * s_by + u0 * r0 + u1 * s0 + by_alpha * (a0 + sigma * a1 + a2);
+    const double u1_by = u0 * s_by + a1 * by_alpha, u2_by = u1 * s_by + a2 * by_alpha;
+    return {u2 * r0 - u2_by, periods - u2 * s_by - a3 * by_alpha, (u1 * (r0 + r_by / r) - u1_by) / r,
+            (u2 * r_by / r - u2_by) / r, 0};
   }
 };
 
-/// The state-transition matrix in the same units: Battin, Eqs 9.84 to 9.88, with all differences of states
-/// from Lagrange's coefficients, so that short times do not cancel.
-TransitionMatrix transition_of(const Ended& e) {
+/// Terms of r over r at which universal functions on a hyperbola towards its periapsis are left for Flyby.
+constexpr double largest_cancellation = 100;
+
+/// State-transition matrix and derivatives by mu, in the same units: of Lagrange's coefficients by r_0, sigma
+/// and alpha, with the gradients of these. Differences of large terms do not occur, unlike in the formulas of
+/// Battin, section 9.7, far out on hyperbolas.
+void add_derivatives(const Ended& e, KeplerTransition& k) {
   const auto& [s, u0, u1, u2, u3, time, r, slope] = e.at;
-  const double f_rate = -u1 / r;
-  const Vector3<double> change = (u1 + e.sigma * u2) * e.w - u2 * e.d, x = e.d + change;
-  const Vector3<double> v_change = f_rate * e.d - u2 / r * e.w, v = e.w + v_change;
-  // Battin's C = 3 U_5 - s U_4 - t U_2, in which whole revolutions give a secular term.
-  const double c = 2 * e.a3 - e.t * u2 - (e.turns_time == 0 ? 0 : 3 * e.turns_time / e.alpha);
-  const double r2 = r * r, r3 = r * r2;
-  const Vector3<double> across = x * (v.dot(x)) - v * r2;  // (x v^T - v x^T) x
-  using Block = Matrix<double, 3>;
-  const Block one = Block::Identity();
-  TransitionMatrix m;
-  m.topLeftCorner<3, 3>() =
-      r * v_change * v_change.transpose() + (u2 * x + c * v) * e.d.transpose() + (1 - u2) * one;
-  m.topRightCorner<3, 3>() =
-      (u2 * change + c * v) * e.w.transpose() - u2 * v_change * e.d.transpose() + (u1 + e.sigma * u2) * one;
-  m.bottomLeftCorner<3, 3>() = -(v_change + c / r3 * x) * e.d.transpose() +
-                               (f_rate / r * across - x / r2) * v_change.transpose() -
-                               f_rate / r2 * x * x.transpose() + f_rate * one;
-  m.bottomRightCorner<3, 3>() =
-      v_change * v_change.transpose() + x * (u2 / r3 * e.d - c / r3 * e.w).transpose() + (1 - u2 / r) * one;
-  return m;
+  using C = LagrangeCoefficients<double>;
+  const C by_r0 = e.derivatives(1, 0, 0), by_sigma = e.derivatives(0, 1, 0),
+          by_alpha = e.derivatives(0, 0, 1);
+  const auto block = [&](double one, double C::*along, double C::*across, bool by_velocity) {
+    const auto gradient = [&](double C::*c) -> Vector3<double> {
+      // d(r_0) = d.dr, d(sigma) = w.dr + d.dv, d(alpha) = -2 d.dr - 2 w.dv
+      if (by_velocity) return by_sigma.*c * e.d - 2 * (by_alpha.*c) * e.w;
+      return (by_r0.*c - 2 * (by_alpha.*c)) * e.d + by_sigma.*c * e.w;
+    };
+    Matrix<double, 3> m = e.d * gradient(along).transpose() + e.w * gradient(across).transpose();
+    m.diagonal().array() += one;
+    return m;
+  };
+  k.transition << block(1 - u2, &C::f, &C::g, false), block(u1 + e.sigma * u2, &C::f, &C::g, true),
+      block(-u1 / r, &C::f_rate, &C::g_rate, false), block(1 - u2 / r, &C::f_rate, &C::g_rate, true);
+  // By mu: d(alpha) = w.w, d(sigma) = -sigma/2, d(mu^(1/2) t) = t/2, and of the factors of G = (t -
+  // U_3)/mu^(1/2) and F' = -mu^(1/2) U_1/(r r_0).
+  C c = e.derivatives(0, -e.sigma / 2, e.ww, (e.t + e.turns_time) / 2);
+  c.g += (e.turns_time + u3) / 2;
+  c.f_rate -= u1 / (2 * r);
+  k.by_mu << c.f * e.d + c.g * e.w, c.f_rate * e.d + c.g_rate * e.w;
 }
 
 }  // namespace
@@ -197,19 +204,22 @@ KeplerTransition kepler_partials(const State& start, double time, double mu) {
   const double r0 = std::sqrt(start.position.dot(start.position)), speed = std::sqrt(mu / r0),
                rate = speed / r0;
   const Vector3<double> d = start.position / r0, w = start.velocity / speed;
+  const double t = time * rate, ww = w.dot(w), sigma = d.dot(w);
+  const Ended e(d, w, t);
+  const auto& at = e.at;
   KeplerTransition k;
-  if (is_flyby(w.dot(w), d.dot(w), time * rate)) {
+  if (ww > 3 && sigma * t < 0 && at.u0 + std::abs(sigma * at.u1) + at.u2 > largest_cancellation * at.r) {
     k = by_dual_numbers(start, time, mu);
   } else {
-    const Ended e(d, w, time * rate);
-    const auto& at = e.at;
-    k.state = moved(start, LagrangeCoefficients<double>{1 - at.u2, (at.u1 + e.sigma * at.u2) / rate,
-                                                        -at.u1 / at.r * rate, 1 - at.u2 / at.r, 0});
-    k.transition = transition_of(e);
+    k.state = is_flyby(ww, sigma, t)
+                  ? kepler_state(start, time, mu)
+                  : moved(start, LagrangeCoefficients<double>{1 - at.u2, (at.u1 + sigma * at.u2) / rate,
+                                                              -at.u1 / at.r * rate, 1 - at.u2 / at.r, 0});
+    add_derivatives(e, k);
     k.transition.topRightCorner<3, 3>() /= rate;
     k.transition.bottomLeftCorner<3, 3>() *= rate;
-    const LagrangeCoefficients<double> by_mu = e.by_mu();
-    k.by_mu << r0 / mu * (by_mu.f * d + by_mu.g * w), speed / mu * (by_mu.f_rate * d + by_mu.g_rate * w);
+    k.by_mu.head<3>() *= r0 / mu;
+    k.by_mu.tail<3>() *= speed / mu;
   }
   const double r = std::sqrt(k.state.position.dot(k.state.position));
   k.by_time << k.state.velocity, -(mu / r / r / r) * k.state.position;

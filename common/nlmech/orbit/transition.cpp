@@ -13,8 +13,9 @@ namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
-/// Taylor series of a motion and of its variational equation about one state, in units of its distance and of
-/// the length of the step, so that the sum is that of the coefficients and no power overflows.
+/// Taylor series of a motion in a zonal field and of its variational equation about one state, in units of
+/// its distance and of the length of the step, so that the sum is that of the coefficients and no power
+/// overflows.
 ///
 /// With H_n = q^(n+3) P''_n(z q), q = 1/r, for which (n - 2) H_n = (2n - 1) z q^2 H_{n-1} - (n + 1) q^2
 /// H_{n-2} from H_1 = 0 and H_2 = 3 q^5, and with w_k = J_k R^k (w_0 = -1), the acceleration is
@@ -102,7 +103,7 @@ class VariationalSeries {
       fields(n);
       const double divisor = static_cast<double>((n + 1) * (n + 2));
       for (std::size_t i = 0; i < 3; ++i) {
-        const double axial = i == 2 && degree_ > 0 ? axial_[n] : 0;
+        const double axial = i == 2 ? axial_[n] : 0;
         r_[i][n + 2] = mu_ * (product(radial_, r_[i], n) - axial) / divisor;
       }
       gradient(n);
@@ -123,10 +124,6 @@ class VariationalSeries {
     if (n == 0) h_[2][0] *= 3;  // the recurrence is homogeneous
     sloping_[n] = -weight_[0] * h_[2][n];
     scaled_[n] = weight_[0] / 3 * h_[2][n];
-    if (degree_ == 0) {
-      radial_[n] = product(f_, scaled_, n);
-      return;
-    }
     power(square_, 2, n);
     by_height_[n] = product(r_[2], square_, n);
     const auto top = static_cast<std::size_t>(degree_);
@@ -154,11 +151,8 @@ class VariationalSeries {
   void gradient(std::size_t n) {
     for (std::size_t i = 0; i < 2; ++i) slope_[i][n] = product(sloping_, r_[i], n);
     const auto entry = [&](std::size_t i, std::size_t j) { return mu_ * product(slope_[i], r_[j], n); };
-    double xz = entry(0, 2), yz = entry(1, 2);
-    if (degree_ > 0) {
-      xz += mu_ * product(height_, r_[0], n);
-      yz += mu_ * product(height_, r_[1], n);
-    }
+    const double xz = entry(0, 2) + mu_ * product(height_, r_[0], n),
+                 yz = entry(1, 2) + mu_ * product(height_, r_[1], n);
     const double xx = mu_ * radial_[n] + entry(0, 0), yy = mu_ * radial_[n] + entry(1, 1), xy = entry(0, 1);
     gradient_[n] << xx, xy, xz, xy, yy, yz, xz, yz, -(xx + yy);
   }
@@ -206,24 +200,32 @@ TransitionSolution propagate_transition(const State& start, double t0, double t1
   VariationalSeries series(gravity, method.tolerance);
   TransitionSolution result;
   TransitionMatrix& transition = result.transition;
-  std::size_t next = 0;
+  Status failure;
+  const bool closed = gravity.degree() == 0;
   const auto over = [&](const Step& step, double t) -> TransitionMatrix {
-    State x = step.x0;
-    return series.advance(x, t - step.t0) * transition;
+    if (!closed) {
+      State x = step.x0;
+      return series.advance(x, t - step.t0) * transition;
+    }
+    KeplerTransition k = kepler_transition(start, t - t0, gravity.mu);
+    if (!k.status.ok()) failure = std::move(k.status);
+    return k.transition;
   };
+  std::size_t next = 0;
   const auto observe = [&](const Step& step) {
     for (; next < times.size() && std::abs(times[next] - t0) <= std::abs(step.t1 - t0); ++next) {
       if (!sink(times[next], step.at(times[next]), over(step, times[next]))) return false;
     }
-    transition = over(step, step.t1);
-    return transition.allFinite();
+    if (!closed || step.t1 == t1) transition = over(step, step.t1);
+    if (failure.ok() && !transition.allFinite())
+      failure = failed_with(Outcome::non_finite,
+                            "{}: the transition matrix at t = {:.17g} is beyond the range of doubles; end "
+                            "before that time",
+                            method.name, step.t1);
+    return failure.ok();
   };
   result.end = propagate(start, t0, t1, gravity, method, observe, limits);
-  if (!transition.allFinite())
-    result.end.status = failed_with(Outcome::non_finite,
-                                    "{}: the transition matrix at t = {:.17g} is beyond the range of "
-                                    "doubles; end before that time",
-                                    method.name, result.end.t);
+  if (!failure.ok()) result.end.status = std::move(failure);
   return result;
 }
 
