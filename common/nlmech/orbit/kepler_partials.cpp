@@ -167,9 +167,6 @@ struct Ended {
   }
 };
 
-/// Terms of r over r at which universal functions on a hyperbola towards its periapsis are left for Flyby.
-constexpr double largest_cancellation = 100;
-
 /// State-transition matrix and derivatives by mu, in the same units: of Lagrange's coefficients by r_0, sigma
 /// and alpha, with the gradients of these. Differences of large terms do not occur, unlike in the formulas of
 /// Battin, section 9.7, far out on hyperbolas.
@@ -208,7 +205,9 @@ KeplerTransition kepler_partials(const State& start, double time, double mu) {
   const Ended e(d, w, t);
   const auto& at = e.at;
   KeplerTransition k;
-  if (ww > 3 && sigma * t < 0 && at.u0 + std::abs(sigma * at.u1) + at.u2 > largest_cancellation * at.r) {
+  // The terms of r over r, against 10 |w|: Flyby loses digits with the speed.
+  const double terms = at.u0 + std::abs(sigma * at.u1) + at.u2;
+  if (ww > 3 && sigma * t < 0 && terms * terms > 100 * ww * at.r * at.r) {
     k = by_dual_numbers(start, time, mu);
   } else {
     k.state = is_flyby(ww, sigma, t)
