@@ -58,7 +58,7 @@ double norm(const Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>& m) {
   return static_cast<double>(Real(sqrt(sum)));
 }
 
-/// Largest error of a 3x3 block or of half of the derivatives by mu, over 16 (1 + kappa) eps of its norm,
+/// Largest error of a 3x3 block or of half of the derivatives by mu, over 32 (1 + kappa) eps of its norm,
 /// with its condition number kappa: the sum of the effects of relative changes of all data.
 double error_of_blocks(const KeplerTransition& k, const Data& data) {
   Matrix<double, 6, 7> mine;
@@ -76,7 +76,7 @@ double error_of_blocks(const KeplerTransition& k, const Data& data) {
       double effects = 0;
       for (const Derivatives& c : changed) effects += norm(block(c) - block(exact)) * 1e18;
       const double error = norm(mine.block(row, column, 3, columns).cast<Real>() - block(exact));
-      if (error > 0) worst = std::max(worst, error / (16 * eps * (size + effects)));
+      if (error > 0) worst = std::max(worst, error / (32 * eps * (size + effects)));
     }
   }
   return worst;

@@ -187,8 +187,9 @@ struct KeplerTransition {
 /// AIAA 1999, section 4.6); by dual numbers deep towards the periapsis of a hyperbola.
 ///
 /// Random tests compare with derivatives in 100 digits: errors of the four blocks and of both vectors are at
-/// most 16 (1 + kappa) eps of their norms, with the condition numbers kappa of these by all data, for speeds
-/// up to 1e4 times the circular one. On faster flybys that graze the centre they grow with the speed.
+/// most 32 (1 + kappa) eps of their norms (8, but for flybys and hyperbolas far out), with the condition
+/// numbers kappa of these by all data, for speeds up to 1e4 times the circular one. On faster flybys that
+/// graze the centre they grow with the speed.
 /// @throws std::invalid_argument as propagate_kepler
 [[nodiscard]] KeplerTransition kepler_transition(const State& start, double time, double mu);
 
