@@ -15,6 +15,7 @@
 #include "chapters/two_body_series/orbits/orbits.hpp"
 #include "chapters/two_body_series/series/accuracy.hpp"
 #include "chapters/two_body_series/series/trajectory.hpp"
+#include "chapters/two_body_series/stm/sensitivities.hpp"
 #include "nlmech/orbit/elements.hpp"
 #include "nlmech/scene/program/options.hpp"
 #include "nlmech/scene/program/this_process.hpp"
@@ -70,8 +71,9 @@ struct Propagation {
   std::optional<double> mu, until;
   std::optional<double> every, radius, tolerance, limit;
   std::vector<double> zonal;
-  std::string method = "series", states;
+  std::string method = "series", states, covariance;
   std::optional<int> threads;
+  bool stm = false;
 };
 
 void declare_propagation(scene::Options& options, Propagation& p) {
@@ -96,7 +98,23 @@ void declare_propagation(scene::Options& options, Propagation& p) {
       .range(1e-18, 0.1);
   options.add("--threads", p.threads, "number of threads for --states (default: one for each processor)")
       .range(1, 1024);
+  options.add(
+      "--stm", p.stm,
+      "add the state-transition matrix to each row: phi_11,phi_12,...,phi_66, phi_ij = d x_i(t)/d x_j(0) "
+      "in the order x,y,z,vx,vy,vz");
+  options.add(
+      "--covariance", p.covariance,
+      "CSV file of the initial covariance, six rows of x,y,z,vx,vy,vz in the units of the state; adds "
+      "the propagated one to each row: p_11,p_12,...,p_66; - is standard input");
   options.limit(p.limit, "--states");
+}
+
+Sensitivities sensitivities_of(const Propagation& p) {
+  if (p.covariance == "-" && p.states == "-")
+    throw InputError("--covariance -: standard input contains the states; give a file");
+  Sensitivities columns{p.stm, std::nullopt};
+  if (!p.covariance.empty()) columns.initial_root = read_covariance(p.covariance);
+  return columns;
 }
 
 orbit::Gravity gravity_of(const Propagation& p) {
@@ -139,6 +157,7 @@ int propagate_all(const Propagation& p) {
   r.tolerance = p.tolerance.value_or(r.tolerance);
   r.threads = p.threads.value_or(0);
   r.seconds = p.limit.value_or(r.seconds);
+  r.columns = sensitivities_of(p);
   if (p.until && p.every) check_rows(*p.until, *p.every);
   return print_orbits(r);
 }
@@ -166,6 +185,8 @@ scene::Answer propagate(const Propagation& p) {
   check_method(p);
   refuse_other_units("--position " + text_of(start.position), start, p.mu);
   r.tolerance = p.tolerance.value_or(r.tolerance);
+  if (const Sensitivities columns = sensitivities_of(p); columns.any())
+    return rows_with(columns, r, p.method);
   if (p.method == "series") return rows_of_series(r);
   return p.method == "rkn1210" ? rows_of_rkn1210(r) : rows_of_kepler(r);
 }
@@ -333,10 +354,11 @@ std::string state(const TypedElements& t) {
 }  // namespace
 
 void commands(scene::Commands& all) {
-  all.add(
-      "propagate",
-      "Propagate an orbit; prints t,x,y,z,vx,vy,vz as CSV (with --states: row,t,x,y,z,vx,vy,vz,...,status)",
-      declare_propagation, propagate);
+  all.add("propagate",
+          "Propagate an orbit; prints t,x,y,z,vx,vy,vz as CSV (with --states: "
+          "row,t,x,y,z,vx,vy,vz,...,status), and "
+          "with --stm and --covariance their columns",
+          declare_propagation, propagate);
   all.add("elements",
           fmt::format(
               "Print the classical elements of a state, angles in degrees, as CSV: {}. The command state "

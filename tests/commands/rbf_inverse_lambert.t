@@ -51,6 +51,21 @@ Half of a circle, in the plane that is asked for, has unit speed:
   $ refused rbf_inverse lambert $half
   rbf_inverse: --from 1,0,0 --to -1,0,0 --time 3.141592653589793: lambert: the positions are opposite (a transfer by 180 degrees), so that the plane is undetermined; give its normal
 
+Derivatives of both velocities, against differences of the command itself; across the plane of a quarter of a circle that by the arrival is 1/G = 1:
+
+  $ quarter="--from 1,0,0 --to 0,1,0 --time 1.5707963267948966 --mu 1"
+  $ lambert $quarter --partials | head -1 | cut -d, -f 7-15,49
+  miss,vx0_x0,vx0_y0,vx0_z0,vx0_x1,vx0_y1,vx0_z1,vx0_time,vy0_x0,vz1_time
+  $ lambert $quarter --partials > partials.csv
+  $ holds 'vz0_z1 = 1 +- 1e-14' 'vz1_z0 = -1 +- 1e-14' 'vz0_z0 = 0 +- 1e-14' 'vx0_z1 = 0 +- 1e-14' < partials.csv
+  $ { lambert --from 1,0,0 --to 1e-5,1,0 --time 1.5707963267948966 --mu 1; lambert --from 1,0,0 --to -1e-5,1,0 --time 1.5707963267948966 --mu 1 | tail -1; } > both.csv
+  $ holds "a := $(sed -n 2p both.csv | cut -d, -f 1)" "b := $(sed -n 3p both.csv | cut -d, -f 1)" "vx0_x1 = (a - b)/2e-5 +- 1e-9" < partials.csv
+  $ lambert $printed $field --partials > oblate.csv
+  $ lambert $printed --partials | holds --like oblate.csv 1e3 "vx0_x1 = $(tail -1 oblate.csv | cut -d, -f 11) +- 1e-5" 'abs(vx0_x1) > 1e-4'
+  $ lambert $half --plane 0,-2,0 --partials
+  rbf_inverse: singular_matrix: lambert: the velocities have no derivatives: d(r_2)/d(v_1) is singular to rounding (a transfer by 180 degrees, or to a conjugate point, where two arcs merge); move a position, or change the time
+  [1]
+
 Not a mistake, but no arc either: two revolutions take longer.
 
   $ lambert $printed --revolutions 2 --branch low

@@ -13,7 +13,7 @@
 #include "chapters/rbf_inverse/commands/commands.hpp"
 #include "chapters/rbf_inverse/commands/porkchop_file.hpp"
 #include "chapters/rbf_inverse/lambert/porkchop_map.hpp"
-#include "nlmech/orbit/transfer/transfer.hpp"
+#include "nlmech/orbit/transfer/lambert_partials.hpp"
 #include "nlmech/scene/picture.hpp"
 #include "nlmech/scene/program/files.hpp"
 #include "nlmech/scene/program/this_process.hpp"
@@ -31,7 +31,7 @@ struct Arc {
   std::vector<double> plane, zonal;
   int revolutions = 0;
   std::string branch, method = "izzo";
-  bool long_way = false;
+  bool long_way = false, partials = false;
 };
 
 void declare_arc(scene::Options& options, Arc& a) {
@@ -52,6 +52,11 @@ void declare_arc(scene::Options& options, Arc& a) {
   options.add("--radius", a.radius, "reference radius of the zonal terms").positive();
   options.add("--method", a.method, "izzo, or collocation by polynomials with 81 nodes (short way only)")
       .one_of({"izzo", "collocation"});
+  options.add(
+      "--partials", a.partials,
+      "add the derivatives of both velocities: vx0_x0,vx0_y0,vx0_z0,vx0_x1,vx0_y1,vx0_z1,vx0_time, then "
+      "those of vy0, vz0, vx1, vy1, vz1, by the departure x0,y0,z0, the arrival x1,y1,z1 and the time of "
+      "flight");
 }
 
 std::string text_of(const orbit::Vector3<double>& v) { return fmt::format("{},{},{}", v[0], v[1], v[2]); }
@@ -134,6 +139,23 @@ orbit::Transfer by_collocation(const orbit::TransferProblem& p, const orbit::Lam
   return t;
 }
 
+/// Names and cells of --partials, each after a comma. @throws Failure where the derivatives do not exist
+std::pair<std::string, std::string> partials_of(const orbit::TransferProblem& p, const orbit::Transfer& t) {
+  const orbit::LambertPartials d = orbit::lambert_partials(p, t.v1);
+  if (!d.status.ok()) throw Failure(d.status);
+  Matrix<double, 6, 7> all;
+  all << d.v1_by_r1, d.v1_by_r2, d.v1_by_time, d.v2_by_r1, d.v2_by_r2, d.v2_by_time;
+  std::pair<std::string, std::string> text;
+  for (Eigen::Index i = 0; i < 6; ++i) {
+    Eigen::Index j = 0;
+    for (const char* by : {"x0", "y0", "z0", "x1", "y1", "z1", "time"}) {
+      text.first += fmt::format(",v{}{}_{}", "xyz"[i % 3], i / 3, by);
+      text.second += fmt::format(",{:.17g}", all(i, j++));
+    }
+  }
+  return text;
+}
+
 std::string lambert(const Arc& a) {
   const orbit::TransferProblem p = problem_of(a);
   const orbit::LambertArc arc = arc_of(a);
@@ -148,8 +170,10 @@ std::string lambert(const Arc& a) {
     throw InputError(fmt::format("--from {} --to {} --time {}: {}", text_of(p.from), text_of(p.to), p.time,
                                  t.status.sentence()));
   if (!t.status.ok()) throw Failure(t.status);
-  return fmt::format("vx0,vy0,vz0,vx1,vy1,vz1,miss\n{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.3g}\n",
-                     t.v1[0], t.v1[1], t.v1[2], t.v2[0], t.v2[1], t.v2[2], t.miss);
+  const auto [names, cells] = a.partials ? partials_of(p, t) : std::pair<std::string, std::string>();
+  return fmt::format(
+      "vx0,vy0,vz0,vx1,vy1,vz1,miss{}\n{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.3g}{}\n", names,
+      t.v1[0], t.v1[1], t.v1[2], t.v2[0], t.v2[1], t.v2[2], t.miss, cells);
 }
 
 /// Options of `porkchop`.
@@ -248,7 +272,8 @@ void porkchop(const Grid& g) {
 void add_lambert_commands(scene::Commands& all) {
   all.add("lambert",
           "Solve Lambert's problem: the orbit from one position to another in a given time; prints as CSV "
-          "vx0,vy0,vz0,vx1,vy1,vz1,miss. The departure is integrated by another method; a miss above a "
+          "vx0,vy0,vz0,vx1,vy1,vz1,miss, with --partials also their derivatives. The departure is integrated "
+          "by another method; a miss above a "
           "millionth of the distance is a failure",
           declare_arc, lambert);
   all.add("porkchop",

@@ -1,9 +1,10 @@
 /// @file
-/// `two_body_series_bench`: analytic continuation against RKN12(10) and Odeint's fehlberg78 in its own loop,
-/// at equal achieved error, and the overhead of the nlmech step loop for Odeint; by Google Benchmark. Exit
-/// code 1 if a claim does not hold.
+/// `two_body_series_bench`: transition matrices against states alone; analytic continuation against RKN12(10)
+/// and Odeint's fehlberg78 in its own loop, at equal achieved error, and the overhead of the nlmech step loop
+/// for Odeint; by Google Benchmark. Exit code 1 if a claim does not hold.
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <functional>
 #include <optional>
 #include <string>
@@ -14,7 +15,7 @@
 #include "chapters/speed.hpp"
 #include "chapters/two_body_series/orbits/ellipses.hpp"
 #include "nlmech/ivp/runge_kutta/rkn1210.hpp"
-#include "nlmech/orbit/continuation.hpp"
+#include "nlmech/orbit/transition.hpp"
 #include "nlmech/peers/ivp/odeint/odeint_direct.hpp"
 
 namespace {
@@ -117,7 +118,64 @@ void add_rows(chapters::Speed& all, const Ellipse& ellipse, double wanted) {
   claim(in_loop, alone, 0.5);  // at most twice the time in the nlmech loop
 }
 
+/// Times of the transition matrix against the state alone and against central differences of 12 states.
+void add_matrices(chapters::Speed& all) {
+  struct Motion {
+    orbit::State start;
+    double time;
+  };
+  std::vector<Motion> motions;  // conics with 0.3 to 1.7 times the circular speed, up to three radians
+  for (int i = 0; i < 64; ++i) {
+    const double speed = 0.3 + 1.4 * i / 63, angle = 0.3 + 0.04 * i;
+    motions.push_back(
+        {{{0.6, 0, 0.8}, {speed * std::cos(angle), speed * std::sin(angle), 0.1}}, 0.1 + 0.045 * i});
+  }
+  const auto add = [&](const std::string& name, auto move) {
+    all.add(chapters::Work{name, chapters::keep_result([motions, move] {
+                             double sum = 0;
+                             for (const Motion& m : motions) sum += move(m.start, m.time);
+                             return sum;
+                           }),
+                           static_cast<double>(motions.size())});
+  };
+  const auto state = [](const orbit::State& s, double time) {
+    return orbit::propagate_kepler(s, time, 1).state.position[0];
+  };
+  const std::string alone = "Kepler, state", matrix = "Kepler, state and transition matrix",
+                    differences = "Kepler, central differences";
+  add(alone, state);
+  add(matrix, [](const orbit::State& s, double time) {
+    const auto k = orbit::kepler_transition(s, time, 1);
+    return k.transition.sum() + k.state.position[0];
+  });
+  add(differences, [state](orbit::State s, double time) {
+    double sum = 0;
+    for (int i = 0; i < 6; ++i) {
+      double& x = i < 3 ? s.position[i] : s.velocity[i - 3];
+      const double middle = x;
+      for (const double change : {1e-6, -1e-6}) {
+        x = middle + change;
+        sum += state(s, time) / change;
+      }
+      x = middle;
+    }
+    return sum;
+  });
+  all.claim(matrix, alone, 0.25);
+  all.claim(matrix, differences, 4);
+  const std::string series = "J2 to J6, ten orbits by series, state",
+                    with = "J2 to J6, ten orbits by series, state and transition matrix";
+  orbit::Gravity oblate = orbit::earth(6);
+  oblate.radius /= 7e6;
+  oblate.mu = 1;
+  const orbit::State start{{1, 0, 0}, {0, 0.7, 0.75}};
+  all.add(series, [=] { return orbit::propagate(start, 0, 10 * revolution, oblate).x; });
+  all.add(with, [=] { return orbit::propagate_transition(start, 0, 10 * revolution, oblate).transition; });
+  all.claim(with, series, 1. / 3);
+}
+
 void rows(chapters::Speed& all) {
+  add_matrices(all);
   for (const double e : {0.1, 0.7, 0.9, 0.99}) {
     const Ellipse ellipse(e);
     for (const double wanted : {1e-9, 1e-12}) add_rows(all, ellipse, wanted);

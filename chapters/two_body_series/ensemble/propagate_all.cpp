@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <iterator>
+#include <sstream>
 #include <utility>
 #include <vector>
 
@@ -42,10 +43,11 @@ class OrbitCatalogue {
   [[nodiscard]] int print() {
     catalogue_.set_row_weight([this](const std::vector<double>& row) { return 1 + lines_between(row); });
     scene::print_catalogue(catalogue_,
-                           {.header = fmt::format("row,t,x,y,z,vx,vy,vz{},status",
-                                                  catalogue_.columns().rest_names({"row", "t", "status"})),
+                           {.header = fmt::format("row,t,x,y,z,vx,vy,vz{}{},status", request_.columns.names(),
+                                                  catalogue_.columns().rest_names(own_names())),
                             .portion = scene::portion_for(lines_at_a_time, request_.threads),
                             .work = [this](const scene::CatalogueRows& rows) {
+                              if (request_.columns.any()) return with_columns(rows);
                               return request_.method == "kepler" ? by_kepler(rows) : by_series(rows);
                             }});
     if (low_ > 0)
@@ -60,6 +62,15 @@ class OrbitCatalogue {
   }
 
  private:
+  /// Names of output columns that a column of the file may have too.
+  [[nodiscard]] std::vector<std::string> own_names() const {
+    std::vector<std::string> own = {"row", "t", "status"};
+    if (!request_.columns.any()) return own;
+    std::istringstream names(request_.columns.names().substr(1));
+    for (std::string name; std::getline(names, name, ',');) own.push_back(name);
+    return own;
+  }
+
   void refuse_doubled(const char* column, const std::optional<double>& option) const {
     if (option && catalogue_.has(column))
       throw input_error("--{} {}: {} has a column {}; leave out one of the two", column, *option,
@@ -209,6 +220,38 @@ class OrbitCatalogue {
             }
           }
           (void)add(f.until);
+        });
+    for (std::size_t i = 0; i < ended.size(); ++i) note(rows.first + static_cast<std::int64_t>(i), ended[i]);
+    return text;
+  }
+
+  /// Rows with transition matrices or covariances.
+  [[nodiscard]] std::string with_columns(const scene::CatalogueRows& rows) {
+    std::vector<EnsembleResult> ended(rows.numbers.size());
+    std::string text = scene::lines_in_threads(
+        rows.numbers.size(), request_.threads, [&](std::size_t i, std::string& lines) {
+          const orbit::PropagationRequest f = flight(rows.numbers[i]);
+          const std::int64_t row = rows.first + static_cast<std::int64_t>(i);
+          const auto add = [&](double t, const orbit::State& s, const orbit::TransitionMatrix& phi) {
+            add_computed(lines, row, t, s, request_.columns.cells(phi) + rows.rest[i], f, ended[i]);
+            return ended[i].status.ok();
+          };
+          const OrbitRequest r{.start = f.start,
+                               .time = f.until,
+                               .every = request_.every,
+                               .gravity = f.gravity,
+                               .tolerance = request_.tolerance,
+                               .seconds = std::max(0.0, request_.seconds - watch_.seconds())};
+          if (r.every && r.time != 0) (void)add(0, r.start, orbit::TransitionMatrix::Identity());
+          const auto run = propagate_with_transition(r, request_.method, inner_times(r.time, r.every), add);
+          if (!ended[i].status.ok()) return;
+          if (run.end.status.ok()) {
+            (void)add(r.time, run.end.x, run.transition);
+          } else {
+            ended[i].status = run.end.status;
+            add_line(lines, row, run.end.t, run.end.x, request_.columns.cells(run.transition) + rows.rest[i],
+                     to_string(run.end.status.outcome()));
+          }
         });
     for (std::size_t i = 0; i < ended.size(); ++i) note(rows.first + static_cast<std::int64_t>(i), ended[i]);
     return text;

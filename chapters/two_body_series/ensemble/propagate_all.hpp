@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "chapters/two_body_series/stm/sensitivities.hpp"
 #include "nlmech/orbit/gravity.hpp"
 
 namespace nlmech::chapters::two_body_series {
@@ -21,11 +22,12 @@ struct CatalogueRequest {
   double tolerance = 1e-15;       ///< tolerance of a step of series
   int threads = 0;                ///< number of threads; 0: one per processor
   double seconds = std::numeric_limits<double>::infinity();  ///< wall time, s; then orbits stop
+  Sensitivities columns = {};                                ///< further columns of each row
 };
 
-/// Prints rows `row,t,x,y,z,vx,vy,vz,...,status` in the order of the file; `...` are its other columns. The
-/// row of a failed orbit has the time reached. A row of less than six digits has the status low_accuracy (see
-/// accuracy_of()), with a message on standard error.
+/// Prints rows `row,t,x,y,z,vx,vy,vz,...,status` in the order of the file; `...` are further columns and
+/// those of the file that are passed through. The row of a failed orbit has the time reached. A row of less
+/// than six digits has the status low_accuracy (see accuracy_of()), with a message on standard error.
 /// @returns exit code: 1, with a message on standard error, if an orbit failed
 /// @throws InputError naming line and value, if the file is not valid
 [[nodiscard]] int print_orbits(const CatalogueRequest& request);

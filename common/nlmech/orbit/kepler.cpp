@@ -1,10 +1,10 @@
 #include "nlmech/orbit/kepler.hpp"
 
-#include <numbers>
+#include <utility>
 
 #include "nlmech/orbit/gravity.hpp"
+#include "nlmech/orbit/kepler_partials.hpp"
 #include "nlmech/orbit/scaled.hpp"
-#include "nlmech/program/dual.hpp"
 #include "nlmech/support/sentences.hpp"
 
 namespace nlmech::orbit {
@@ -14,119 +14,6 @@ void check_arguments(const State& start, double time, double mu, const char* who
   check(start, who);
   check(Gravity{.mu = mu});
   if (!std::isfinite(time)) throw invalid_argument("{}: the time must be finite, not {}", who, time);
-}
-
-/// Number of data: position, velocity, mu and time.
-constexpr int data = 8;
-using D = Dual<double, data>;
-
-/// State at the end of a flyby with its derivatives, in units of r_0. The roots are computed in double; the
-/// correction of their error has the derivatives.
-BasicState<D> flyby_with_derivatives(const Vector3<D>& direction, const Vector3<D>& v, const D& time) {
-  const detail::Flyby<D> flyby(direction, v);
-  Vector3<double> plain_direction, plain_v;
-  for (int i = 0; i < 3; ++i) {
-    plain_direction[i] = direction[i].value;
-    plain_v[i] = v[i].value;
-  }
-  const detail::Flyby<double> plain(plain_direction, plain_v);
-  const D wanted = flyby.begin_time(D(plain.begin())) + time;
-  return flyby.state(D(plain.at_time(wanted.value)), wanted);
-}
-
-/// A fast body approaching the centre, by universal variables. The small k + sigma = (p - 2)/(k - sigma) is
-/// separated from the sums, so that nothing cancels. Units and times as in Universal.
-template <class T>
-struct Approach {
-  T k;       ///< (-alpha)^(1/2)
-  T excess;  ///< k + sigma
-
-  /// All quantities at one s, as in Universal.
-  struct At {
-    T time;        ///< time since r_0
-    T r;           ///< distance
-    T u1, u2, u3;  ///< U_n
-  };
-  [[nodiscard]] At at(const T& s) const {
-    using std::exp;
-    const T x = k * s, decay = exp(T(-x));
-    const Stumpff<T> c = stumpff(T(-x * x));
-    const T u1 = s * c.c1, u2 = s * s * c.c2, u3 = s * s * s * c.c3;
-    return {(1 - decay) / k + excess * u2 + u3, decay + excess * u1 + u2, u1, u2, u3};
-  }
-  /// s at a time, to the square root of rounding, by Newton's iteration from a lower bound: x grows by at
-  /// most 1 per step, up to 36 for the double nearest to the centre.
-  [[nodiscard]] T at_time(const T& wanted) const {
-    T s = wanted, change = s;
-    for (int i = 0; i < 100 && std::abs(change) * k > 1e-8; ++i) {
-      const At a = at(s);
-      change = (wanted - a.time) / a.r;
-      s += change;
-    }
-    return s;
-  }
-};
-
-/// Lagrange's coefficients of an approach with their derivatives, in units of r_0.
-LagrangeCoefficients<D> approach_with_derivatives(const Vector3<D>& direction, const Vector3<D>& v,
-                                                  const D& time) {
-  const double sign = time.value < 0 ? -1 : 1;
-  const D sigma = sign * direction.dot(v), t = sign * time, k = sqrt(v.dot(v) - 2);
-  const Vector3<D> across = v - sign * sigma * direction;
-  const Approach<D> approach{k, (across.dot(across) - 2) / (k - sigma)};
-  const D s = Approach<double>{k.value, approach.excess.value}.at_time(t.value);
-  auto at = approach.at(s);
-  at = approach.at(s + (t - at.time) / at.r);
-  return {1 - at.u2, sign * (t - at.u3), -sign * at.u1 / at.r, 1 - at.u2 / at.r, 0};
-}
-
-/// Is an incoming hyperbola nearly straight up to the end? There derivatives from the periapsis cancel by the
-/// factor v^2 by which its eccentricity depends on the data. On a straight line the part 1 - |v t| of the
-/// distance remains; gravity deflects it by 1/(v^2 (1 - |v t|)), less than v^(-1/2)/8 here.
-bool is_approach(double speed, double time) {
-  return (1 - speed * std::abs(time)) * speed * std::sqrt(speed) > 8;
-}
-
-/// Propagated state with its derivatives, as kepler_state(); on an approach without the periapsis.
-BasicState<D> with_derivatives(const State& start, double time, double mu) {
-  BasicState<D> s;
-  for (int i = 0; i < 3; ++i) {
-    s.position[i] = D::variable(start.position[i], i);
-    s.velocity[i] = D::variable(start.velocity[i], 3 + i);
-  }
-  const D m = D::variable(mu, 6);
-  const D r0 = sqrt(s.position.dot(s.position)), speed = sqrt(m / r0), rate = speed / r0;
-  const Vector3<D> direction = s.position / r0, v = s.velocity / speed;
-  D t = D::variable(time, 7) * rate;
-  const detail::Universal<D> u{2 - v.dot(v), direction.dot(v)};
-  if (value_of(u.alpha) < -1 && value_of(u.sigma) * time < 0) {
-    if (is_approach(std::sqrt(v.dot(v).value), t.value)) {
-      LagrangeCoefficients<D> c = approach_with_derivatives(direction, v, t);
-      c.g /= rate, c.f_rate *= rate;
-      return moved(s, c);
-    }
-    const BasicState<D> end = flyby_with_derivatives(direction, v, t);
-    return {r0 * end.position, speed * end.velocity};
-  }
-  const detail::Universal<double> plain{u.alpha.value, u.sigma.value};
-  double turns = 0;
-  const double reduced = detail::within_one_turn(plain.alpha, t.value, turns);
-  if (turns != 0) t -= turns * (2 * std::numbers::pi) / (u.alpha * sqrt(u.alpha));
-  auto at = u.at(D(detail::solve(plain, reduced).at.s));
-  at = u.at(at.s - (at.time - t) / at.r);
-  return moved(s, LagrangeCoefficients<D>{1 - at.u2, (at.u1 + u.sigma * at.u2) / rate, -at.u1 / at.r * rate,
-                                          1 - at.u2 / at.r, 0});
-}
-
-double sum_of_sensitivities(const Vector3<D>& result, const double (&size)[data]) {
-  double sum = 0;
-  const double length = std::hypot(result[0].value, result[1].value, result[2].value);
-  for (std::size_t j = 0; j < data; ++j) {
-    // Divide first: squares of time derivatives of a fast orbit overflow.
-    const double unit = size[j] / length;
-    sum += std::hypot(result[0].partial[j] * unit, result[1].partial[j] * unit, result[2].partial[j] * unit);
-  }
-  return sum < std::numeric_limits<double>::infinity() ? sum : std::numeric_limits<double>::infinity();
 }
 
 /// Kepler's problem in units with |r| and mu near 1.
@@ -152,9 +39,21 @@ KeplerCondition condition_of(const Scaled& s) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   if (!s.possible) return {infinity, infinity};
   const double r = s.start.position.norm(), v = s.start.velocity.norm();
-  const double size[data] = {r, r, r, v, v, v, s.mu, std::abs(s.time)};
-  const auto end = with_derivatives(s.start, s.time, s.mu);
-  return {sum_of_sensitivities(end.position, size), sum_of_sensitivities(end.velocity, size)};
+  const Vector<double, 8> size{r, r, r, v, v, v, s.mu, std::abs(s.time)};
+  const KeplerTransition k = detail::kepler_partials(s.start, s.time, s.mu);
+  Matrix<double, 6, 8> partials;
+  partials << k.transition, k.by_mu, k.by_time;
+  const auto sum_of_effects = [&](const Vector3<double>& result, Eigen::Index row) {
+    // Divide first: squares of time derivatives of a fast orbit overflow.
+    const double length = std::hypot(result[0], result[1], result[2]);
+    double sum = 0;
+    for (Eigen::Index j = 0; j < 8; ++j) {
+      const double unit = size[j] / length;
+      sum += std::hypot(partials(row, j) * unit, partials(row + 1, j) * unit, partials(row + 2, j) * unit);
+    }
+    return sum < infinity ? sum : infinity;
+  };
+  return {sum_of_effects(k.state.position, 0), sum_of_effects(k.state.velocity, 3)};
 }
 
 /// Condition number of the mean anomaly of an ellipse. At an apoapsis the position does not depend on it to
@@ -197,42 +96,74 @@ Status undetermined(double time, double kappa) {
                      time, kappa, std::isfinite(kappa) ? "" : ", or give the data in other units");
 }
 
+Status too_fast(const State& start, double time, double mu) {
+  return failed_with(Outcome::outside_validity,
+                     "kepler: the speed {:.6g} or the time {:.6g} is beyond 1e150 times those "
+                     "of a circular orbit with mu = {:.6g}; choose smaller ones, or a larger mu",
+                     start.velocity.stableNorm(), time, mu);
+}
+
+/// Checks the end of a motion, the state after the time @p time of the user, and converts it to the units of
+/// the user.
+Status finish(const Scaled& s, double time, State& end) {
+  if (end.position == Vector3<double>::Zero() || (end.position.allFinite() && !end.velocity.allFinite()))
+    return failed_with(Outcome::collision,
+                       "kepler: after {:.17g} the body is in the centre of attraction, where its "
+                       "velocity has no bound; ask for another time",
+                       time);
+  if (const double kappa = condition_if_large(s, end, no_digit); kappa != 0) return undetermined(time, kappa);
+  end = s.units.users(end);
+  if (!end.position.allFinite() || !end.velocity.allFinite() || end.position == Vector3<double>::Zero())
+    return failed_with(Outcome::outside_validity,
+                       "kepler: the state after {:.6g} is beyond the range of doubles; ask for a "
+                       "time nearer 0, or give the data in other units",
+                       time);
+  return {};
+}
+
+/// Converts partial derivatives to the units of the user.
+void convert(const detail::PowerUnits& units, KeplerTransition& k) {
+  const int length = units.length, time = units.time, mu = 3 * length - 2 * time;
+  const auto scale = [](auto&& part, int exponent) {
+    for (double& x : part.reshaped()) x = std::ldexp(x, exponent);
+  };
+  scale(k.transition.topRightCorner<3, 3>(), time);
+  scale(k.transition.bottomLeftCorner<3, 3>(), -time);
+  scale(k.by_mu.head<3>(), length - mu);
+  scale(k.by_mu.tail<3>(), length - time - mu);
+  scale(k.by_time.head<3>(), length - time);
+  scale(k.by_time.tail<3>(), length - 2 * time);
+}
+
 }  // namespace
 
 KeplerSolution propagate_kepler(const State& start, double time, double mu) {
   check_arguments(start, time, mu, "propagate_kepler");
   const Scaled s(start, time, mu);
-  KeplerSolution solution{start, {}, 0};
-  if (!s.possible) {
-    solution.status = failed_with(Outcome::outside_validity,
-                                  "kepler: the speed {:.6g} or the time {:.6g} is beyond 1e150 times those "
-                                  "of a circular orbit with mu = {:.6g}; choose smaller ones, or a larger mu",
-                                  start.velocity.stableNorm(), time, mu);
-    return solution;
-  }
-  const State end = kepler_state(s.start, s.time, s.mu, &solution.iterations);
-  if (end.position == Vector3<double>::Zero() || (end.position.allFinite() && !end.velocity.allFinite())) {
-    solution.status = failed_with(Outcome::collision,
-                                  "kepler: after {:.17g} the body is in the centre of attraction, where its "
-                                  "velocity has no bound; ask for another time",
-                                  time);
-    return solution;
-  }
-  if (const double kappa = condition_if_large(s, end, no_digit); kappa != 0) {
-    solution.status = undetermined(time, kappa);
-    return solution;
-  }
-  const State users = s.units.users(end);
-  if (!users.position.allFinite() || !users.velocity.allFinite() ||
-      users.position == Vector3<double>::Zero()) {
-    solution.status = failed_with(Outcome::outside_validity,
-                                  "kepler: the state after {:.6g} is beyond the range of doubles; ask for a "
-                                  "time nearer 0, or give the data in other units",
-                                  time);
-    return solution;
-  }
-  solution.state = users;
+  if (!s.possible) return {start, too_fast(start, time, mu), 0};
+  KeplerSolution solution;
+  solution.state = kepler_state(s.start, s.time, s.mu, &solution.iterations);
+  solution.status = finish(s, time, solution.state);
+  if (!solution.status.ok()) solution.state = start;
   return solution;
+}
+
+KeplerTransition kepler_transition(const State& start, double time, double mu) {
+  check_arguments(start, time, mu, "kepler_transition");
+  const Scaled s(start, time, mu);
+  const auto failed = [&start](Status status) {
+    return KeplerTransition{.state = start, .status = std::move(status)};
+  };
+  if (!s.possible) return failed(too_fast(start, time, mu));
+  KeplerTransition k = detail::kepler_partials(s.start, s.time, s.mu);
+  if (Status status = finish(s, time, k.state); !status.ok()) return failed(std::move(status));
+  if (s.units.length != 0 || s.units.time != 0) convert(s.units, k);
+  if (!k.transition.allFinite() || !k.by_mu.allFinite() || !k.by_time.allFinite())
+    return failed(failed_with(Outcome::outside_validity,
+                              "kepler: the derivatives of the state after {:.6g} are beyond the range of "
+                              "doubles; ask for another time, or give the data in other units",
+                              time));
+  return k;
 }
 
 KeplerCondition kepler_condition(const State& start, double time, double mu) {

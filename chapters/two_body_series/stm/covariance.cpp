@@ -1,0 +1,150 @@
+#include "nlmech/orbit/covariance.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "chapters/two_body_series/orbits/orbits.hpp"
+#include "nlmech/orbit/elements.hpp"
+#include "nlmech/orbit/ensemble.hpp"
+#include "nlmech/orbit/transition.hpp"
+#include "nlmech/scene/scene.hpp"
+#include "nlmech/support/errors.hpp"
+
+namespace nlmech::chapters::two_body_series::covariance {
+namespace {
+
+using orbit::State;
+using orbit::Vector3;
+using Plane = Vector<double, 2>;
+
+/// Standard deviations at the start, of each component.
+constexpr double place = 1e3, speed = 1;  // m, m/s
+
+/// The cloud and the covariance after some orbits, along the velocity and outwards across it, in km.
+struct Cloud {
+  int orbits;
+  std::vector<Plane> points;
+  Matrix<double, 2> linear;  ///< covariance by the transition matrix
+  Plane mean = Plane::Zero();
+  Matrix<double, 2> sampled = Matrix<double, 2>::Zero();
+
+  /// Points within @p sigmas of the linear ellipse, as a share.
+  [[nodiscard]] double share_within(double sigmas) const {
+    double count = 0;
+    const double a = linear(0, 0), b = linear(0, 1), c = linear(1, 1), determinant = a * c - b * b;
+    for (const Plane& p : points)
+      if ((c * p[0] * p[0] - 2 * b * p[0] * p[1] + a * p[1] * p[1]) / determinant <= sigmas * sigmas) ++count;
+    return count / static_cast<double>(points.size());
+  }
+};
+
+std::vector<Cloud> measure(bool quick) {
+  const State start = low_orbit().start;
+  const double period = orbit::elements_of(start, earth_mu).period(earth_mu);
+  Matrix<double, 6> initial = Matrix<double, 6>::Zero(), root;
+  initial.diagonal() << Vector3<double>::Constant(place * place), Vector3<double>::Constant(speed * speed);
+  (void)orbit::root_of_covariance(initial, root);
+  std::mt19937_64 engine(1);
+  std::normal_distribution<double> normal;
+  std::vector<orbit::PropagationRequest> starts(quick ? 500 : 2000);
+  for (auto& s : starts) {
+    Vector<double, 6> x;
+    for (double& component : x) component = normal(engine);
+    x = root * x;
+    s = {{start.position + x.head<3>(), start.velocity + x.tail<3>()}, 0, {.mu = earth_mu}};
+  }
+  std::vector<Cloud> all;
+  for (const int orbits : {1, 3, 10}) {
+    const double time = orbits * period;
+    const auto k = orbit::kepler_transition(start, time, earth_mu);
+    const Vector3<double> forwards = k.state.velocity.normalized(),
+                          normal_way = orbit::cross(k.state.position, k.state.velocity).normalized(),
+                          outwards = orbit::cross(forwards, normal_way);
+    Matrix<double, 2, 3> axes;
+    axes << forwards.transpose() / 1e3, outwards.transpose() / 1e3;
+    const Matrix<double, 6> moved = k.transition * root;
+    const Matrix<double, 2, 6> seen = axes * moved.topRows<3>();
+    Cloud cloud{orbits, {}, seen * seen.transpose()};
+    for (auto& s : starts) s.until = time;
+    for (const auto& end : orbit::propagate_all(starts)) {
+      if (!end.status.ok()) throw Failure(end.status);
+      cloud.points.push_back(axes * (end.x.position - k.state.position));
+      cloud.mean += cloud.points.back();
+    }
+    const auto count = static_cast<double>(starts.size());
+    cloud.mean /= count;
+    for (const Plane& p : cloud.points)
+      cloud.sampled += (p - cloud.mean) * (p - cloud.mean).transpose() / (count - 1);
+    all.push_back(std::move(cloud));
+  }
+  return all;
+}
+
+void draw(const std::vector<Cloud>& all, scene::Show& show) {
+  scene::Plot& plot = show.plots("Covariance over ten orbits: the cloud bends out of the linear ellipse");
+  plot.size(1000, 430).columns({"panel", "curve", "along", "outwards"});
+  for (const Cloud& c : all) {
+    scene::Panel& panel = plot.panel("along the velocity (km)", c.orbits == 1 ? "outwards (km)" : "");
+    panel.caption(fmt::format("after {} orbit{}", c.orbits, c.orbits == 1 ? "" : "s"));
+    panel.key(c.orbits == 1 ? "top left font 'sans-serif,11'" : "off");
+    std::vector<double> x, y, ellipse_x, ellipse_y;
+    for (std::size_t i = 0; i < c.points.size(); i += c.points.size() / 500) {
+      x.push_back(c.points[i][0]);
+      y.push_back(c.points[i][1]);
+    }
+    // Three standard deviations: 3 L (cos, sin) with Cholesky's factor L.
+    const double a = std::sqrt(c.linear(0, 0)), b = c.linear(0, 1) / a, d = std::sqrt(c.linear(1, 1) - b * b);
+    for (int i = 0; i <= 180; ++i) {
+      const double angle = i * 0.034906585039886591;  // 2 degrees
+      ellipse_x.push_back(3 * a * std::cos(angle));
+      ellipse_y.push_back(3 * (b * std::cos(angle) + d * std::sin(angle)));
+    }
+    panel.curve("Monte Carlo", x, y, {"points pointtype 7 pointsize 0.3", 2});
+    panel.curve("3 sigma, linear", ellipse_x, ellipse_y, scene::lines(1));
+  }
+}
+
+void put(const std::vector<Cloud>& all, scene::Show& show) {
+  draw(all, show);
+  const auto sigma = [](const Matrix<double, 2>& m, int axis) { return std::sqrt(m(axis, axis)); };
+  show.table(all, {{"orbits", &Cloud::orbits},
+                   {"sigma along, linear (km)", [=](const Cloud& c) { return sigma(c.linear, 0); }},
+                   {"sigma along, sampled (km)", [=](const Cloud& c) { return sigma(c.sampled, 0); }},
+                   {"sigma outwards, linear (km)", [=](const Cloud& c) { return sigma(c.linear, 1); }},
+                   {"sigma outwards, sampled (km)", [=](const Cloud& c) { return sigma(c.sampled, 1); }},
+                   {"mean outwards, sampled (km)", [](const Cloud& c) { return c.mean[1]; }},
+                   {"share within 3 sigma", [](const Cloud& c) { return c.share_within(3); }}});
+  const double count = static_cast<double>(all.front().points.size()), scatter = 4 / std::sqrt(2 * count);
+  for (const Cloud& c : all)
+    show.near(fmt::format("sigma along after {} orbits, sampled over linear", c.orbits),
+              sigma(c.sampled, 0) / sigma(c.linear, 0), 1, scatter,
+              "four standard deviations of a sampled one, 1/sqrt(2 n)");
+  const double bend = all.back().linear(0, 0) / 2 * 1e3 / low_orbit().start.position.norm();
+  show.near(
+      "mean outwards after 10 orbits", {-all.back().mean[1], "km"}, bend, 0.25,
+      "a point at the distance s along a circle of the periapsis' radius r lies s^2/(2 r) inside of its "
+      "tangent; the ellipse is flatter by its eccentricity of 0.1, and the sample scatters");
+  show.between("share within 3 sigma after 1 orbit", all.front().share_within(3), 0.98, 0.997,
+               "1 - exp(-9/2) = 0.989 of a normal distribution in the plane, and scatter");
+  show.between("share within 3 sigma after 10 orbits", all.back().share_within(3), 0.2, 0.95,
+               "regression value: the cloud is bent by more than the width of the ellipse");
+}
+
+}  // namespace
+
+std::vector<scene::Scene> scenes() {
+  const scene::Result all(
+      "covariance",
+      "low orbit from its periapsis; standard deviations of 1 km and 1 m/s of each component; 2000 "
+      "starts, 500 with --quick, propagated by Taylor series in lanes",
+      measure);
+  return {{.name = "covariance",
+           .title = "Covariance over ten orbits: linear ellipses and a Monte Carlo cloud",
+           .content = scene::Content(put, all)}};
+}
+
+}  // namespace nlmech::chapters::two_body_series::covariance

@@ -1,0 +1,60 @@
+#include "nlmech/orbit/transfer/lambert_partials.hpp"
+
+#include <Eigen/LU>
+#include <limits>
+#include <utility>
+
+#include "nlmech/orbit/transition.hpp"
+#include "nlmech/support/sentences.hpp"
+
+namespace nlmech::orbit {
+namespace {
+
+/// Inverse with one correction, which makes its error that of a backward-stable method.
+Matrix<double, 3> inverse_of(const Matrix<double, 3>& m) {
+  // In units of the largest entry, so that the determinant neither overflows nor underflows.
+  const double unit = m.cwiseAbs().maxCoeff();
+  const Matrix<double, 3> scaled = m / unit, first = scaled.inverse();
+  return (first + first * (Matrix<double, 3>::Identity() - scaled * first)) / unit;
+}
+
+}  // namespace
+
+LambertPartials lambert_partials(const TransitionMatrix& transition, const State& arrival,
+                                 const Gravity& gravity) {
+  LambertPartials p;
+  const Matrix<double, 3> reach = transition.topRightCorner<3, 3>(), inverse = inverse_of(reach);
+  p.condition = reach.stableNorm() * inverse.stableNorm();
+  if (!(64 * std::numeric_limits<double>::epsilon() * p.condition < 1)) {
+    p.condition = std::numeric_limits<double>::infinity();
+    p.status = Status::failure(
+        Outcome::singular_matrix,
+        "lambert: the velocities have no derivatives: d(r_2)/d(v_1) is singular to rounding (a transfer by "
+        "180 degrees, or to a conjugate point, where two arcs merge); move a position, or change the time");
+    return p;
+  }
+  p.v1_by_r2 = inverse;
+  p.v2_by_r1 = -inverse.transpose();
+  p.v1_by_r1 = -inverse * transition.topLeftCorner<3, 3>();
+  p.v2_by_r2 = transition.bottomRightCorner<3, 3>() * inverse;
+  p.v1_by_time = -inverse * arrival.velocity;
+  p.v2_by_time = acceleration(arrival.position, gravity) - p.v2_by_r2 * arrival.velocity;
+  return p;
+}
+
+LambertPartials lambert_partials(const TransferProblem& problem, const Vector3<double>& v1) {
+  const State start{problem.from, v1};
+  LambertPartials failed;
+  if (problem.gravity.degree() == 0) {
+    KeplerTransition k = kepler_transition(start, problem.time, problem.gravity.mu);
+    if (k.status.ok()) return lambert_partials(k.transition, k.state, problem.gravity);
+    failed.status = std::move(k.status);
+  } else {
+    TransitionSolution c = propagate_transition(start, 0, problem.time, problem.gravity);
+    if (c.end.status.ok()) return lambert_partials(c.transition, c.end.x, problem.gravity);
+    failed.status = std::move(c.end.status);
+  }
+  return failed;
+}
+
+}  // namespace nlmech::orbit
