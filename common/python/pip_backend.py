@@ -1,6 +1,7 @@
-"""What pip calls to build the package: CMake does the work, in build-python, and the result is packed as a wheel. Needs no other package.
+"""What pip calls to build the package: CMake does the work, and the result is packed as a wheel. Needs no other package.
 
-Settings of CMake: pip install . --config-settings=NLMECH_PEERS=all (default: none, so that SUNDIALS, GSL and Boost are not needed)."""
+Settings of CMake: pip install . --config-settings=NLMECH_PEERS=all (default: none, so that SUNDIALS, GSL and GeographicLib are not needed);
+build-dir=DIR is the folder of the build (default build-python)."""
 import base64
 import hashlib
 import os
@@ -16,12 +17,17 @@ SOURCE = pathlib.Path(__file__).resolve().parents[2]
 VERSION = re.search(r"project\(nlmech VERSION ([\d.]+)", (SOURCE / "CMakeLists.txt").read_text(encoding="utf-8"))[1]
 
 
+def digest(data):
+    return base64.urlsafe_b64encode(hashlib.sha256(data).digest()).rstrip(b"=").decode()
+
+
 def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
-    build = SOURCE / "build-python"
-    settings = {"NLMECH_TESTS": "OFF", "NLMECH_BOOK": "OFF", "NLMECH_PEERS": "none", "CMAKE_BUILD_TYPE": "Release",
-                "Python_EXECUTABLE": sys.executable, **(config_settings or {})}
+    settings = {"build-dir": "build-python", "NLMECH_TESTS": "OFF", "NLMECH_BOOK": "OFF", "NLMECH_PEERS": "none",
+                "CMAKE_BUILD_TYPE": "Release", "Python_EXECUTABLE": sys.executable, **(config_settings or {})}
+    build = SOURCE / settings.pop("build-dir")
     generator = ["-G", "Ninja"] if shutil.which("ninja") else []
-    subprocess.run(["cmake", "-S", SOURCE, "-B", build, *generator, *(f"-D{name}={value}" for name, value in settings.items())], check=True)
+    defined = (f"-D{name}={value}" for name, value in settings.items())
+    subprocess.run(["cmake", "-S", SOURCE, "-B", build, *generator, *defined], check=True)
     jobs = os.environ.get("CMAKE_BUILD_PARALLEL_LEVEL", str(os.cpu_count()))
     subprocess.run(["cmake", "--build", build, "--target", "python", "--parallel", jobs], check=True)
     tag = f"cp{sys.version_info.major}{sys.version_info.minor}"
@@ -32,8 +38,8 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
                                  "Summary: Nonlinear problems of structural and celestial mechanics\n"
                                  "Requires-Python: >=3.9\nRequires-Dist: numpy\n").encode()
     files[f"{info}/WHEEL"] = f"Wheel-Version: 1.0\nGenerator: nlmech\nRoot-Is-Purelib: false\nTag: {tag}\n".encode()
-    digests = ((name, base64.urlsafe_b64encode(hashlib.sha256(data).digest()).rstrip(b"=").decode(), len(data)) for name, data in files.items())
-    files[f"{info}/RECORD"] = "".join([*(f"{name},sha256={digest},{size}\n" for name, digest, size in digests), f"{info}/RECORD,,\n"]).encode()
+    record = [f"{path},sha256={digest(data)},{len(data)}\n" for path, data in files.items()]
+    files[f"{info}/RECORD"] = "".join([*record, f"{info}/RECORD,,\n"]).encode()
     name = f"nlmech-{VERSION}-{tag}.whl"
     with zipfile.ZipFile(pathlib.Path(wheel_directory) / name, "w", zipfile.ZIP_DEFLATED) as wheel:
         for path, data in files.items():

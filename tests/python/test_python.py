@@ -120,7 +120,7 @@ def test_compare_and_choose():
     ({"until": 1, "tolerance": 1e-6, "step": 0.1}, "step 0.1 tolerance 1e-06: give a step or a tolerance"),
     ({"until": 1, "at": [2.0]}, "at 2: is outside the run"),
     ({"until": 1, "set": {"b": 1}}, "b"),
-    ({"until": 1, "initial": "y=1"}, "initial.*y")])
+    ({"until": 1, "initial": "y=1"}, "initial:1:1: no component")])
 def test_wrong_arguments_are_value_errors(arguments, words):
     with pytest.raises(ValueError, match=words) as raised:
         nlmech.integrate(DUFFING, **{"initial": START, **arguments})
@@ -328,10 +328,10 @@ def test_frames_and_spacecraft_have_the_bits_of_the_commands():
     assert len(raised.value.partial.load_factor) >= 3
     with pytest.raises(ValueError, match="no-such.toml"):
         nlmech.frames.path("no-such.toml")
-    printed = command("gss_control", "response", "--omega", "0.3,7,40", "--at", "2,10", "--gains", "12,0,16")
-    theta, y = nlmech.spacecraft.response([0.3, 7, 40], at=[2, 10], gains=[12, 0, 16])
+    printed = command("gss_control", "response", "--omega", "0.3,7,40", "--at", "2,4", "--gains", "12,0,16")
+    theta, y = nlmech.spacecraft.response([0.3, 7, 40], at=[2, 4], gains=[12, 0, 16])
     same(theta, printed["theta_re"] + 1j * printed["theta_im"])
-    same(y[:, 1], printed["y@10_re"] + 1j * printed["y@10_im"])
+    same(y[:, 1], printed["y@4_re"] + 1j * printed["y@4_im"])
     other, _ = nlmech.spacecraft.response([7], spacecraft={"tip_mass": 0, "tip_inertia": 0})
     assert other[0] != nlmech.spacecraft.response([7])[0][0]
     with pytest.raises(ValueError, match="hub_mass"):
@@ -342,7 +342,7 @@ def public():
     modules = (nlmech, nlmech.geodesy, nlmech.orbit, nlmech.frames, nlmech.spacecraft)
     for module in modules:
         for name, value in vars(module).items():
-            if not name.startswith("_") and getattr(value, "__module__", "").startswith("nlmech") and callable(value):
+            if name[0] != "_" and (name in nlmech.__all__ or getattr(value, "__module__", "") == module.__name__):
                 yield f"{module.__name__}.{name}", value
 
 
