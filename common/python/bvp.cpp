@@ -76,16 +76,15 @@ void add_bvp(py::module_& module) {
       .def_property_readonly("names", [](const Solved& s) { return s.problem.names(); })
       .def_property_readonly("residual", [](const Solved& s) { return s.solution.residual; });
   module.def("bvp_names", [](const bvp::ProblemText& text) { return bvp::read_problem(text).names(); });
-  module.def(
-      "bvp", [](const bvp::ProblemText& text, const std::string& guess, const std::vector<double>& times,
+  module.def("bvp",
+             [](const bvp::ProblemText& text, const std::string& guess, const std::vector<double>& times,
                 const Doubles& values, std::optional<int> starts, double tolerance) {
-        Guess from{guess, times, {}};
-        if (!times.empty())
-          from.values = Eigen::Map<const RowMajor>(values.data(), values.shape(0), values.shape(1));
-        TypedProblem problem = bvp::read_problem(text, guess);
-        return interruptible(
-            py::none(), [&](Job& /*job*/) { return solve(std::move(problem), from, starts, tolerance); });
-      });
+               Guess from{guess, times, {}};
+               if (!times.empty())
+                 from.values = Eigen::Map<const RowMajor>(values.data(), values.shape(0), values.shape(1));
+               TypedProblem problem = bvp::read_problem(text, guess);
+               return unlocked([&] { return solve(std::move(problem), from, starts, tolerance); });
+             });
   py::class_<bvp::ProblemText>(module, "BoundaryText")
       .def(py::init<>())
       .def_readwrite("name", &bvp::ProblemText::name)

@@ -1,12 +1,15 @@
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
-#include <utility>
+#include <limits>
+#include <span>
 
 #include "common/python/module.hpp"
 #include "nlmech/geodesy/reverse_transform.hpp"
 #include "nlmech/support/degrees.hpp"
 #include "nlmech/support/sentences.hpp"
+#include "nlmech/support/threads.hpp"
 
 namespace nlmech::python {
 namespace {
@@ -14,91 +17,94 @@ namespace {
 using geodesy::Ellipsoid;
 using geodesy::ReverseTransform;
 
-/// Points for one call of the library: six arrays of this length stay in the nearest cache.
-constexpr std::size_t block = 512;
-/// Points between two looks at Job::stop.
-constexpr std::size_t portion = 1 << 18;
+/// Points for one call of the library, whose coordinates stay in the nearest cache, and for one thread at a
+/// time.
+constexpr std::size_t block = 512, portion = 16 * block;
 
-/// Runs `work(begin, end)` over portions of @p count points: in this thread if they are few.
-template <class Work>
-void in_portions(std::size_t count, const Work& work) {
-  if (count <= 4096) return work(0, count);
-  interruptible(py::none(), [&](Job& job) {
-    for (std::size_t begin = 0; begin < count && !job.stop; begin += portion)
-      work(begin, std::min(begin + portion, count));
-  });
-}
-
-/// Degrees of latitude and longitude, and height, for rows x, y, z.
-py::array_t<double> reverse(const Doubles& points, const Ellipsoid& ellipsoid) {
-  const ReverseTransform transform(ellipsoid);
-  py::array_t<double> result({points.shape(0), py::ssize_t{3}});
-  const double* const from = points.data();
-  double* const to = result.mutable_data();
-  const auto count = static_cast<std::size_t>(points.shape(0));
-  std::size_t lost = 0, first = 0;
-  in_portions(count, [&](std::size_t begin, std::size_t end) {
-    std::array<double, block> x, y, z;
-    for (std::size_t i = begin; i < end; i += block) {
-      const std::size_t n = std::min(block, end - i);
-      for (std::size_t k = 0; k < n; ++k) {
-        const double* const p = from + 3 * (i + k);
-        x[k] = p[0];
-        y[k] = p[1];
-        z[k] = p[2];
-      }
-      const std::span<double> xs(x.data(), n), ys(y.data(), n), zs(z.data(), n);
-      const auto report = transform(xs, ys, zs, xs, ys, zs);
-      if (report.non_finite > 0 && lost == 0) first = i + report.first_non_finite;
-      lost += report.non_finite;
-      for (std::size_t k = 0; k < n; ++k) {
-        double* const p = to + 3 * (i + k);
-        p[0] = x[k] / degree;
-        p[1] = y[k] / degree;
-        p[2] = z[k];
-      }
+/// Points without a finite result.
+struct Lost {
+  std::atomic<std::size_t> count = 0, first = std::numeric_limits<std::size_t>::max();
+  void add(std::size_t some, std::size_t at) {
+    if (some == 0) return;
+    count += some;
+    for (std::size_t now = first; at < now && !first.compare_exchange_weak(now, at);) {
     }
+  }
+};
+
+/// Rows of three numbers by columns: NumPy takes a column as a vector without gaps.
+using Columns = py::array_t<double, py::array::f_style>;
+
+/// Runs `work(begin, end, to, lost)` for portions of the rows of @p points; @p to has the columns of the
+/// result.
+template <class Work>
+Columns in_portions(const char* name, const Doubles& points, int threads, const Work& work) {
+  const auto count = static_cast<std::size_t>(points.shape(0));
+  Columns result({points.shape(0), py::ssize_t{3}});
+  double* const data = result.mutable_data();
+  const std::array<double*, 3> to = {data, data + count, data + 2 * count};
+  Lost lost;
+  unlocked([&] {
+    share_out(count, portion, count > portion ? threads : 1,
+              [&](std::size_t begin, std::size_t end) { work(begin, end, to, lost); });
+    return true;
   });
-  if (lost > 0)
-    raise(
-        failed_with(
-            Outcome::non_finite,
-            "geodesy.reverse: {} of {} points have no finite result, the first at index {}: a coordinate is "
-            "NaN or infinite, or the distance from the centre overflows",
-            lost, count, first),
-        result);
+  if (lost.count > 0)
+    raise(failed_with(Outcome::non_finite,
+                      "{}: {} of {} points have no finite result, the first at index {}: a number is NaN or "
+                      "infinite, or the distance from the centre overflows",
+                      name, lost.count.load(), count, lost.first.load()),
+          result);
   return result;
 }
 
-/// x, y, z for rows of degrees of latitude and longitude, and height.
-py::array_t<double> forward(const Doubles& points, const Ellipsoid& ellipsoid) {
-  py::array_t<double> result({points.shape(0), py::ssize_t{3}});
+/// Degrees of latitude and longitude, and height, for rows x, y, z.
+Columns reverse(const Doubles& points, const Ellipsoid& ellipsoid, int threads) {
+  const ReverseTransform transform(ellipsoid);
   const double* const from = points.data();
-  double* const to = result.mutable_data();
-  const auto count = static_cast<std::size_t>(points.shape(0));
-  for (std::size_t i = 0; i < count; ++i) {
+  return in_portions("geodesy.reverse", points, threads,
+                     [&](std::size_t begin, std::size_t end, const auto& to, Lost& lost) {
+                       std::array<double, block> x, y, z;
+                       for (std::size_t i = begin; i < end; i += block) {
+                         const std::size_t n = std::min(block, end - i);
+                         for (std::size_t k = 0; k < n; ++k) {
+                           const double* const p = from + 3 * (i + k);
+                           x[k] = p[0];
+                           y[k] = p[1];
+                           z[k] = p[2];
+                         }
+                         const std::span latitude(to[0] + i, n), longitude(to[1] + i, n),
+                             height(to[2] + i, n);
+                         const auto report = transform({x.data(), n}, {y.data(), n}, {z.data(), n}, latitude,
+                                                       longitude, height);
+                         lost.add(report.non_finite, i + report.first_non_finite);
+                         for (double& angle : latitude) angle /= degree;
+                         for (double& angle : longitude) angle /= degree;
+                       }
+                     });
+}
+
+/// x, y, z for rows of degrees of latitude and longitude, and height.
+Columns forward(const Doubles& points, const Ellipsoid& ellipsoid, int threads) {
+  const double* const from = points.data();
+  for (py::ssize_t i = 0; i < points.shape(0); ++i) {
     if (std::abs(from[3 * i]) > 90)
       throw invalid_argument("geodesy.forward: the latitude {} at index {} is not between -90 and 90",
                              from[3 * i], i);
   }
-  std::size_t lost = 0, first = 0;
-  in_portions(count, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const double* const p = from + 3 * i;
-      const SineCosine lat = sine_cosine_of_degrees(p[0]), lon = sine_cosine_of_degrees(p[1]);
-      const auto r = geodesy::forward(lat.sine, lat.cosine, lon.sine, lon.cosine, p[2], ellipsoid);
-      if (!(std::isfinite(r.x) && std::isfinite(r.y) && std::isfinite(r.z)) && lost++ == 0) first = i;
-      to[3 * i] = r.x;
-      to[3 * i + 1] = r.y;
-      to[3 * i + 2] = r.z;
-    }
-  });
-  if (lost > 0)
-    raise(failed_with(Outcome::non_finite,
-                      "geodesy.forward: {} of {} positions are not finite, the first at index {}", lost,
-                      count, first),
-          result);
-  return result;
+  return in_portions(
+      "geodesy.forward", points, threads,
+      [&](std::size_t begin, std::size_t end, const auto& to, Lost& lost) {
+        for (std::size_t i = begin; i < end; ++i) {
+          const double* const p = from + 3 * i;
+          const SineCosine lat = sine_cosine_of_degrees(p[0]), lon = sine_cosine_of_degrees(p[1]);
+          const auto r = geodesy::forward(lat.sine, lat.cosine, lon.sine, lon.cosine, p[2], ellipsoid);
+          lost.add(std::isfinite(r.x) && std::isfinite(r.y) && std::isfinite(r.z) ? 0 : 1, i);
+          to[0][i] = r.x;
+          to[1][i] = r.y;
+          to[2][i] = r.z;
+        }
+      });
 }
 
 }  // namespace

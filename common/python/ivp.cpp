@@ -95,7 +95,7 @@ py::tuple integrate(const TypedOptions& typed, const std::vector<double>& at, co
   RunOptions options = options_of(typed, problem, problem.initial_state(typed.initial), at);
   const ivp::MethodInfo& method = method_of(typed, problem, options);
   try {
-    const comparison::Trajectory run = interruptible(progress, [&](Job& job) {
+    const comparison::Trajectory run = unlocked(progress, [&](Job& job) {
       watch(options, job);
       return typed.method.empty() ? default_trajectory(problem, options, method)
                                   : trajectory(problem, options, method);
@@ -129,7 +129,7 @@ py::list integrate_all(const TypedOptions& typed, const Doubles& states, const s
   if (members.empty()) return py::list();
   const ivp::MethodInfo& method = method_of(typed, *problem, members.front().options);
   constexpr std::size_t portion = 256;  // occupies all lanes and threads
-  const auto ends = interruptible(progress, [&](Job& job) {
+  const auto ends = unlocked(progress, [&](Job& job) {
     if (typed.limit) {
       using namespace std::chrono;
       const auto deadline = steady_clock::now() + duration_cast<steady_clock::duration>(
@@ -171,7 +171,7 @@ py::tuple compare(const TypedOptions& typed, const py::object& progress) {
     watch(options, job);
     return comparison::comparison(problem, options, methods, say).rows;
   };
-  const std::string rows = interruptible(progress, work);
+  const std::string rows = unlocked(progress, work);
   return py::make_tuple(rows, messages);
 }
 
@@ -183,8 +183,7 @@ py::tuple choose(const TypedOptions& typed) {
   comparison::ChoiceRequest request = choice_request(problem, options);
   if (const auto absolute = options.settings.absolute_tolerance)
     request.absolute = *absolute * std::pow(10, typed.digits);
-  const auto chosen = interruptible(
-      py::none(), [&](Job& /*job*/) { return comparison::choose(request, typed.digits, examine(request)); });
+  const auto chosen = unlocked([&] { return comparison::choose(request, typed.digits, examine(request)); });
   return py::make_tuple(choice_rows(chosen), choice_remark(chosen));
 }
 

@@ -6,12 +6,12 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
-#include <atomic>
 #include <chrono>
 #include <exception>
-#include <future>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "nlmech/support/status.hpp"
@@ -35,41 +35,62 @@ using Doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
 /// Raises nlmech.Failure. @param partial what was computed, or None
 [[noreturn]] void raise(const Status& status, const py::object& partial);
 
-/// Shared by a computation and the thread that waits for it.
-struct Job {
-  std::atomic<bool> stop = false;  ///< the computation shall end
-  std::atomic<double> done = 0;    ///< share that is done, from 0 to 1
+/// Lets a computation without Python's lock report how far it is, and end after Ctrl-C. For one thread, the
+/// one that Python called.
+class Job {
+ public:
+  /// @param progress called with the share that is done, or None
+  explicit Job(const py::object& progress) : progress_(progress) {}
 
-  /// Notes the share @p part; false if the computation shall end.
-  bool reached(double part) {
-    done.store(part, std::memory_order_relaxed);
-    return !stop.load(std::memory_order_relaxed);
-  }
-};
-
-/// Runs `work(job)` in another thread, without Python's lock. Every 50 ms the calling thread looks for
-/// signals and calls @p progress with Job::done; after Ctrl-C or an exception of @p progress it sets
-/// Job::stop, waits for the end of the computation and raises that exception.
-template <class Work>
-auto interruptible(const py::object& progress, const Work& work) {
-  using namespace std::chrono_literals;
-  Job job;
-  std::exception_ptr raised;
-  const py::gil_scoped_release release;
-  auto result = std::async(std::launch::async, [&] { return work(job); });
-  while (!raised && result.wait_for(50ms) != std::future_status::ready) {
+  /// Every 50 ms looks for signals and calls `progress` with the share @p done, from 0 to 1. False after
+  /// Ctrl-C or an exception of `progress`: the computation shall end.
+  [[nodiscard]] bool reached(double done) {
+    using namespace std::chrono_literals;
+    const auto now = std::chrono::steady_clock::now();
+    if (raised_ || now < next_) return !raised_;
+    next_ = now + 50ms;
     const py::gil_scoped_acquire lock;
     try {
       if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-      if (!progress.is_none()) progress(job.done.load());
+      if (!progress_.is_none()) progress_(done);
     } catch (...) {
-      raised = std::current_exception();
-      job.stop = true;
+      raised_ = std::current_exception();
     }
+    return !raised_;
   }
-  result.wait();
-  if (raised) std::rethrow_exception(raised);
-  return result.get();
+  /// Raises the exception that ended the computation, if there is one.
+  void raise() const {
+    if (raised_) std::rethrow_exception(raised_);
+  }
+
+ private:
+  const py::object& progress_;
+  std::exception_ptr raised_;
+  std::chrono::steady_clock::time_point next_ =
+      std::chrono::steady_clock::now() + std::chrono::milliseconds(50);
+};
+
+/// Result of `work(job)` without Python's lock. @param progress see Job
+template <class Work>
+auto unlocked(const py::object& progress, const Work& work) {
+  Job job(progress);
+  try {
+    std::optional<decltype(work(job))> result;
+    {
+      const py::gil_scoped_release release;
+      result.emplace(work(job));
+    }
+    job.raise();
+    return std::move(*result);
+  } catch (...) {
+    job.raise();  // rather than the failure of a computation that was interrupted
+    throw;
+  }
+}
+/// The same for work that nothing interrupts.
+template <class Work>
+auto unlocked(const Work& work) {
+  return unlocked(py::none(), [&work](Job& /*job*/) { return work(); });
 }
 
 void add_ivp(py::module_& module);         ///< integrate, compare, choose

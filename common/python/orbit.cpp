@@ -36,8 +36,17 @@ Gravity gravity_of(double mu, double radius, const std::vector<double>& zonal) {
   return gravity;
 }
 
+/// Texts, which share one object for the empty ones.
+py::list list_of(const std::vector<std::string>& texts, const char* empty) {
+  const py::str shared(empty);
+  py::list all(texts.size());
+  for (std::size_t i = 0; i < texts.size(); ++i) all[i] = texts[i].empty() ? shared : py::str(texts[i]);
+  return all;
+}
+
 /// Propagated orbits.
 struct Orbits {
+  bool verify;            ///< whether states are compared with Kepler's solution
   py::ssize_t rows;       ///< of each orbit: start, inner times, end
   py::array_t<double> x;  ///< orbit, row, component; NaN where an orbit did not come
   py::array_t<double> t;  ///< time of each orbit's last state
@@ -49,7 +58,7 @@ struct Orbits {
     double* const p = x.mutable_data() + 6 * (static_cast<py::ssize_t>(i) * rows + row);
     std::copy_n(s.position.data(), 3, p);
     std::copy_n(s.velocity.data(), 3, p + 3);
-    if (time == 0) return;
+    if (!verify || time == 0) return;
     const auto accuracy = accuracy_of(s, orbit.start, time, orbit.gravity, {"series", tolerance});
     if (!accuracy.status.ok()) {
       fail(i, accuracy.status);
@@ -87,7 +96,7 @@ void propagate(std::span<const orbit::PropagationRequest> orbits, std::size_t fi
 /// Propagates rows of states, each with its end and mu, NaN for the Earth's.
 py::tuple propagate(const Doubles& states, const Doubles& until, const Doubles& mu, Gravity field,
                     double every, py::ssize_t rows, const orbit::TaylorEnsemble& method, double seconds,
-                    const py::object& progress) {
+                    bool verify, const py::object& progress) {
   const auto count = static_cast<std::size_t>(states.shape(0));
   std::vector<orbit::PropagationRequest> orbits;
   for (std::size_t i = 0; i < count; ++i) {
@@ -99,12 +108,12 @@ py::tuple propagate(const Doubles& states, const Doubles& until, const Doubles& 
     field.mu = is_earth ? orbit::earth().mu : mu.data()[i];
     orbits.push_back({start, until.data()[i], field});
   }
-  Orbits all{rows, py::array_t<double>({states.shape(0), rows, py::ssize_t{6}}),
+  Orbits all{verify, rows, py::array_t<double>({states.shape(0), rows, py::ssize_t{6}}),
              py::array_t<double>(states.shape(0))};
   all.names.resize(count);
   all.sentences.resize(count);
   std::fill_n(all.x.mutable_data(), all.x.size(), std::numeric_limits<double>::quiet_NaN());
-  interruptible(progress, [&](Job& job) {
+  unlocked(progress, [&](Job& job) {
     const Stopwatch watch;
     const std::span<const orbit::PropagationRequest> left(orbits);
     // Results do not depend on the portions, which grow until one takes a twentieth of a second.
@@ -113,11 +122,12 @@ py::tuple propagate(const Doubles& states, const Doubles& until, const Doubles& 
       const double begin = watch.seconds();
       propagate(some, i, every, method, std::max(0.0, seconds - begin), all);
       i += some.size();
-      if (!job.reached(static_cast<double>(i) / static_cast<double>(count))) return;
+      if (!job.reached(static_cast<double>(i) / static_cast<double>(count))) break;
       if (watch.seconds() - begin < 0.05) portion *= 2;
     }
+    return true;
   });
-  return py::make_tuple(all.x, all.t, all.names, all.sentences);
+  return py::make_tuple(all.x, all.t, list_of(all.names, "success"), list_of(all.sentences, ""));
 }
 
 /// Lambert arcs between rows of positions: velocities, misses, outcomes and sentences.
@@ -130,9 +140,9 @@ py::tuple lambert(const Doubles& from, const Doubles& to, const Doubles& time, c
   double *const a = v1.mutable_data(), *const b = v2.mutable_data(), *const off = miss.mutable_data();
   std::vector<std::string> names(count), sentences(count);
   const auto vector_at = [](const double* p) { return Vector(p[0], p[1], p[2]); };
-  interruptible(py::none(), [&](Job& job) {
+  unlocked([&] {
     share_out(count, 16, threads, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end && !job.stop; ++i) {
+      for (std::size_t i = begin; i < end; ++i) {
         orbit::TransferProblem problem{
             vector_at(from.data() + 3 * i), vector_at(to.data() + 3 * i), time.data()[i], gravity, {}};
         if (normal) problem.normal = vector_at(normal->data());
@@ -144,6 +154,7 @@ py::tuple lambert(const Doubles& from, const Doubles& to, const Doubles& time, c
         sentences[i] = transfer.status.sentence();
       }
     });
+    return true;
   });
   return py::make_tuple(v1, v2, miss, names, sentences);
 }
@@ -162,8 +173,7 @@ py::tuple porkchop(const std::pair<Doubles, Doubles>& states, const std::pair<do
                                        .departures = window(departures),
                                        .arrivals = window(arrivals),
                                        .most_revolutions = revolutions};
-  const orbit::Porkchop grid =
-      interruptible(py::none(), [&](Job& /*job*/) { return orbit::porkchop(problem, threads); });
+  const orbit::Porkchop grid = unlocked([&] { return orbit::porkchop(problem, threads); });
   if (!grid.status.ok()) raise(grid.status, py::none());
   const auto rows = static_cast<py::ssize_t>(grid.departures.size()),
              columns = static_cast<py::ssize_t>(grid.arrivals.size());
@@ -182,12 +192,13 @@ py::tuple porkchop(const std::pair<Doubles, Doubles>& states, const std::pair<do
 
 void add_orbit(py::module_& module) {
   module.attr("EARTH_MU") = orbit::earth().mu;
-  module.def("propagate", [](const Doubles& states, const Doubles& until, const Doubles& mu, double radius,
-                             const std::vector<double>& zonal, double every, py::ssize_t rows,
-                             double tolerance, int threads, double seconds, const py::object& progress) {
-    return propagate(states, until, mu, gravity_of(1, radius, zonal), every, rows,
-                     {.tolerance = tolerance, .threads = threads}, seconds, progress);
-  });
+  module.def("propagate",
+             [](const Doubles& states, const Doubles& until, const Doubles& mu, double radius,
+                const std::vector<double>& zonal, double every, py::ssize_t rows, double tolerance,
+                int threads, double seconds, bool verify, const py::object& progress) {
+               return propagate(states, until, mu, gravity_of(1, radius, zonal), every, rows,
+                                {.tolerance = tolerance, .threads = threads}, seconds, verify, progress);
+             });
   module.def("lambert", [](const Doubles& from, const Doubles& to, const Doubles& time, double mu,
                            double radius, const std::vector<double>& zonal, bool long_way, int revolutions,
                            bool high, const std::optional<std::array<double, 3>>& normal, int threads) {

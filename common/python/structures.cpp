@@ -103,7 +103,7 @@ py::dict path(const std::string& file, const std::optional<std::string>& load_ca
               std::optional<double> until, int branches, double turn, double seconds) {
   const FrameFile read = chapters::homotopy::read_frame(file, load_case);
   if (until == 0.) throw input_error("--until 0: the frame is at rest there; give another load factor");
-  const Traced traced = interruptible(py::none(), [&](Job& /*job*/) {
+  const Traced traced = unlocked([&] {
     return trace(read, elements,
                  {.steps = steps, .until = until, .branches = branches, .turn = turn, .seconds = seconds});
   });
@@ -127,8 +127,8 @@ py::tuple response(const std::string& file, const std::string& text, const std::
   const auto rows = static_cast<py::ssize_t>(omega.size()), columns = static_cast<py::ssize_t>(places.size());
   py::array_t<Complex> theta(rows), y({rows, columns});
   Complex *const angle = theta.mutable_data(), *const deflection = y.mutable_data();
-  interruptible(py::none(), [&](Job& job) {
-    for (std::size_t i = 0; i < omega.size() && !job.stop; ++i) {
+  unlocked(py::none(), [&](Job& job) {
+    for (std::size_t i = 0; i < omega.size() && job.reached(0); ++i) {
       const Complex s(0, omega[i]);
       const std::span<Complex> row(deflection + i * places.size(), places.size());
       Outcome outcome = Outcome::success;
@@ -142,6 +142,7 @@ py::tuple response(const std::string& file, const std::string& text, const std::
       }
       if (outcome != Outcome::success) throw Failure(plant.status(outcome, s));
     }
+    return true;
   });
   return py::make_tuple(theta, y);
 }

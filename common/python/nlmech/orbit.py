@@ -56,7 +56,7 @@ def _field(zonal: Sequence[float], radius: float | None) -> tuple[float, list[fl
 
 
 def propagate(states, until, *, mu=None, zonal: Sequence[float] = (), radius: float | None = None, every: float | None = None,
-              tolerance: float = 1e-15, threads: int = 0, limit: float = math.inf,
+              tolerance: float = 1e-15, threads: int = 0, limit: float = math.inf, verify: bool = True,
               progress: Callable[[float], object] | None = None) -> Orbits:
     """Propagates orbits from t = 0: propagate([7e6, 0, 0, 0, 4700, 5900], until=86400).
 
@@ -65,9 +65,10 @@ def propagate(states, until, *, mu=None, zonal: Sequence[float] = (), radius: fl
     zonal, radius: coefficients J2 to J6, the axis along z, and their reference radius.
     every: time between rows (default: only the last state); then `until` is one number.
     tolerance: of a step, relative, from 1e-18 to 0.1. threads: 0: one for each processor. limit: wall time of all orbits, s.
+    verify: compare states about a point mass with Kepler's solution, which takes about a microsecond for each.
     progress: called with the share of the orbits that is done, about every 50 ms.
     Same bits as `two_body_series propagate --states`. A single orbit that fails raises Failure with its Orbits as `partial`; of
-    many, each has a status, and the last row is the last good state.
+    many, each has a status, and the last row of a failed one is its last good state.
     """
     x0, single = rows_of("states", states, 6)
     if np.any(np.all(x0[:, :3] == 0, axis=1)):
@@ -85,9 +86,8 @@ def propagate(states, until, *, mu=None, zonal: Sequence[float] = (), radius: fl
     if mu is not None and not np.all(mus > 0):
         raise ValueError(f"mu {mu}: must be positive")
     x, reached, status, sentence = _core.propagate(x0, ends, mus, *_field(zonal, radius), every or math.inf, rows, tolerance,
-                                                   threads, float(limit), progress)
-    found = Orbits(reached if every is None else times, x[:, -1] if every is None else x,
-                   [one or "success" for one in status], sentence)
+                                                   threads, float(limit), verify, progress)
+    found = Orbits(reached if every is None else times, x[:, -1] if every is None else x, status, sentence)
     if not single:
         return found
     found = Orbits(found.t[0] if every is None else times, found.x[0], found.status, sentence)
