@@ -9,7 +9,8 @@ OUT := .
 # Sections of packages.txt, by goal.
 needs = $(if $(filter $(2),$(MAKECMDGOALS)),$(1))
 SECTIONS := programs $(call needs,tests,test test-long randomised book-test oracles) $(call needs,pages,check pages bench book book-test package) \
-  $(call needs,benchmarks,bench) $(call needs,book,book book-test package) $(call needs,browser,book-test test-long) $(call needs,package,package)
+  $(call needs,benchmarks,bench) $(call needs,book,book book-test package) $(call needs,browser,book-test test-long) $(call needs,package,package) \
+  $(call needs,python,python)
 # Tests are configured once a goal runs them, and stay so.
 NLMECH_TESTS := $(or $(call needs,ON,test test-long randomised book-test),$(if $(wildcard $(BUILD)/CMakeCache.txt),,OFF))
 SELECTION := $(foreach v,NLMECH_CHAPTERS NLMECH_PEERS NLMECH_TESTS NLMECH_WARNINGS_ARE_ERRORS NLMECH_UNITY,$(if $($(v)),-D$(v)='$($(v))'))
@@ -18,7 +19,7 @@ DRAWN = $(CHAPTERS:%=$(OUT)/figures/%/.complete)
 # All chapters at once: what measures times waits until it has the machine for itself.
 AT_ONCE = $(MAKE) --no-print-directory -j
 
-.PHONY: help deps configure build programs figures tables test test-long randomised oracles check bench book book-test package gallery pages clean
+.PHONY: help deps configure build programs figures tables test test-long randomised oracles check bench book book-test package gallery pages python clean
 help:
 	@echo "make figures         all figures and tables of all chapters"
 	@echo "make test            all tests but the long ones"
@@ -29,6 +30,7 @@ help:
 	@echo "make book            all chapters as a book: $(BUILD)/book/html/index.html"
 	@echo "make book-test       every page of the book in a browser: links, pictures, formulas, width"
 	@echo "make package         a Debian package of programs, library, manual pages and book: $(BUILD)/nlmech_*.deb"
+	@echo "make python          the Python package: PYTHONPATH=$(BUILD)/python; pip install . installs it"
 	@echo "make gallery         redraw the pictures of README and docs/chapters"
 	@echo "make pages           docs/chapters: the chapters' pages as Markdown for GitHub"
 	@echo "make randomised      all randomised tests, which search for silent failures; tables/RANDOMISED.md; SEEDS=\"1 2\" for more"
@@ -139,6 +141,9 @@ book-test: book
 # Programs, library and book as a Debian package; `scripts/package try` installs and uses it in a bare root.
 package: book
 	@scripts/package make $(BUILD)
+
+python: configure
+	@cmake --build $(BUILD) --target python
 
 # The pictures of README and docs/chapters, each named <chapter>-<scene>.svg, as their scenes draw them now.
 gallery: programs

@@ -13,6 +13,9 @@ add_custom_target(installables DEPENDS ${installed})
 if(TARGET programs)
   add_dependencies(installables programs)
 endif()
+if(TARGET nlmech_core)
+  add_dependencies(installables nlmech_core)
+endif()
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME nlmech)
@@ -24,10 +27,14 @@ set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_INSTALL_CMAKE_PROJECTS "${PROJECT_BINARY_DIR};nlmech;ALL;/" "${PROJECT_BINARY_DIR};nlmech;book;/")
+if(TARGET nlmech_core)
+  list(APPEND CPACK_INSTALL_CMAKE_PROJECTS "${PROJECT_BINARY_DIR};nlmech;python;/")
+  set(CPACK_DEBIAN_PACKAGE_PROVIDES python3-nlmech)
+endif()
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_DEPENDS gnuplot-nox)  # beside the libraries: what draws figures
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "g++, libboost-dev, libeigen3-dev, libfmt-dev")  # what programs on the library need
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "g++, libboost-dev, libeigen3-dev, libfmt-dev, python3-numpy")  # what programs on the library need
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "cmake, pkg-config")
 include(CPack)

@@ -6,7 +6,7 @@ import pytest
 
 from nlmech_tree import SOURCE, run, text_of
 
-PAGES = sorted(["README.md", "CONTRIBUTING.md", "CHANGELOG.md", "KNOWN_ISSUES.md", "docs/architecture.md", "docs/glossary.md",
+PAGES = sorted(["README.md", "CONTRIBUTING.md", "CHANGELOG.md", "KNOWN_ISSUES.md", "docs/architecture.md", "docs/glossary.md", "docs/python.md",
                 *(str(file.relative_to(SOURCE)) for folder in ("docs/chapters", "tables") for file in (SOURCE / folder).glob("*.md"))])
 each_page = pytest.mark.parametrize("page", PAGES)
 

@@ -154,18 +154,18 @@ std::pair<ivp::Solution, Timing> timed(const std::function<ivp::Solution()>& wor
   return {first, {median(seconds), least, most, static_cast<int>(seconds.size())}};
 }
 
-/// Output of `compare`: one CSV row per run; on standard error the reference and the reasons of failures.
+/// Output of `compare`: one CSV row per run; as messages the reference and the reasons of failures.
 class ComparisonTable {
  public:
-  /// @param program prefix of messages on standard error
+  /// @param say receives the messages
   /// @param reference its last time is the end; without a reference rows have no digits, and a message says
   /// so
-  ComparisonTable(std::string_view program, const Reference& reference, const ivp::State& x0)
-      : program_(program), reference_(reference), size_(x0.cwiseAbs()) {
+  ComparisonTable(const std::function<void(const std::string&)>& say, const Reference& reference,
+                  const ivp::State& x0)
+      : say_(say), reference_(reference), size_(x0.cwiseAbs()) {
     const bool known = reference.status.ok();
     if (known) size_ = size_.cwiseMax(reference.size);
-    scene::print_message(fmt::format("{}: {}reference: {}", program_,
-                                     known ? "" : "no digits, because there is no ", reference.text()));
+    say_(fmt::format("{}reference: {}", known ? "" : "no digits, because there is no ", reference.text()));
   }
   /// Adds a run.
   void add(const Choice& choice, const ivp::Solution& end, const Timing& time);
@@ -186,12 +186,12 @@ class ComparisonTable {
     const std::string method = fmt::format("{}: ", choice.method->name);
     // Most sentences contain the name of the method.
     const bool named = sentence.find(method.substr(0, method.size() - 1)) != std::string::npos;
-    scene::print_message(fmt::format("{}: {}{}", program_, named ? "" : method, sentence));
+    say_(fmt::format("{}{}", named ? "" : method, sentence));
   }
   /// Note on an error above most_tolerances; empty otherwise and for runs with a fixed step.
   [[nodiscard]] std::string note(const Choice& choice, const ivp::State& x) const;
 
-  std::string_view program_;
+  const std::function<void(const std::string&)>& say_;
   const Reference& reference_;
   ivp::State size_;
   bool some_ = false;
@@ -294,7 +294,7 @@ std::vector<Candidate> extended_candidates(const UserProblem& problem, const Run
 }  // namespace
 
 Comparison comparison(const UserProblem& problem, const RunOptions& r, const std::vector<Choice>& methods,
-                      std::string_view program) {
+                      const std::function<void(const std::string&)>& say) {
   const Stopwatch watch;
   const auto left = [&] { return r.limits.seconds - watch.seconds(); };
   constexpr double work = 6;  // about 6 s
@@ -303,7 +303,9 @@ Comparison comparison(const UserProblem& problem, const RunOptions& r, const std
       work, left() / 3, reference_step_limit(r.t0, r.t1, r.limits.largest_step), {}, problem.domain};
   const Reference reference = reference_of(extended_candidates(problem, r, effort), problem.system, r.x0,
                                            r.t0, times_to_check(r.t0, r.t1, 64), {1e-13, 1e-30}, effort);
-  ComparisonTable table(program, reference, r.x0);
+  ivp::Observer observer;
+  if (r.reached) observer = [&r](const ivp::Step& step) { return r.reached(step.t1); };
+  ComparisonTable table(say, reference, r.x0);
   for (std::size_t i = 0; i < methods.size(); ++i) {
     doing.emplace(fmt::format("running {}", methods[i].method->name));
     const double share = left() / static_cast<double>(methods.size() - i);
@@ -313,7 +315,8 @@ Comparison comparison(const UserProblem& problem, const RunOptions& r, const std
       const auto run = ivp::within_domain(methods[i].method->with(settings), problem.domain,
                                           {tolerance.relative, tolerance.absolute});
       const auto once = [&] {
-        return run(problem.system, r.x0, r.t0, r.t1, {}, {r.limits.steps, share, r.limits.largest_step});
+        return run(problem.system, r.x0, r.t0, r.t1, observer,
+                   {r.limits.steps, share, r.limits.largest_step});
       };
       const auto [end, time] = timed(once, std::min(0.5, share / 2));
       table.add(methods[i], end, time);

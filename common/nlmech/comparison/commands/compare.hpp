@@ -2,8 +2,8 @@
 /// `compare`: several methods on one problem.
 #pragma once
 
+#include <functional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "nlmech/comparison/commands/run_options.hpp"
@@ -36,12 +36,14 @@ struct Comparison {
 };
 
 /// Runs each method; rows are `method,setting,status,digits,seconds,right_hand_sides,note`. A method that
-/// fails or does not apply to the problem or the settings keeps its row; its reason is in `note` and on
-/// standard error after the name of the @p program. `digits` are those of the final state, at most those of
+/// fails or does not apply to the problem or the settings keeps its row; its reason is in `note` and passed
+/// to
+/// @p say, which also receives what the reference is. `digits` are those of the final state, at most those of
 /// the reference. `note` also reports a run at a tolerance whose error exceeds most_tolerances. Each method
 /// gets an equal share of the wall time that the methods before it have left.
 /// @throws InputError naming `--methods` if none of the methods applies to the problem and the settings
 [[nodiscard]] Comparison comparison(const UserProblem& problem, const RunOptions& options,
-                                    const std::vector<Choice>& methods, std::string_view program);
+                                    const std::vector<Choice>& methods,
+                                    const std::function<void(const std::string&)>& say);
 
 }  // namespace nlmech::comparison

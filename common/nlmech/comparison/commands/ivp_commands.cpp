@@ -65,7 +65,10 @@ void compare(const TypedOptions& typed, const std::string& program) {
   if (!typed.tolerances.empty() && typed.settings.tolerance)
     throw InputError("--tolerances: excludes --tolerance; give one of them");
   const RunOptions options = run_options(typed, problem, problem.initial_state(typed.initial));
-  const Comparison found = comparison(problem, options, choices(typed, problem, options), program);
+  const auto say = [&program](const std::string& message) {
+    scene::print_message(fmt::format("{}: {}", program, message));
+  };
+  const Comparison found = comparison(problem, options, choices(typed, problem, options), say);
   scene::print_result(found.rows);
   if (picture.wanted()) picture.draw([&] { return comparison_figure(found.lines, heading_of(typed)); });
 }

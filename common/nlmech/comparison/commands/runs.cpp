@@ -112,7 +112,8 @@ class Run {
   [[nodiscard]] ivp::Start start() {
     ivp::Start start{&problem_.system, options_.x0,      options_.t0, options_.t1, {},
                      options_.limits,  options_.deadline};
-    if (options_.every || !options_.at.empty() || options_.draw || !options_.events.empty() || alone())
+    if (options_.every || !options_.at.empty() || options_.draw || !options_.events.empty() ||
+        options_.reached || alone())
       start.observer = [this](const ivp::Step& step) { return see(step); };
     return start;
   }
@@ -236,6 +237,7 @@ std::vector<double> Run::columns_at(double t, const ivp::State& x) const {
 }
 
 bool Run::see(const ivp::Step& step) {
+  if (options_.reached && !options_.reached(step.t1)) return false;
   largest_ = largest_.cwiseMax(step.x0.cwiseAbs());
   const std::size_t before = finder_.hits().size();
   const bool continues = finder_.see(problem_.system, step, options_.limits);
@@ -429,7 +431,11 @@ Trajectory Run::finish(ivp::Solution end) {
     end.x = finder_.hits().back().x;
     end.status = {};
   }
-  if (!end.status.ok()) throw Failure(with_turns(end.status));
+  found_.method = method_.name;
+  if (!end.status.ok()) {
+    if (!options_.section && end.t != options_.t0) print(end.t, end.x, "");
+    throw RunFailure(Failure(with_turns(end.status)), std::move(found_.rows));
+  }
   t1_ = end.t;
   // The row of an event at the end is already printed.
   if (finder_.ended() || (!finder_.hits().empty() && finder_.hits().back().t == t1_))
@@ -437,7 +443,11 @@ Trajectory Run::finish(ivp::Solution end) {
   else
     add(t1_, end.x);
   if (alone()) found_.small = small_components();
-  if (options_.verify && options_.t0 != options_.t1) verify_by_integration(end);
+  try {
+    if (options_.verify && options_.t0 != options_.t1) verify_by_integration(end);
+  } catch (const Failure& failure) {
+    throw RunFailure(failure, std::move(found_.rows));
+  }
   if (const std::string events = remark_on_events(); !events.empty())
     found_.remark += (found_.remark.empty() ? "" : "; ") + events;
   return std::move(found_);

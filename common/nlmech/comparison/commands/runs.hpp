@@ -5,22 +5,38 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "nlmech/comparison/choice/choice.hpp"
 #include "nlmech/comparison/commands/run_figure.hpp"
 #include "nlmech/comparison/commands/run_options.hpp"
+#include "nlmech/support/errors.hpp"
 #include "nlmech/support/status.hpp"
 
 namespace nlmech::comparison {
 
 /// Printed result of a run.
 struct Trajectory {
-  std::string rows;      ///< CSV
-  std::string remark;    ///< remark on verification and events, for standard error; may be empty
-  std::string small;     ///< remark on components without a determined digit; may be empty
-  bool is_open = false;  ///< true if the verification was requested and impossible
-  PlotSamples samples;   ///< samples for a figure, if RunOptions::draw
+  std::string rows;         ///< CSV
+  std::string remark;       ///< remark on verification and events, for standard error; may be empty
+  std::string small;        ///< remark on components without a determined digit; may be empty
+  bool is_open = false;     ///< true if the verification was requested and impossible
+  std::string_view method;  ///< name of the method that computed the run
+  PlotSamples samples;      ///< samples for a figure, if RunOptions::draw
+};
+
+/// Failure of a run, with the rows that it computed.
+class RunFailure : public Failure {
+ public:
+  /// @param why the failure @param rows see rows()
+  RunFailure(const Failure& why, std::string rows) : Failure(why), rows_(std::move(rows)) {}
+  /// CSV as Trajectory::rows: up to the last good step, or all rows of a run whose verification failed.
+  [[nodiscard]] const std::string& rows() const noexcept { return rows_; }
+
+ private:
+  std::string rows_;
 };
 
 /// Input of one of many runs.
@@ -49,7 +65,7 @@ struct EnsembleResult {
 /// Integrates and prints rows `t,...`: the initial state, rows at RunOptions::every, RunOptions::at and
 /// events, and the last one exactly at t1 or at the event that ends the run. The state is followed by
 /// RunOptions::columns and, if there are events, by a column `event` with their names.
-/// @throws Failure if the run fails or its verification finds it wrong, InputError naming `--method` for
+/// @throws RunFailure if the run fails or its verification finds it wrong; InputError naming `--method` for
 /// invalid settings
 [[nodiscard]] Trajectory trajectory(const UserProblem& problem, const RunOptions& options,
                                     const ivp::MethodInfo& method);
