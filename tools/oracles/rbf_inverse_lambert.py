@@ -63,7 +63,7 @@ def main():
             arc = Arc(PUBLIC, way == "long", revolutions)
             for i, p in enumerate(sorted(arc.solutions(), key=lambda p: arc.at(p)[3])):
                 for axis, value in zip("xy", arc.velocities(p)[0]):
-                    row(f"public {way} {revolutions} {i} v1 {axis}", value, 16)
+                    row(f"public {way} {revolutions} {i} v{axis}", value, 16)
 
 
 main()
