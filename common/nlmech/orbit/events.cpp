@@ -15,8 +15,8 @@ namespace nlmech::orbit {
 /// start, so that they are near 1 and rounding is near eps.
 class EventFinder::Functions : public BasicDenseOutput<ivp::State> {
  public:
-  Functions(std::vector<Event> events, const Gravity& gravity)
-      : events_(std::move(events)), gravity_(gravity), own_(gravity) {
+  Functions(std::vector<Event> events, const Gravity& gravity, double tolerance)
+      : events_(std::move(events)), gravity_(gravity), own_(gravity), tolerance_(tolerance) {
     for (const Event& event : events_) {
       if (event.kind == EventKind::distance && !(event.distance > 0 && std::isfinite(event.distance)))
         throw invalid_argument("events: a distance must be positive and finite, not {}", event.distance);
@@ -35,6 +35,7 @@ class EventFinder::Functions : public BasicDenseOutput<ivp::State> {
   }
   void begin(const Step& step) {
     step_ = &step;
+    noise_ = 2 * tolerance_ * (10 + std::sqrt(static_cast<double>(step.index)));
     length_ = step.x0.position.stableNorm();
     speed_ = std::max(step.x0.velocity.stableNorm(), std::sqrt(gravity_.mu / length_));
     own_.mu = gravity_.mu / length_ / speed_ / speed_;
@@ -56,8 +57,12 @@ class EventFinder::Functions : public BasicDenseOutput<ivp::State> {
           f[i] = along;
           f[n + i] = v.dot(v) + r.dot(acceleration(r, own_));
           break;
-        case EventKind::distance: f[i] = distance - event.distance / length_; f[n + i] = along / distance;
+        case EventKind::distance:
+          f[i] = distance - event.distance / length_;
+          f[n + i] = along / distance;
+          break;
       }
+      if (std::abs(f[i]) <= noise_ && std::abs(f[n + i]) <= noise_) f[i] = f[n + i] = 0;
     }
   }
   void at(double t, ivp::State& f) const override { evaluate(step_->at(t), f); }
@@ -66,11 +71,12 @@ class EventFinder::Functions : public BasicDenseOutput<ivp::State> {
   std::vector<Event> events_;
   Gravity gravity_, own_;  ///< in units of the user, and of the step
   const Step* step_ = nullptr;
-  double length_ = 1, speed_ = 1;
+  double tolerance_, length_ = 1, speed_ = 1;
+  double noise_ = 0;  ///< function and rate below this are zero: errors of the steps so far
 };
 
 EventFinder::EventFinder(std::vector<Event> events, const Gravity& gravity, double tolerance)
-    : functions_(std::make_unique<Functions>(std::move(events), gravity)),
+    : functions_(std::make_unique<Functions>(std::move(events), gravity, tolerance)),
       finder_(functions_->components(), {.absolute = tolerance}),
       system_(program::Problem(program::Equations(program::SourceText("events", "x' = 0")))) {}
 
