@@ -2,8 +2,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <filesystem>
 #include <initializer_list>
 #include <optional>
 #include <string>
@@ -17,35 +17,23 @@
 #include "chapters/two_body_series/series/trajectory.hpp"
 #include "chapters/two_body_series/stm/sensitivities.hpp"
 #include "nlmech/orbit/elements.hpp"
+#include "nlmech/scene/program/csv.hpp"
+#include "nlmech/scene/program/files.hpp"
 #include "nlmech/scene/program/options.hpp"
 #include "nlmech/scene/program/this_process.hpp"
+#include "nlmech/scene/program/typed.hpp"
 #include "nlmech/support/degrees.hpp"
 #include "nlmech/support/errors.hpp"
+#include "nlmech/support/quoted_input.hpp"
 #include "nlmech/support/sentences.hpp"
 
 namespace nlmech::chapters::two_body_series {
 namespace {
 
-/// Options of a state.
-struct TypedState {
-  orbit::State at;
-  std::optional<double> mu;
-};
-
 void declare_mu(scene::Options& options, std::optional<double>& mu) {
   options.add("--mu", mu, fmt::format("gravitational parameter (default {}, the Earth's)", earth_mu))
       .positive();
 }
-
-void declare_state(scene::Options& options, TypedState& s) {
-  options.add("--position", s.at.position, "position x,y,z from the centre, in any consistent units")
-      .required();
-  options.add("--velocity", s.at.velocity, "velocity x,y,z").required();
-  declare_mu(options, s.mu);
-}
-
-constexpr std::string_view element_columns =
-    "a,e,i,raan,argp,nu,period,p,q,eccentric_anomaly,mean_anomaly,time_since_periapsis";
 
 std::string text_of(const orbit::Vector3<double>& v) { return fmt::format("{},{},{}", v[0], v[1], v[2]); }
 
@@ -65,31 +53,49 @@ void check_rows(double until, double every) {
   if (std::abs(until) / every > 1e7) throw input_error("--every {}: more than 10 million rows", every);
 }
 
-/// Options of `propagate`.
-struct Propagation {
+/// Options of a state, or of a file of states.
+struct TypedStates {
   std::vector<double> position, velocity;
-  std::optional<double> mu, until;
-  std::optional<double> every, radius, tolerance, limit;
+  std::string states;
+  std::optional<double> mu;
+};
+
+/// @param columns of the file that may be missing
+void declare_states(scene::Options& options, TypedStates& s, const char* columns) {
+  options.add("--position", s.position, "position x,y,z from the centre, in any consistent units");
+  options.add("--velocity", s.velocity, "velocity x,y,z");
+  options.add("--states", s.states,
+              fmt::format("CSV file of states (columns x,y,z,vx,vy,vz, optional {}, in any order and case); "
+                          "other columns are passed through; - is standard input",
+                          columns));
+  declare_mu(options, s.mu);
+}
+
+/// Options of `propagate`.
+struct Propagation : TypedStates {
+  std::optional<double> until, every, radius, tolerance, limit;
   std::vector<double> zonal;
-  std::string method = "series", states, covariance;
+  std::string method = "series", covariance, at, events;
   std::optional<int> threads;
   bool stm = false;
 };
 
 void declare_propagation(scene::Options& options, Propagation& p) {
-  options.add("--position", p.position, "position x,y,z from the centre, in any consistent units");
-  options.add("--velocity", p.velocity, "velocity x,y,z");
-  options.add("--states", p.states,
-              "CSV file of initial states (columns x,y,z,vx,vy,vz, optional mu and until, in any order and "
-              "case); other columns are passed through; - is standard input");
-  declare_mu(options, p.mu);
+  declare_states(options, p, "mu and until");
   options.add("--until", p.until, "final time, from 0; negative: backwards");
   options
       .add("--every", p.every,
            "time between rows (default: the first and the last row; with --states the last)")
       .positive();
+  options.add("--at", p.at,
+              "times of the rows T1,T2,... on one side of 0, or a CSV file with the column t, in place of "
+              "--until and --every; - is standard input");
+  options.add(
+      "--events", p.events,
+      "add a row at each of these: nodes (z = 0), apsides, altitude=H (|r| = R + H, with the --radius "
+      "R, without --mu and --radius the Earth's), separated by commas; the column event names them");
   options.add("--zonal", p.zonal, "zonal coefficients J2[,J3,...,J6] of the centre, with its axis along z");
-  options.add("--radius", p.radius, "reference radius of the zonal terms").positive();
+  options.add("--radius", p.radius, "reference radius of the zonal terms and altitudes").positive();
   options.add("--method", p.method, "kepler is the closed form").one_of({"series", "rkn1210", "kepler"});
   options
       .add("--tolerance", p.tolerance,
@@ -119,7 +125,8 @@ Sensitivities sensitivities_of(const Propagation& p) {
 
 orbit::Gravity gravity_of(const Propagation& p) {
   orbit::Gravity gravity{.mu = p.mu.value_or(earth_mu)};
-  if (p.radius && p.zonal.empty()) throw input_error("--radius {}: needs --zonal J2[,J3,...]", *p.radius);
+  if (p.radius && p.zonal.empty() && p.events.find("altitude") == std::string::npos)
+    throw input_error("--radius {}: needs --zonal J2[,J3,...], or --events altitude=H", *p.radius);
   if (p.zonal.empty()) return gravity;
   const std::string zonal = fmt::format("--zonal {}", fmt::join(p.zonal, ","));
   if (!p.radius) throw InputError(zonal + ": needs --radius R");
@@ -137,12 +144,79 @@ void check_method(const Propagation& p) {
     throw input_error("--tolerance {}: --method kepler is exact to rounding; leave it out", *p.tolerance);
 }
 
-/// Runs `propagate --states`.
-int propagate_all(const Propagation& p) {
-  for (const auto& [option, typed] : {std::pair("--position", &p.position), {"--velocity", &p.velocity}}) {
+/// Times of --at in the direction of the run, each once. @throws InputError
+std::vector<double> times_of(const std::string& typed) {
+  const bool is_file = typed == "-" || std::filesystem::exists(typed) ||
+                       std::string_view("0123456789+-.").find(typed.front()) == std::string_view::npos;
+  std::vector<double> times =
+      is_file ? scene::parse_numbers(scene::read_whole(typed), typed == "-" ? "standard input" : typed, {"t"})
+                    .column[0]
+              : scene::typed_numbers("--at", typed);
+  if (times.empty()) throw input_error("--at {}: has no times", quoted_input(typed));
+  const auto [first, last] = std::ranges::minmax(times);
+  if (first < 0 && last > 0)
+    throw input_error("--at {}: has times before and after 0; ask for each side in a run of its own",
+                      quoted_input(typed));
+  std::ranges::sort(times, {}, [](double t) { return std::abs(t); });
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+  return times;
+}
+
+/// Refuses options that --at replaces.
+void check_at(const Propagation& p) {
+  if (p.at.empty()) return;
+  const auto refuse = [&](const std::string& other) {
+    throw input_error("{}: --at {} gives the times of the rows; leave out one of the two", other,
+                      quoted_input(p.at));
+  };
+  if (p.until) refuse(fmt::format("--until {}", *p.until));
+  if (p.every) refuse(fmt::format("--every {}", *p.every));
+  if (!p.events.empty()) refuse(fmt::format("--events {}", quoted_input(p.events)));
+}
+
+/// Events of --events. @throws InputError
+std::vector<NamedEvent> events_of(const Propagation& p) {
+  constexpr std::string_view altitude = "altitude=";
+  std::vector<NamedEvent> events;
+  if (p.events.empty()) return events;
+  for (const std::string& piece : scene::split(p.events, ',')) {
+    const std::string name = scene::trimmed(piece);
+    if (name == "nodes") {
+      events.push_back({name, {orbit::EventKind::node}});
+    } else if (name == "apsides") {
+      events.push_back({name, {orbit::EventKind::apsis}});
+    } else if (name.starts_with(altitude)) {
+      if (p.mu && !p.radius)
+        throw input_error("--events {}: needs --radius R, from which the altitude counts",
+                          quoted_input(name));
+      const double radius = p.radius.value_or(orbit::earth().radius);
+      const double distance = radius + scene::typed_number("--events", name.substr(altitude.size()));
+      if (!(distance > 0 && std::isfinite(distance)))
+        throw input_error("--events {}: is at the distance {} from the centre; must be above {}",
+                          quoted_input(name), distance, -radius);
+      events.push_back({name, {orbit::EventKind::distance, distance}});
+    } else {
+      throw input_error("--events {}: there is no event {}; give nodes, apsides, altitude=H",
+                        quoted_input(p.events), quoted_input(name));
+    }
+  }
+  return events;
+}
+
+void refuse_both(const TypedStates& s) {
+  for (const auto& [option, typed] : {std::pair("--position", &s.position), {"--velocity", &s.velocity}}) {
     if (!typed->empty())
       throw input_error("{} {}: --states {} contains the states; give only one of the two", option,
-                        fmt::join(*typed, ","), p.states);
+                        fmt::join(*typed, ","), s.states);
+  }
+}
+
+/// Runs `propagate --states`.
+int propagate_all(const Propagation& p) {
+  refuse_both(p);
+  for (const auto& [option, typed] : {std::pair("--at", &p.at), {"--events", &p.events}}) {
+    if (!typed->empty())
+      throw input_error("{} {}: needs one --position; --states takes --every", option, quoted_input(*typed));
   }
   if (p.method == "rkn1210")
     throw input_error("--method rkn1210: --states takes series or kepler; rkn1210 takes one --position");
@@ -170,23 +244,37 @@ orbit::Vector3<double> vector_of(const char* option, const std::vector<double>& 
   return {typed[0], typed[1], typed[2]};
 }
 
+/// State of --position and --velocity. @throws InputError
+orbit::State state_of(const TypedStates& s) {
+  const orbit::State state{vector_of("--position", s.position), vector_of("--velocity", s.velocity)};
+  refuse_centre(state);
+  return state;
+}
+
 scene::Answer propagate(const Propagation& p) {
+  check_at(p);
   if (!p.states.empty()) return propagate_all(p);
   if (p.threads) throw input_error("--threads {}: needs --states", *p.threads);
-  const orbit::State start{vector_of("--position", p.position), vector_of("--velocity", p.velocity)};
-  refuse_centre(start);
-  if (!p.until) throw InputError("--until T is needed");
+  const orbit::State start = state_of(p);
+  if (!p.until && p.at.empty()) throw InputError("--until T is needed, or --at T1,T2,...");
+  const std::vector<double> at = p.at.empty() ? std::vector<double>() : times_of(p.at);
   OrbitRequest r{.start = start,
-                 .time = *p.until,
+                 .time = at.empty() ? *p.until : at.back(),
                  .every = p.every,
+                 .at = at,
+                 .events = events_of(p),
                  .gravity = gravity_of(p),
                  .seconds = p.limit.value_or(scene::Options::default_limit)};
   if (p.every) check_rows(*p.until, *p.every);
   check_method(p);
   refuse_other_units("--position " + text_of(start.position), start, p.mu);
   r.tolerance = p.tolerance.value_or(r.tolerance);
-  if (const Sensitivities columns = sensitivities_of(p); columns.any())
+  if (const Sensitivities columns = sensitivities_of(p); columns.any()) {
+    if (!p.events.empty())
+      throw input_error("--events {}: rows at events have no matrix; leave out {}", quoted_input(p.events),
+                        p.stm ? "--stm" : "--covariance");
     return rows_with(columns, r, p.method);
+  }
   if (p.method == "series") return rows_of_series(r);
   return p.method == "rkn1210" ? rows_of_rkn1210(r) : rows_of_kepler(r);
 }
@@ -201,30 +289,20 @@ auto about(const std::string& options, const Work& work) {
   }
 }
 
-std::string elements(const TypedState& s) {
-  refuse_centre(s.at);
+void declare_elements_of(scene::Options& options, TypedStates& s) { declare_states(options, s, "mu"); }
+
+scene::Answer elements(const TypedStates& s) {
+  if (!s.states.empty()) {
+    refuse_both(s);
+    return print_elements(s.states, s.mu);
+  }
+  const orbit::State at = state_of(s);
   const double mu = s.mu.value_or(earth_mu);
-  const std::string place = "--position " + text_of(s.at.position);
-  const auto e = about(fmt::format("{} --velocity {} --mu {}", place, text_of(s.at.velocity), mu),
-                       [&] { return orbit::elements_of(s.at, mu); });
-  const double period = e.period(mu);
-  if (e.semi_major_axis > 0 && std::isfinite(e.semi_major_axis) && !(period > 0 && std::isfinite(period)))
-    throw InputError(
-        fmt::format("--mu {:g}: the period is beyond the range of doubles; choose other units", mu));
-  refuse_other_units(place, s.at, s.mu);
-  const std::array numbers = {e.semi_major_axis,
-                              e.eccentricity,
-                              e.inclination / degree,
-                              e.ascending_node / degree,
-                              e.periapsis_argument / degree,
-                              e.true_anomaly / degree,
-                              period,
-                              e.semi_latus_rectum,
-                              e.periapsis_distance,
-                              e.eccentric_anomaly / degree,
-                              e.mean_anomaly / degree,
-                              e.time_since_periapsis};
-  return fmt::format("{}\n{:.17g}\n", element_columns, fmt::join(numbers, ","));
+  const std::string place = "--position " + text_of(at.position);
+  const std::string cells = about(fmt::format("{} --velocity {} --mu {}", place, text_of(at.velocity), mu),
+                                  [&] { return element_cells(at, mu); });
+  refuse_other_units(place, at, s.mu);
+  return fmt::format("{}\n{}\n", element_columns, cells);
 }
 
 /// Options of `state`; angles in degrees.
@@ -361,10 +439,11 @@ void commands(scene::Commands& all) {
           declare_propagation, propagate);
   all.add("elements",
           fmt::format(
-              "Print the classical elements of a state, angles in degrees, as CSV: {}. The command state "
-              "recovers the state from a, q (for parabolas q and e = 1), the angles and time_since_periapsis",
+              "Print the classical elements of a state, angles in degrees, as CSV: {} (with --states: "
+              "row,a,...,status). The command state recovers the state from a, q (for parabolas q and e = "
+              "1), the angles and time_since_periapsis",
               element_columns),
-          declare_state, elements);
+          declare_elements_of, elements);
   all.add("state", "Print the state of given classical elements as CSV: x,y,z,vx,vy,vz", declare_elements,
           state);
 }

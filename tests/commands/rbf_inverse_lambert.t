@@ -18,6 +18,25 @@ The four arcs of equation 5.38, to the twelve digits that are asked for, and a m
   $ lambert $printed --revolutions 1 --branch low | first 859.19746644544969 5762.5154049445841 -1308.6492307790138 1e-12
   $ lambert $printed --revolutions 1 --branch high | first 251.20764442960278 5875.649037480232 -2535.2602744279162 1e-12
 
+All of them in one file, and one of them by the direction of motion about the z axis:
+
+  $ lambert $printed --all > all.csv
+  $ cut -d, -f 1-4,12 all.csv
+  way,direction,revolutions,branch,status
+  short,prograde,0,,success
+  short,prograde,1,low,success
+  short,prograde,1,high,success
+  long,retrograde,0,,success
+  $ for arc in "" "--revolutions 1 --branch low" "--revolutions 1 --branch high" --long-way; do lambert $printed $arc | tail -1; done > each.txt
+  $ tail -n +2 all.csv | cut -d, -f 5-11 | cmp - each.txt
+  $ lambert $printed --direction prograde | cmp - short.csv
+  $ lambert $printed --direction retrograde | tail -1 > long.txt
+  $ tail -1 each.txt | cmp - long.txt
+  $ lambert $printed --direction retrograde --all | cut -d, -f 1-4 | tail -n +2
+  long,retrograde,0,
+  $ lambert $printed --all --revolutions 0 | wc -l
+  3
+
 One mu for all commands of the suite, that of WGS 84:
 
   $ lambert $arc > earth.csv
@@ -44,6 +63,11 @@ J2 moves the end of the conic by kilometres, and the corrected arc meets it. Bot
   $ lambert $printed $field --method collocation | paste -d, oblate.csv - | sed '1s/.*/a,b,c,u,v,w,miss,A,B,C,U,V,W,MISS/' |
   >   holds 'MISS <= 1e-3' 'norm([a - A, b - B, c - C]) <= 1e-6'
 
+All arcs in the field of J2 to J6, each corrected:
+
+  $ lambert $printed --zonal 1.08262668e-3,-2.53265649e-6,-1.61962159e-6,-2.27296083e-7,5.40681239e-7 --radius 6378137 --all |
+  >   holds --each 'n = 4' 'miss <= 1e-4' 'status = "success"'
+
 Half of a circle, in the plane that is asked for, has unit speed:
 
   $ half="--from 1,0,0 --to -1,0,0 --time 3.141592653589793 --mu 1"
@@ -65,6 +89,20 @@ Derivatives of both velocities, against differences of the command itself; acros
   $ lambert $half --plane 0,-2,0 --partials
   rbf_inverse: singular_matrix: lambert: the velocities have no derivatives: d(r_2)/d(v_1) is singular to rounding (a transfer by 180 degrees, or to a conjugate point, where two arcs merge); move a position, or change the time
   [1]
+
+Beside 180 degrees the plane through both positions is often not the one that is meant: 100 km at the arrival turn this arc over the pole. In the equator it
+is half of an ellipse, with the speed of Hohmann's transfer, and passes the arrival 100 km below; so it does the other way round:
+
+  $ high="--from 6778,0,0 --to -42164,0,100 --mu 398600.4418 --time $(python3 -c 'from math import *; print(pi*sqrt(24471.**3/398600.4418))')"
+  $ lambert $high | holds 'abs(vz0) > 10'
+  $ hohmann='v := sqrt(2*398600.4418*42164/(6778*mpf(6778 + 42164)))'
+  $ lambert $high --plane 0,0,1 > equator.csv
+  rbf_inverse: the arrival is 100 from the plane that is asked for; arcs end at its projection onto it
+  $ holds "$hohmann" 'norm([vx0, vy0 - v, vz0]) <= 1e-13' 'vz0 = 0' 'miss = 100' < equator.csv
+  $ for other in "--plane 0,0,-1" "--plane 0,0,1 --long-way" "--plane 0,0,1 --direction retrograde"; do
+  >   lambert $high $other 2> said.txt | holds "$hohmann" 'norm([vx0, vy0 + v, vz0]) <= 1e-13'
+  > done
+  $ lambert $high --plane 0,0,1 --all 2> said.txt | holds --each 'n = 2' 'miss = 100 +- 1e-9' 'direction = ["prograde", "retrograde"]'
 
 Not a mistake, but no arc either: two revolutions take longer.
 
@@ -125,7 +163,22 @@ Mistakes
   $ options --method collocation --revolutions 1 --branch low
   rbf_inverse: --method collocation --revolutions 1: collocation has no initial guess for complete revolutions; use --method izzo
 
-The positions determine the plane:
+  $ options --direction up
+  rbf_inverse: --direction up: must be one of prograde, retrograde
+  $ options --direction prograde --long-way
+  rbf_inverse: --direction prograde: determines the way; leave out --long-way
+  $ wrong --from 7e6,0,0 --to 0,0,7e6 --time 1000 --direction prograde
+  rbf_inverse: --direction prograde: the plane of the arc contains the z axis, about which it is neither prograde nor retrograde; use --long-way or leave it out
+  $ options --all --long-way
+  rbf_inverse: --all: prints every arc; leave out --long-way
+  $ wrong --from 1,0,0 --to 2,0,0 --time 1 --mu 1 --all
+  rbf_inverse: --from 1,0,0 --to 2,0,0 --time 1: lambert: the positions lie in one direction from the centre (a transfer by 0 or 360 degrees) at distances 1 and 2; no plane is determined and the arc is a straight line; move one of them
+  $ wrong --from 1,0,0 --to 0,1,0 --time 1e7 --mu 1 --all
+  rbf_inverse: --time 10000000: allows more than 100000 revolutions; give the largest number by --revolutions M
+
+The positions determine the plane, and a normal along the departure none:
 
   $ options --plane 0,0,1
-  rbf_inverse: --plane 0,0,1: the positions are not opposite and determine the plane; leave it out
+  rbf_inverse: --plane 0,0,1: the positions are 33.* degrees apart and determine the plane; leave it out (it is for 170 degrees and more) (glob)
+  $ wrong $half --plane 1,0,0
+  rbf_inverse: --plane 1,0,0: lambert: the plane's normal (1, 0, 0) is along the departure; it must be across it

@@ -21,6 +21,17 @@ end; no time is one row:
   1
   $ for method in series kepler rkn1210; do propagate $low --until 0 --every 10 --method $method | holds 'n = 1' 't = 0' 'x = 1702547.136867679'; done
 
+Rows at times of a list or a file, on one side of 0, have the bits of rows at equal intervals:
+
+  $ printf 't\n-2000\n-1000\n-3000\n' > times.csv
+  $ for method in series kepler rkn1210; do
+  >   propagate $low --at 3000,1000,2000,1000 --method $method > at.csv
+  >   propagate $low --until 3000 --every 1000 --method $method | sed 2d | cmp - at.csv
+  >   propagate $low --at times.csv --method $method > at.csv
+  >   propagate $low --until -3000 --every 1000 --method $method | sed 2d | cmp - at.csv
+  > done
+  $ propagate $low --at 0 | holds 'n = 1' 't = 0' 'x = 1702547.136867679'
+
 The end does not know of the rows:
 
   $ for method in series kepler rkn1210; do
@@ -78,6 +89,57 @@ With J2 to J6 both methods agree, and are elsewhere:
   $ day $all --every 10000 > series.csv
   $ holds --each --like rkn.csv 1e-5 'n = 10' < series.csv
   $ holds 'abs(y + 3542172.8) > 100' < series.csv
+
+Events
+------
+
+An ellipse with e = 0.3 and the argument of the periapsis 40 degrees, from M = 90 degrees. Its nodes are at the true anomalies -40 and 140 degrees, and
+r = 1.1 where cos E = -1/3; Kepler's equation gives the times:
+
+  $ two_body state --a 1 --e 0.3 --i 50 --raan 300 --argp 40 --mean-anomaly 90 --mu 1 | tail -1 > state.csv
+  $ ellipse="--position $(cut -d, -f 1-3 state.csv) --velocity $(cut -d, -f 4-6 state.csv) --mu 1"
+  $ M='M := lambda nu: (lambda E: E - 0.3*sin(E))(2*atan(sqrt(0.7/1.3)*tan(nu/2)))'
+  $ passes() { holds --where event="$1" "$M" 'n = 2' 'turn := 2*pi*sign(t)' "t = $2 - pi/2 + turn*i +- 1e-13*(1 + abs(t))" < events.csv; }
+  $ for method in series kepler rkn1210; do
+  >   propagate $ellipse --until 12 --events nodes,apsides,altitude=0.1 --radius 1 --method $method > events.csv
+  >   passes 'ascending node' 'M(-40*pi/180) + turn'
+  >   passes 'descending node' 'M(140*pi/180)'
+  >   passes periapsis turn
+  >   passes apoapsis pi
+  >   passes 'altitude=0.1 rising' 'acos(-1/mpf(3)) - 0.1*sqrt(8)'
+  >   passes 'altitude=0.1 falling' '0.1*sqrt(8) - acos(-1/mpf(3)) + turn'
+  >   propagate $ellipse --until -12 --events "nodes, apsides" --method $method > events.csv
+  >   passes 'ascending node' 'M(-40*pi/180)'
+  >   passes periapsis 0
+  >   passes apoapsis '-pi'
+  > done
+
+Rows stand in order of time, and the others have an empty cell:
+
+  $ propagate $ellipse --until 5 --every 2 --events nodes,apsides | cut -d, -f 8 | paste -s -d '|'
+  event||descending node|apoapsis|||ascending node|periapsis|
+
+In the field of an oblate body, near-circular, both integrators find the same:
+
+  $ for method in series rkn1210; do day 1.08262668e-3 --events nodes,apsides,altitude=6.1e5 --method $method > $method.csv; done
+  $ holds --each --like rkn1210.csv 1e-3 'n > 60' < series.csv
+  $ holds --where 'event=ascending node' 'z = 0 +- 1e-5' 'vz > 0' < series.csv
+  $ holds --where 'event=altitude=6.1e5 rising' 'norm([x, y, z]) = 6988137 +- 1e-5' < series.csv
+
+What a motion does not determine is said: nodes in the plane of reference, apsides and altitude of a circle, the centre of a fall:
+
+  $ propagate $low --until 6500 --events nodes | cut -d, -f 1
+  two_body_series: nodes: z is 0 to within rounding from t = 0 to 6500: no row is determined there
+  t
+  0
+  6500
+  $ propagate --position 1,0,0 --velocity 0,1,0 --mu 1 --until 9 --radius 1 --events apsides,altitude=0 | wc -l
+  two_body_series: apsides: the distance stays the same to within rounding from t = 0 to 9: no row is determined there
+  two_body_series: altitude=0: the altitude stays the same to within rounding from t = 0 to 9: no row is determined there
+  3
+  $ propagate $fall --method kepler --until 4 --events apsides
+  two_body_series: collision: kepler: the body passes so near the centre at t = 3.14159265 that doubles do not resolve events there; end the run before, or leave out --events
+  [1]
 
 Elements
 --------
@@ -145,7 +207,28 @@ Mistakes
   two_body_series: --velocity x,y,z is needed, or --states FILE.csv for many orbits
   $ run() { refused two_body_series propagate --position 1,0,0 --velocity 0,1,0 "$@"; }
   $ run
-  two_body_series: --until T is needed
+  two_body_series: --until T is needed, or --at T1,T2,...
+  $ run --at 1,2 --until 3
+  two_body_series: --until 3: --at 1,2 gives the times of the rows; leave out one of the two
+  $ run --at 1,2 --events nodes
+  two_body_series: --events nodes: --at 1,2 gives the times of the rows; leave out one of the two
+  $ run --at 1,-1
+  two_body_series: --at 1,-1: has times before and after 0; ask for each side in a run of its own
+  $ run --at 1,2x
+  two_body_series: --at 1,2x: '2x' is not a finite number
+  $ run --at soon.csv
+  two_body_series: soon.csv: No such file or directory
+  $ printf 't\n1\nnoon\n' > noon.csv
+  $ run --at noon.csv
+  two_body_series: noon.csv: line 3, column 1 (t): 'noon' is not a finite number
+  $ run --until 1 --events nodes,noon
+  two_body_series: --events nodes,noon: there is no event noon; give nodes, apsides, altitude=H
+  $ run --until 1 --events altitude=high
+  two_body_series: --events high: not a finite number
+  $ run --until 1 --mu 1 --events altitude=1
+  two_body_series: --events altitude=1: needs --radius R, from which the altitude counts
+  $ run --until 1 --mu 1 --radius 1 --events altitude=-1
+  two_body_series: --events altitude=-1: is at the distance 0 from the centre; must be above -1
   $ run --until soon
   two_body_series: --until soon: not a finite number
   $ run --until 1 --every 0
@@ -167,7 +250,7 @@ Mistakes
   $ run --until 1 --zonal 1e-3
   two_body_series: --zonal 0.001: needs --radius R
   $ run --until 1 --radius 1
-  two_body_series: --radius 1: needs --zonal J2[,J3,...]
+  two_body_series: --radius 1: needs --zonal J2[,J3,...], or --events altitude=H
   $ run --until 1 --zonal 1,2,3,4,5,6 --radius 1
   two_body_series: --zonal 1,2,3,4,5,6: 6 numbers; J2 to J6 at most
   $ run --until 1 --zonal 1,,2 --radius 1
@@ -234,7 +317,7 @@ Finite numbers that lead to no finite ones:
   $ wrong elements --position 7e6,0,0 --velocity 0,7500,0 --mu 1e-300
   two_body_series: --position 7000000,0,0 --velocity 0,7500,0 --mu 1e-300: elements_of: at the distance 7e+06 and the speed 7500 with mu = 1e-300 the eccentricity is beyond 1e300
   $ wrong elements --position 1e308,0,0 --velocity 1,1e-5,0 --mu 1e308
-  two_body_series: --mu 1e+308: the period is beyond the range of doubles; choose other units
+  two_body_series: --position 1e+308,0,0 --velocity 1,1e-05,0 --mu 1e+308: the period is beyond the range of doubles; choose other units
 
 The example of the page
 -----------------------

@@ -61,6 +61,36 @@ rows too:
   orbit.csv: no row follows the header
   row,t,x,y,z,vx,vy,vz,status
 
+Elements
+--------
+
+Of each state, in order; here of ellipses at their periapsis, with a = 1 and e = 0, 0.16, ...
+
+  $ ellipses 5 | two_body_series elements --states - > elements.csv
+  $ head -1 elements.csv
+  row,a,e,i,raan,argp,nu,period,p,q,eccentric_anomaly,mean_anomaly,time_since_periapsis,name,until,status
+  $ holds --each 'n = 5' 'a = 1 +- 1e-15' 'e = 0.16*(row - 1) +- 1e-15' 'q = 1 - e +- 1e-15' 'nu = 0' 'status = "success"' < elements.csv
+
+From a mean anomaly and back, for an ellipse, a hyperbola and a parabola, where its limit is 0:
+
+  $ state() { two_body_series state "$@" | tail -1; }
+  $ { state --a 7e6 --e 0.3 --mean-anomaly -40; state --a -7e6 --e 1.5 --mean-anomaly 200; state --q 7e6 --e 1 --time-since-periapsis 900; } > conics.csv
+  $ two_body_series elements --states conics.csv | cut -d, -f 12,13 | holds --each 'mean_anomaly = [-40, 200, 0] +- 1e-11'
+  $ two_body_series elements --states conics.csv | holds 'time_since_periapsis = 900 +- 1e-11' 'e = 1 +- 1e-14'
+
+A state without elements, on a line through the centre, has empty cells; the others have theirs:
+
+  $ printf 'x,y,z,vx,vy,vz\n1,0,0,1,0,0\n1,0,0,0,1,0\n' | two_body_series elements --states - --mu 1 | cut -d, -f 1-4,14
+  two_body_series: 1 of the states have no elements; the first is row 1: elements_of: the body moves on a straight line through the centre, which has no classical elements
+  row,a,e,i,status
+  1,,,,outside_validity
+  2,1,0,0,success
+  $ printf 'x,y,z,vx,vy,vz,mu\n1,0,0,1,0,0,1\n' | two_body_series elements --states - > lines.csv
+  two_body_series: 1 of the states have no elements; * (glob)
+  [1]
+  $ printf 'x,y,z,vx,vy,vz\n0,0,0,1,0,0\n' | refused two_body_series elements --states -
+  two_body_series: standard input: line 2: x,y,z = 0,0,0 is the centre of attraction
+
 Failures
 --------
 
@@ -191,6 +221,12 @@ Nothing is printed of a file with a mistake, wherever it stands:
   $ good() { refused two_body_series propagate --states good.csv --mu 1 "$@"; }
   $ good --position 1,0,0
   two_body_series: --position 1,0,0: --states good.csv contains the states; give only one of the two
+  $ good --events nodes
+  two_body_series: --events nodes: needs one --position; --states takes --every
+  $ good --at 1,2
+  two_body_series: --at 1,2: needs one --position; --states takes --every
+  $ refused two_body_series elements --states good.csv --velocity 1,0,0
+  two_body_series: --velocity 1,0,0: --states good.csv contains the states; give only one of the two
   $ good --method rkn1210
   two_body_series: --method rkn1210: --states takes series or kepler; rkn1210 takes one --position
   $ good --method kepler --zonal 1e-3 --radius 1

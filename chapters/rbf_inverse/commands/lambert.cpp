@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <string>
 #include <tuple>
@@ -18,20 +19,24 @@
 #include "nlmech/scene/program/files.hpp"
 #include "nlmech/scene/program/this_process.hpp"
 #include "nlmech/scene/program/typed.hpp"
+#include "nlmech/support/degrees.hpp"
 #include "nlmech/support/errors.hpp"
 #include "nlmech/support/quoted_input.hpp"
 
 namespace nlmech::chapters::rbf_inverse {
 namespace {
 
+/// Largest number of revolutions.
+constexpr int most_revolutions = 1'000'000;
+
 /// Options of `lambert`.
 struct Arc {
   orbit::TransferProblem problem;
   std::optional<double> mu, radius;
   std::vector<double> plane, zonal;
-  int revolutions = 0;
-  std::string branch, method = "izzo";
-  bool long_way = false, partials = false;
+  std::optional<int> revolutions;
+  std::string branch, direction, method = "izzo";
+  bool long_way = false, all = false, partials = false;
 };
 
 void declare_arc(scene::Options& options, Arc& a) {
@@ -43,11 +48,23 @@ void declare_arc(scene::Options& options, Arc& a) {
       .add("--mu", a.mu, fmt::format("gravitational parameter (default {}, the Earth's)", orbit::earth().mu))
       .positive();
   options.add("--long-way", a.long_way, "transfer by more than 180 degrees");
-  options.add("--revolutions", a.revolutions, "number of complete revolutions before the arrival")
-      .range(0, 1e6);
+  options
+      .add("--direction", a.direction,
+           "direction of the motion about the z axis, in place of --long-way: prograde (x towards y) or "
+           "retrograde")
+      .one_of({"prograde", "retrograde"});
+  options
+      .add("--revolutions", a.revolutions,
+           "number of complete revolutions before the arrival (default 0); with --all the largest number")
+      .range(0, most_revolutions);
   options.add("--branch", a.branch, "of an arc of one or more revolutions; low: the smaller semi-major axis")
       .one_of({"low", "high"});
-  options.add("--plane", a.plane, "nx,ny,nz: normal of the plane; only for opposite positions");
+  options.add("--all", a.all,
+              "print all arcs, a row each: short and long way, all numbers of revolutions that the time "
+              "allows, both branches");
+  options.add("--plane", a.plane,
+              "nx,ny,nz: angular momentum of the motion, for positions 170 to 190 degrees apart. The arc "
+              "stays in this plane through the departure; the arrival is projected onto it");
   options.add("--zonal", a.zonal, "zonal coefficients J2[,J3,...,J6] of the centre, with its axis along z");
   options.add("--radius", a.radius, "reference radius of the zonal terms").positive();
   options.add("--method", a.method, "izzo, or collocation by polynomials with 81 nodes (short way only)")
@@ -91,26 +108,75 @@ orbit::TransferProblem problem_of(const Arc& a) {
       throw InputError(
           fmt::format("{} {}: is the centre of attraction; give another position", option, text_of(r)));
   }
-  if (!a.plane.empty()) {
-    const std::string typed = fmt::format("--plane {}", fmt::join(a.plane, ","));
-    if (a.plane.size() != 3)
-      throw InputError(fmt::format("{}: {} numbers; needs three, nx,ny,nz", typed, a.plane.size()));
-    p.normal = {a.plane[0], a.plane[1], a.plane[2]};
-    if (p.normal->isZero(0)) throw InputError(typed + ": a normal cannot be 0");
-    if (!orbit::are_opposite({p.from, p.to, p.time, p.gravity.mu}))
-      throw InputError(typed + ": the positions are not opposite and determine the plane; leave it out");
-  }
   add_zonal_terms(a, p.gravity);
   refuse_other_units(a);
   return p;
 }
 
-orbit::LambertArc arc_of(const Arc& a) {
-  if (a.revolutions > 0 && a.branch.empty())
-    throw InputError(fmt::format("--revolutions {}: needs --branch low or high", a.revolutions));
-  if (a.revolutions == 0 && !a.branch.empty())
+/// Applies --plane. @returns distance of the arrival from the plane
+double put_into_plane(const Arc& a, orbit::TransferProblem& p) {
+  if (a.plane.empty()) return 0;
+  const std::string typed = fmt::format("--plane {}", fmt::join(a.plane, ","));
+  if (a.plane.size() != 3)
+    throw InputError(fmt::format("{}: {} numbers; needs three, nx,ny,nz", typed, a.plane.size()));
+  const orbit::Vector3<double> normal(a.plane[0], a.plane[1], a.plane[2]), arrival = p.to;
+  if (normal.isZero(0)) throw InputError(typed + ": a normal cannot be 0");
+  const orbit::Vector3<double> out1 = p.from / p.from.stableNorm(), out2 = p.to / p.to.stableNorm();
+  const double angle = std::atan2(orbit::accurate_cross(out1, out2).norm(), out1.dot(out2)) / degree;
+  if (angle < 170)
+    throw InputError(
+        fmt::format("{}: the positions are {:.6g} degrees apart and determine the plane; leave "
+                    "it out (it is for 170 degrees and more)",
+                    typed, angle));
+  try {
+    p = orbit::in_plane(p, normal);
+  } catch (const std::invalid_argument& error) {
+    throw InputError(typed + ": " + error.what());
+  }
+  return (arrival - p.to).stableNorm();
+}
+
+/// Sine of an angle that is 0 to within rounding.
+constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();
+
+/// Angular momentum of the short way, up to a positive factor; 0 to within rounding if there is no plane.
+orbit::Vector3<double> short_way_normal(const orbit::TransferProblem& p) {
+  const orbit::Vector3<double> h =
+      orbit::accurate_cross(p.from / p.from.stableNorm(), p.to / p.to.stableNorm());
+  if (!p.normal) return h;
+  return h.norm() > rounding && h.dot(*p.normal) < 0 ? orbit::Vector3<double>(-*p.normal) : *p.normal;
+}
+
+/// Name of the direction of motion with the angular momentum @p h.
+std::string direction_of(const orbit::Vector3<double>& h) {
+  return std::abs(h[2]) <= rounding * h.norm() ? "polar" : h[2] > 0 ? "prograde" : "retrograde";
+}
+
+/// Is it the long way that --direction, --plane or --long-way ask for?
+bool wants_long_way(const Arc& a, const orbit::TransferProblem& p) {
+  const orbit::Vector3<double> h = short_way_normal(p);
+  if (h.norm() <= rounding) return a.long_way;  // no plane, which the solver reports
+  if (!a.direction.empty()) {
+    const std::string found = direction_of(h);
+    if (a.long_way)
+      throw InputError(fmt::format("--direction {}: determines the way; leave out --long-way", a.direction));
+    if (found == "polar")
+      throw InputError(
+          fmt::format("--direction {}: the plane of the arc contains the z axis, about which it "
+                      "is neither prograde nor retrograde; use --long-way or leave it out",
+                      a.direction));
+    return found != a.direction;
+  }
+  return a.long_way != (p.normal && h.dot(*p.normal) < 0);
+}
+
+orbit::LambertArc arc_of(const Arc& a, const orbit::TransferProblem& p) {
+  const int revolutions = a.revolutions.value_or(0);
+  if (revolutions > 0 && a.branch.empty())
+    throw InputError(fmt::format("--revolutions {}: needs --branch low or high", revolutions));
+  if (revolutions == 0 && !a.branch.empty())
     throw InputError(fmt::format("--branch {}: needs --revolutions 1 or more", a.branch));
-  return {a.long_way, a.revolutions,
+  return {wants_long_way(a, p), revolutions,
           a.branch == "high" ? orbit::LambertBranch::high : orbit::LambertBranch::low};
 }
 
@@ -156,24 +222,94 @@ std::pair<std::string, std::string> partials_of(const orbit::TransferProblem& p,
   return text;
 }
 
-std::string lambert(const Arc& a) {
-  const orbit::TransferProblem p = problem_of(a);
-  const orbit::LambertArc arc = arc_of(a);
+/// The arc by --method. @throws InputError if the positions do not determine a plane, or for an impossible
+/// time
+orbit::Transfer transfer(const Arc& a, const orbit::TransferProblem& p, const orbit::LambertArc& arc) {
   orbit::Transfer t;
   try {
     t = a.method == "izzo" ? orbit::corrected_transfer(p, arc) : by_collocation(p, arc);
   } catch (const std::invalid_argument& error) {
     throw InputError(error.what());
   }
-  if (t.status.outcome() ==
-      Outcome::outside_validity)  // positions that do not determine a plane, or an impossible time
-    throw InputError(fmt::format("--from {} --to {} --time {}: {}", text_of(p.from), text_of(p.to), p.time,
-                                 t.status.sentence()));
+  // Beside 180 degrees rounding of the arrival turns the plane, and the velocity across it hardly matters.
+  if (p.normal && p.gravity.degree() == 0) {
+    for (orbit::Vector3<double>* v : {&t.v1, &t.v2}) *v -= v->dot(*p.normal) * *p.normal;
+  }
+  return t;
+}
+
+[[noreturn]] void refuse(const orbit::TransferProblem& p, const Status& status) {
+  throw InputError(fmt::format("--from {} --to {} --time {}: {}", text_of(p.from), text_of(p.to), p.time,
+                               status.sentence()));
+}
+
+/// Velocities and miss as cells. @param off distance of the arrival from the plane of --plane
+std::string cells_of(const orbit::Transfer& t, double off) {
+  return fmt::format("{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.3g}", t.v1[0], t.v1[1], t.v1[2],
+                     t.v2[0], t.v2[1], t.v2[2], std::hypot(t.miss, off));
+}
+
+/// Rows of `--all`, and what became of them.
+struct AllArcs {
+  std::string rows;
+  int failed = 0;
+  Status first;  ///< the first failure
+};
+
+/// Adds the rows of one way, up to the number of revolutions that takes too long.
+void add_arcs(const Arc& a, const orbit::TransferProblem& p, bool long_way, double off, AllArcs& all) {
+  const orbit::Vector3<double> h = short_way_normal(p);
+  const std::string direction = direction_of(long_way ? orbit::Vector3<double>(-h) : h);
+  constexpr int many = 100'000;
+  for (int m = 0; m <= a.revolutions.value_or(most_revolutions); ++m) {
+    if (m > many && !a.revolutions)
+      throw InputError(
+          fmt::format("--time {}: allows more than {} revolutions; give the largest number of "
+                      "rows by --revolutions M",
+                      p.time, many));
+    for (const auto branch : {orbit::LambertBranch::low, orbit::LambertBranch::high}) {
+      if (m == 0 && branch == orbit::LambertBranch::high) continue;
+      const orbit::Transfer t = transfer(a, p, {long_way, m, branch});
+      if (t.status.outcome() == Outcome::infeasible) return;
+      const char* const name = m == 0 ? "" : branch == orbit::LambertBranch::low ? "low" : "high";
+      all.rows += fmt::format("{},{},{},{},{},{}\n", long_way ? "long" : "short", direction, m, name,
+                              t.status.ok() ? cells_of(t, off) : ",,,,,,", to_string(t.status.outcome()));
+      if (!t.status.ok() && all.failed++ == 0) all.first = t.status;
+    }
+  }
+}
+
+/// Runs `lambert --all`.
+int print_all(const Arc& a, const orbit::TransferProblem& p, double off) {
+  if (a.long_way || !a.branch.empty() || a.method != "izzo")
+    throw InputError(fmt::format("--all: prints every arc; leave out {}", a.long_way          ? "--long-way"
+                                                                          : !a.branch.empty() ? "--branch"
+                                                                                              : "--method"));
+  if (short_way_normal(p).norm() <= rounding) refuse(p, transfer(a, p, {}).status);  // there is no plane
+  AllArcs all;
+  if (a.direction.empty() || !wants_long_way(a, p)) add_arcs(a, p, false, off, all);
+  if (a.direction.empty() || wants_long_way(a, p)) add_arcs(a, p, true, off, all);
+  scene::print_result("way,direction,revolutions,branch,vx0,vy0,vz0,vx1,vy1,vz1,miss,status\n" + all.rows);
+  if (all.failed == 0) return 0;
+  scene::print_message(
+      fmt::format("rbf_inverse: {} of the arcs failed; the first: {}", all.failed, all.first.text()));
+  return 1;
+}
+
+scene::Answer lambert(const Arc& a) {
+  orbit::TransferProblem p = problem_of(a);
+  const double off = put_into_plane(a, p);
+  if (off > orbit::largest_miss * p.to.stableNorm())
+    scene::print_message(
+        fmt::format("rbf_inverse: the arrival is {:.6g} from the plane that is asked for; "
+                    "arcs end at its projection onto it",
+                    off));
+  if (a.all) return print_all(a, p, off);
+  const orbit::Transfer t = transfer(a, p, arc_of(a, p));
+  if (t.status.outcome() == Outcome::outside_validity) refuse(p, t.status);
   if (!t.status.ok()) throw Failure(t.status);
   const auto [names, cells] = a.partials ? partials_of(p, t) : std::pair<std::string, std::string>();
-  return fmt::format(
-      "vx0,vy0,vz0,vx1,vy1,vz1,miss{}\n{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.3g}{}\n", names,
-      t.v1[0], t.v1[1], t.v1[2], t.v2[0], t.v2[1], t.v2[2], t.miss, cells);
+  return fmt::format("vx0,vy0,vz0,vx1,vy1,vz1,miss{}\n{}{}\n", names, cells_of(t, off), cells);
 }
 
 /// Options of `porkchop`.
@@ -272,9 +408,9 @@ void porkchop(const Grid& g) {
 void add_lambert_commands(scene::Commands& all) {
   all.add("lambert",
           "Solve Lambert's problem: the orbit from one position to another in a given time; prints as CSV "
-          "vx0,vy0,vz0,vx1,vy1,vz1,miss, with --partials also their derivatives. The departure is integrated "
-          "by another method; a miss above a "
-          "millionth of the distance is a failure",
+          "vx0,vy0,vz0,vx1,vy1,vz1,miss (with --partials also their derivatives; with --all "
+          "way,direction,revolutions,branch before and status after them). The departure is integrated by "
+          "another method; a miss above a millionth of the distance is a failure",
           declare_arc, lambert);
   all.add("porkchop",
           "Print the excess speeds of transfers between two orbits over a grid of times as CSV: "

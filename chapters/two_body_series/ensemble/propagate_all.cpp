@@ -1,8 +1,10 @@
 #include "chapters/two_body_series/ensemble/propagate_all.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <iterator>
@@ -12,10 +14,13 @@
 
 #include "chapters/two_body_series/orbits/orbits.hpp"
 #include "chapters/two_body_series/series/accuracy.hpp"
+#include "nlmech/orbit/elements.hpp"
 #include "nlmech/orbit/ensemble.hpp"
 #include "nlmech/orbit/kepler.hpp"
 #include "nlmech/scene/catalogue/catalogue.hpp"
 #include "nlmech/scene/program/this_process.hpp"
+#include "nlmech/scene/program/typed.hpp"
+#include "nlmech/support/degrees.hpp"
 #include "nlmech/support/sentences.hpp"
 #include "nlmech/support/stopwatch.hpp"
 
@@ -27,14 +32,36 @@ enum Column : std::size_t { x, y, z, vx, vy, vz, mu, until };
 /// Output lines per portion, at least; see scene::portion_for().
 constexpr double lines_at_a_time = 16384;
 
+orbit::State start_of(const std::vector<double>& row) {
+  return {{row[x], row[y], row[z]}, {row[vx], row[vy], row[vz]}};
+}
+
+/// Error message for the state and mu of a row; empty if they are valid. @param given mu for all rows
+std::string complaint_of_state(const std::vector<double>& row, const std::optional<double>& given) {
+  if (row[x] == 0 && row[y] == 0 && row[z] == 0) return "x,y,z = 0,0,0 is the centre of attraction";
+  if (row[mu] <= 0) return fmt::format("mu = {:.17g}: must be positive", row[mu]);
+  if (!given && std::isnan(row[mu])) {
+    const std::string why = inside_the_earth(start_of(row));
+    if (!why.empty()) return fmt::format("x,y,z = {},{},{}: {}", row[x], row[y], row[z], why);
+  }
+  return {};
+}
+
+void refuse_doubled(const scene::Catalogue& catalogue, const char* column,
+                    const std::optional<double>& option) {
+  if (option && catalogue.has(column))
+    throw input_error("--{} {}: {} has a column {}; leave out one of the two", column, *option,
+                      catalogue.name(), column);
+}
+
 class OrbitCatalogue {
  public:
   explicit OrbitCatalogue(const CatalogueRequest& request)
       : request_(request),
         catalogue_(request.file, {"x", "y", "z", "vx", "vy", "vz"}, {"mu", "until"},
                    [this](const std::vector<double>& row) { return complaint(row); }) {
-    refuse_doubled("until", request.until);
-    refuse_doubled("mu", request.mu);
+    refuse_doubled(catalogue_, "until", request.until);
+    refuse_doubled(catalogue_, "mu", request.mu);
     if (!request.until && !catalogue_.has("until"))
       throw input_error("{}: has no column until; add the column, or give --until T for all rows",
                         catalogue_.name());
@@ -71,12 +98,6 @@ class OrbitCatalogue {
     return own;
   }
 
-  void refuse_doubled(const char* column, const std::optional<double>& option) const {
-    if (option && catalogue_.has(column))
-      throw input_error("--{} {}: {} has a column {}; leave out one of the two", column, *option,
-                        catalogue_.name(), column);
-  }
-
   [[nodiscard]] double lines_between(const std::vector<double>& row) const {
     return request_.every ? std::abs(request_.until.value_or(row[until])) / *request_.every : 0;
   }
@@ -84,20 +105,11 @@ class OrbitCatalogue {
   /// Error message for an input row; empty if it is valid. Also called by the constructor of catalogue_, when
   /// only the members declared before catalogue_ exist.
   [[nodiscard]] std::string complaint(const std::vector<double>& row) const {
-    if (row[x] == 0 && row[y] == 0 && row[z] == 0) return "x,y,z = 0,0,0 is the centre of attraction";
-    if (row[mu] <= 0) return fmt::format("mu = {:.17g}: must be positive", row[mu]);
-    if (!request_.mu && std::isnan(row[mu])) {
-      const std::string why = inside_the_earth(start_of(row));
-      if (!why.empty()) return fmt::format("x,y,z = {},{},{}: {}", row[x], row[y], row[z], why);
-    }
+    if (std::string why = complaint_of_state(row, request_.mu); !why.empty()) return why;
     if (lines_between(row) > 1e7)
       return fmt::format("until = {:.17g}: more than 10 million rows at --every {}",
                          request_.until.value_or(row[until]), *request_.every);
     return {};
-  }
-
-  static orbit::State start_of(const std::vector<double>& row) {
-    return {{row[x], row[y], row[z]}, {row[vx], row[vy], row[vz]}};
   }
 
   [[nodiscard]] orbit::PropagationRequest flight(const std::vector<double>& row) const {
@@ -267,5 +279,65 @@ class OrbitCatalogue {
 }  // namespace
 
 int print_orbits(const CatalogueRequest& request) { return OrbitCatalogue(request).print(); }
+
+std::string element_cells(const orbit::State& state, double gravity) {
+  const orbit::Elements e = orbit::elements_of(state, gravity);
+  const double period = e.period(gravity);
+  if (e.semi_major_axis > 0 && std::isfinite(e.semi_major_axis) && !(period > 0 && std::isfinite(period)))
+    throw invalid_argument("the period is beyond the range of doubles; choose other units");
+  const std::array numbers = {e.semi_major_axis,
+                              e.eccentricity,
+                              e.inclination / degree,
+                              e.ascending_node / degree,
+                              e.periapsis_argument / degree,
+                              e.true_anomaly / degree,
+                              period,
+                              e.semi_latus_rectum,
+                              e.periapsis_distance,
+                              e.eccentric_anomaly / degree,
+                              e.mean_anomaly / degree,
+                              e.time_since_periapsis};
+  return fmt::format("{:.17g}", fmt::join(numbers, ","));
+}
+
+int print_elements(const std::string& file, const std::optional<double>& given) {
+  scene::Catalogue catalogue(
+      file, {"x", "y", "z", "vx", "vy", "vz"}, {"mu"},
+      [&given](const std::vector<double>& row) { return complaint_of_state(row, given); });
+  refuse_doubled(catalogue, "mu", given);
+  std::int64_t failed = 0;
+  std::string first;
+  const auto lines = [&](const scene::CatalogueRows& rows) {
+    std::vector<std::string> why(rows.numbers.size());
+    std::string text = scene::lines_in_threads(why.size(), 0, [&](std::size_t i, std::string& all) {
+      const std::vector<double>& row = rows.numbers[i];
+      std::string cells;
+      try {
+        cells = element_cells(start_of(row), catalogue.has("mu") ? row[mu] : given.value_or(earth_mu));
+      } catch (const std::invalid_argument& error) {
+        why[i] = error.what();
+        cells.assign(std::ranges::count(element_columns, ','), ',');
+      }
+      const Outcome outcome = why[i].empty() ? Outcome::success : Outcome::outside_validity;
+      all += fmt::format("{},{}{},{}\n", rows.first + static_cast<std::int64_t>(i), cells, rows.rest[i],
+                         to_string(outcome));
+    });
+    for (std::size_t i = 0; i < why.size(); ++i) {
+      if (!why[i].empty() && failed++ == 0)
+        first = fmt::format("row {}: {}", rows.first + static_cast<std::int64_t>(i), why[i]);
+    }
+    return text;
+  };
+  std::vector<std::string> own = scene::split(element_columns, ',');
+  own.insert(own.end(), {"row", "status"});
+  scene::print_catalogue(catalogue, {.header = fmt::format("row,{}{},status", element_columns,
+                                                           catalogue.columns().rest_names(own)),
+                                     .portion = scene::portion_for(lines_at_a_time, 0),
+                                     .work = lines});
+  if (failed == 0) return 0;
+  scene::print_message(
+      fmt::format("two_body_series: {} of the states have no elements; the first is {}", failed, first));
+  return 1;
+}
 
 }  // namespace nlmech::chapters::two_body_series

@@ -2,9 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <iterator>
+#include <limits>
+#include <optional>
+#include <span>
 #include <utility>
 
 #include "chapters/two_body_series/series/accuracy.hpp"
@@ -15,6 +19,7 @@
 #include "nlmech/problems/problem.hpp"
 #include "nlmech/scene/program/this_process.hpp"
 #include "nlmech/support/sentences.hpp"
+#include "nlmech/support/stopwatch.hpp"
 
 namespace nlmech::chapters::two_body_series {
 namespace {
@@ -52,18 +57,66 @@ struct ZonalField {
   }
 };
 
+/// Name of a passage through an event in the column `event`. @param direction of orbit::Hit
+std::string label_of(const NamedEvent& event, int direction) {
+  switch (event.event.kind) {
+    case orbit::EventKind::node:
+      return direction > 0 ? "ascending node" : direction < 0 ? "descending node" : "node touched";
+    case orbit::EventKind::apsis:
+      return direction > 0 ? "periapsis" : direction < 0 ? "apoapsis" : "apsis touched";
+    case orbit::EventKind::distance: break;
+  }
+  return event.name + (direction > 0 ? " rising" : direction < 0 ? " falling" : " touched");
+}
+
+/// Message about the times between which an event has no rows.
+std::string undetermined(const NamedEvent& event, const ivp::OpenEvent& part) {
+  const char* const zero = event.event.kind == orbit::EventKind::node    ? "z is 0"
+                           : event.event.kind == orbit::EventKind::apsis ? "the distance stays the same"
+                                                                         : "the altitude stays the same";
+  return fmt::format(
+      "two_body_series: {}: {} to within rounding from t = {:.9g} to {:.9g}: no row is "
+      "determined there",
+      event.name, zero, part.t0, part.t1);
+}
+
 /// Collects the rows of a run and the worst accuracy.
 class Rows {
  public:
   Rows(const OrbitRequest& request, const ComputedBy& by) : request_(request), by_(by) {
-    print(0, request.start);
+    text_ = request.events.empty() ? "t,x,y,z,vx,vy,vz\n" : "t,x,y,z,vx,vy,vz,event\n";
+    if (!request.events.empty()) {
+      std::vector<orbit::Event> events;
+      for (const NamedEvent& event : request.events) events.push_back(event.event);
+      // Steps round too, however small their tolerance is.
+      finder_.emplace(std::move(events), request.gravity, std::max(by.tolerance.value_or(0), 1e-15));
+    }
+    if (!request.at.empty() && request.at.front() != 0)
+      count_ = 0;
+    else
+      print(0, request.start);
   }
 
+  /// Adds the rows of a step: requested times and events, in order. @returns false if a row has no digit, or
+  /// an event function is NaN
+  bool add_step(const orbit::Step& step) {
+    const auto inside = [&step](double t) { return step.at(t); };
+    if (finder_) {
+      const std::size_t known = finder_->hits().size();
+      if (!finder_->see(step) && status_.ok()) status_ = finder_->status();
+      for (std::size_t i = known; i < finder_->hits().size() && status_.ok(); ++i) {
+        const orbit::Hit& hit = finder_->hits()[i];
+        add_up_to(hit.t, inside);
+        add(hit.t, hit.state, label_of(request_.events[hit.event], hit.direction));
+      }
+    }
+    return add_up_to(step.t1, inside);
+  }
   /// Adds the rows at the requested times up to @p t1. @param state_at returns the state at a time
   /// @returns false if a row has no digit
   template <class StateAt>
   bool add_up_to(double t1, const StateAt& state_at) {
-    if (!request_.every) return true;
+    if (!request_.every && request_.at.empty()) return status_.ok();
     double t = next();
     while (status_.ok() && is_inner(t) && std::abs(t) <= std::abs(t1)) {
       add(t, state_at(t));
@@ -75,8 +128,12 @@ class Rows {
   /// Adds the last row @p s, prints low accuracy to standard error and returns all rows.
   /// @throws Failure if a row has no digit
   [[nodiscard]] std::string finish(const orbit::State& s) {
-    if (request_.time != 0) add(request_.time, s);
+    if (request_.time != 0 && last_ != request_.time) add(request_.time, s);  // an event may be there
     if (!status_.ok()) throw Failure(status_);
+    if (finder_) {
+      for (const ivp::OpenEvent& part : finder_->open())
+        scene::print_message(undetermined(request_.events[part.event], part));
+    }
     if (!worst_.sentence.empty()) scene::print_message(fmt::format("two_body_series: {}", worst_.sentence));
     return std::move(text_);
   }
@@ -84,31 +141,40 @@ class Rows {
   [[nodiscard]] const Status& status() const { return status_; }
 
  private:
-  void add(double t, const orbit::State& s) {
+  void add(double t, const orbit::State& s, const std::string& event = {}) {
     Accuracy accuracy = accuracy_of(s, request_.start, t, request_.gravity, by_);
     if (!accuracy.status.ok() && status_.ok()) status_ = accuracy.status;
     if (accuracy.off > worst_.off) worst_ = std::move(accuracy);
-    print(t, s);
+    print(t, s, event);
   }
-  void print(double t, const orbit::State& s) {
+  void print(double t, const orbit::State& s, const std::string& event = {}) {
+    last_ = t;
     auto out = std::back_inserter(text_);
     fmt::format_to(out, "{:.17g}", t);
     for (int i = 0; i < 3; ++i) fmt::format_to(out, ",{:.17g}", s.position[i]);
     for (int i = 0; i < 3; ++i) fmt::format_to(out, ",{:.17g}", s.velocity[i]);
+    if (finder_) text_.append(",").append(event);
     text_ += '\n';
   }
   [[nodiscard]] double next() const {
+    if (!request_.at.empty()) {
+      const auto i = static_cast<std::size_t>(count_);
+      return i < request_.at.size() ? request_.at[i] : request_.time;
+    }
     return std::copysign(static_cast<double>(count_) * *request_.every, request_.time);
   }
   // The final time has its own row; k DT equal to it up to rounding has no second one.
   [[nodiscard]] bool is_inner(double t) const {
+    if (!request_.at.empty()) return t != request_.time;
     return std::abs(request_.time) - std::abs(t) > 1e-9 * *request_.every;
   }
 
   const OrbitRequest& request_;
   ComputedBy by_;
-  std::string text_ = "t,x,y,z,vx,vy,vz\n";
-  std::int64_t count_ = 1;
+  std::string text_;
+  std::int64_t count_ = 1;                                  // of requested times, that at 0 included
+  double last_ = std::numeric_limits<double>::quiet_NaN();  // time of the last row
+  std::optional<orbit::EventFinder> finder_;
   Accuracy worst_;
   Status status_;
 };
@@ -152,28 +218,89 @@ struct Units {
   orbit::Gravity gravity;
 };
 
+/// A step of an integration in own units, as one in those of the user.
+class StepInUnits : public BasicDenseOutput<orbit::State> {
+ public:
+  StepInUnits(const Units& units, const ivp::Step& step)
+      : units_(units),
+        step_(step),
+        t1_(step.t1 * units.time),
+        x0_(units.users(step.x0)),
+        x1_(units.users(step.x1)) {}
+  /// Refers to this object.
+  [[nodiscard]] orbit::Step users() const {
+    return {step_.index, step_.t0 * units_.time, t1_, x0_, x1_, std::span(&t1_, 1), states_, *this};
+  }
+  void at(double t, orbit::State& x) const override { x = units_.users(step_.at(t / units_.time)); }
+
+ private:
+  const Units& units_;
+  const ivp::Step& step_;
+  double t1_;
+  orbit::State x0_, x1_;
+  std::span<const orbit::State> states_{&x1_, 1};
+};
+
+/// Kepler's solution from the start, as dense output of steps of any length. @throws Failure where it fails
+class KeplerMotion : public BasicDenseOutput<orbit::State> {
+ public:
+  explicit KeplerMotion(const OrbitRequest& request) : request_(request) {}
+  orbit::State operator()(double t) const {
+    const auto solution = orbit::propagate_kepler(request_.start, t, request_.gravity.mu);
+    if (!solution.status.ok()) throw Failure(solution.status);
+    return solution.state;
+  }
+  void at(double t, orbit::State& x) const override { x = (*this)(t); }
+
+ private:
+  const OrbitRequest& request_;
+};
+
+/// Passes Kepler's solution to @p rows in steps of half the time scale of the motion, for events.
+void step_along(const KeplerMotion& motion, const OrbitRequest& request, Rows& rows) {
+  const Stopwatch watch;
+  double t = 0;
+  orbit::State x = request.start;
+  for (std::int64_t index = 1; t != request.time && rows.status().ok(); ++index) {
+    const double r = x.position.stableNorm(), speed = x.velocity.stableNorm();
+    const double h = 0.5 * std::min(r / speed, r * std::sqrt(r / request.gravity.mu));
+    const double rest = std::abs(request.time - t);
+    if (!(h > 4 * std::numeric_limits<double>::epsilon() * std::abs(t)))
+      throw Failure(failed_with(Outcome::collision,
+                                "kepler: the body passes so near the centre at t = {:.9g} that doubles do "
+                                "not resolve events there; end the run before, or leave out --events",
+                                t));
+    if (watch.seconds() > request.seconds)
+      throw Failure(failed_with(Outcome::time_limit,
+                                "kepler: {} seconds were used up by the events up to t = {:.9g}; allow more, "
+                                "or take a shorter time",
+                                request.seconds, t));
+    const double next = h >= rest ? request.time : t + std::copysign(h, request.time);
+    const orbit::State there = motion(next);
+    const std::span<const orbit::State> states(&there, 1);
+    if (!rows.add_step({index, t, next, x, there, std::span(&next, 1), states, motion})) return;
+    t = next;
+    x = there;
+  }
+}
+
 }  // namespace
 
 std::string rows_of_kepler(const OrbitRequest& request) {
-  const auto at = [&request](double t) {
-    const auto solution = orbit::propagate_kepler(request.start, t, request.gravity.mu);
-    if (!solution.status.ok()) throw Failure(solution.status);
-    return solution.state;
-  };
-  const orbit::State end = at(request.time);
+  const KeplerMotion motion(request);
+  const orbit::State end = motion(request.time);
   Rows rows(request, {"kepler", std::nullopt});
-  rows.add_up_to(request.time, at);
+  if (request.events.empty())
+    rows.add_up_to(request.time, motion);
+  else
+    step_along(motion, request, rows);
   return rows.finish(end);
 }
 
 std::string rows_of_series(const OrbitRequest& request) {
   Rows rows(request, {"series", request.tolerance});
   orbit::Observer observer;
-  if (request.every) {
-    observer = [&rows](const orbit::Step& step) {
-      return rows.add_up_to(step.t1, [&step](double t) { return step.at(t); });
-    };
-  }
+  if (request.has_inner_rows()) observer = [&rows](const orbit::Step& step) { return rows.add_step(step); };
   const auto end = orbit::propagate(request.start, 0, request.time, request.gravity,
                                     orbit::AnalyticContinuation{.tolerance = request.tolerance}, observer,
                                     {.seconds = request.seconds});
@@ -190,12 +317,8 @@ std::string rows_of_rkn1210(const OrbitRequest& request) {
   if (request.time == 0) return rows.finish(request.start);
   const Units units(request);
   ivp::Observer observer;
-  if (request.every) {
-    observer = [&](const ivp::Step& step) {
-      return rows.add_up_to(step.t1 * units.time,
-                            [&](double t) { return units.users(step.at(t / units.time)); });
-    };
-  }
+  if (request.has_inner_rows())
+    observer = [&](const ivp::Step& step) { return rows.add_step(StepInUnits(units, step).users()); };
   const auto end = ivp::integrate(
       ivp::System(ZonalField{units.gravity}), units.own(request.start), 0, request.time / units.time,
       ivp::Rkn1210{.relative_tolerance = request.tolerance, .absolute_tolerance = request.tolerance},

@@ -204,8 +204,10 @@ std::string rows_with(const Sensitivities& columns, const OrbitRequest& r, std::
                    p[0], p[1], p[2], v[0], v[1], v[2], columns.cells(phi));
     return refused.ok();
   };
-  (void)add(0, r.start, TransitionMatrix::Identity());
-  const TransitionSolution run = propagate_with_transition(r, method, inner_times(r.time, r.every), add);
+  if (r.at.empty() || r.at.front() == 0) (void)add(0, r.start, TransitionMatrix::Identity());
+  std::vector<double> inner = r.at.empty() ? inner_times(r.time, r.every) : r.at;
+  std::erase_if(inner, [&](double t) { return t == 0 || t == r.time; });
+  const TransitionSolution run = propagate_with_transition(r, method, inner, add);
   if (!refused.ok()) throw Failure(refused);
   if (!run.end.status.ok()) throw Failure(run.end.status);
   if (r.time != 0 && !add(r.time, run.end.x, run.transition)) throw Failure(refused);

@@ -129,6 +129,22 @@ double miss_of(const TransferProblem& problem, const Vector3<double>& v1, Vector
   return (end.position - problem.to).stableNorm();
 }
 
+TransferProblem in_plane(const TransferProblem& problem, const Vector3<double>& normal) {
+  const auto fail = [&](const char* why) {
+    return invalid_argument("lambert: the plane's normal ({}, {}, {}) {}", normal[0], normal[1], normal[2],
+                            why);
+  };
+  if (!normal.allFinite()) throw fail("must be finite");
+  const Vector3<double> out = problem.from / problem.from.stableNorm(), n = normal / normal.stableNorm();
+  const Vector3<double> across = n - n.dot(out) * out;
+  if (!(across.norm() > 1e-8)) throw fail("is along the departure; it must be across it");
+  TransferProblem p = problem;
+  p.normal = across / across.norm();
+  p.to -= p.to.dot(*p.normal) * *p.normal;
+  if (!(p.to.stableNorm() > 1e-8 * problem.to.stableNorm())) throw fail("is along the arrival");
+  return p;
+}
+
 Transfer corrected_transfer(const TransferProblem& problem, const LambertArc& arc) {
   check(problem.gravity);
   const Stopwatch watch;

@@ -106,6 +106,12 @@ struct CollocatedTransfer : Transfer {
 /// @throws std::invalid_argument as solve_lambert, and for an invalid field
 [[nodiscard]] Transfer corrected_transfer(const TransferProblem& problem, const LambertArc& arc = {});
 
+/// @p problem in a plane that is asked for, where the positions are near 180 degrees apart and determine none
+/// well: the arrival is projected onto the plane through the departure, and `normal` is its unit normal, the
+/// component of @p normal across r_0. The distance to the arrival asked for is the caller's to report.
+/// @throws std::invalid_argument for a normal that is not finite or along r_0, and an arrival along it
+[[nodiscard]] TransferProblem in_plane(const TransferProblem& problem, const Vector3<double>& normal);
+
 /// |r(t) - r_F| for the orbit from r_0 with @p v1; infinite if the propagation fails. @param v2 receives the
 /// velocity at the arrival, if not null @throws std::invalid_argument as propagate()
 [[nodiscard]] double miss_of(const TransferProblem& problem, const Vector3<double>& v1,
