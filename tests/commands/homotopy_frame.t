@@ -196,7 +196,7 @@ Each with its line:
   $ bad 's/EI = 1/&\nradius = 0.4/'
   homotopy: bad.toml, line 4: member A-B: radius = 0.4: such a circle does not span its length of 1
   $ bad 's/EI = 1/EJ = 1/'
-  homotopy: bad.toml, line 7: EJ = 1: no such key; the keys of a member are nodes, EA, EI, hinges, elements, radius, mass
+  homotopy: bad.toml, line 7: EJ = 1: no such key; the keys of a member are nodes, EA, EI, hinges, joints, elements, radius, mass
   $ bad 's/"rotation"/"turn"/'
   homotopy: bad.toml, line 9: supports.A = [ 'x', 'y', 'turn' ]: turn is no motion; the motions are x, y, rotation
   $ bad 's/A = \["x"/Z = ["x"/'
@@ -212,7 +212,7 @@ Each with its line:
   $ bad 's/B = { y/A = { y/'
   homotopy: bad.toml, line 11: load on A.y, which is fixed
   $ bad 's/\[loads\]/[load]/'
-  homotopy: bad.toml, line 10: load = B = { y = -1 }: no such key; the keys are nodes, members, supports, loads, displacements, masses, damping, imperfection
+  homotopy: bad.toml, line 10: load = B = { y = -1 }: no such key; the keys are nodes, members, supports, springs, loads, constant_loads, displacements, masses, damping, imperfection
   $ bad '1s/.*/[nodes/; 2,$d'
   homotopy: bad.toml, line 1, column 7: Error while parsing table header: expected ']', saw '\n'
   $ bad "1s/.*/a.$(head -c 5000 /dev/zero | tr '\0' .)/; 2,\$d"

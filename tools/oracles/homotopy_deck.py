@@ -1,7 +1,7 @@
 """Reference values for the frames of chapters/homotopy/frames (tables/frames/deck.csv), without elements: the members as Euler's elastica that
 shortens, integrated from node to node in decimal arithmetic, or a closed form.
 
-A frame is a chain of rods, straight or circular at rest, with dead loads at their ends. With the force (h, v) across every section and the moment m:
+A frame is a chain of rods, straight or circular at rest, with dead loads at their ends and along them. With the force (h, v) across every section and the moment m:
 theta' = m/EI + kappa, x' = (1 + N/EA) cos theta, y' = (1 + N/EA) sin theta, m' = (1 + N/EA) (h sin theta - v cos theta),
 N = h cos theta + v sin theta, over the length at rest. Force, moment (or rotation) at the first end and the load factor are found by shooting, for a given
 displacement of a node: roughly in doubles, then in all digits."""
@@ -57,6 +57,7 @@ class Chain:
         members = frame["members"]
         self.rods = [Rod(m, *(places[n] for n in m["nodes"])) for m in members]
         self.loads = [[D(str(frame["loads"].get(m["nodes"][1], {}).get(k, 0))) for k in "xy"] for m in members]
+        self.lines = [[D(str(frame["loads"].get("-".join(m["nodes"]), {}).get(k, 0))) for k in "xy"] for m in members]
         first, last = members[0]["nodes"][0], members[-1]["nodes"][1]
         self.rest = [tuple(p - q for p, q in zip(places[m["nodes"][1]], places[first])) for m in members]
         held = frame["supports"]
@@ -65,15 +66,16 @@ class Chain:
         node, word = motion.split(".")
         self.at, self.part = [m["nodes"][1] for m in members].index(node), ("x", "y", "rotation").index(word)
 
-    def along(self, rod, s, h, v, number):
-        """(x, y, rotation, moment) at the end of a rod: in doubles by Runge and Kutta's rule, else to all digits."""
+    def along(self, rod, s, h, v, line, number):
+        """(x, y, rotation, moment) at the end of a rod under a load along it: in doubles by Runge and Kutta's rule, else to all digits."""
         if number is D:
             c, z = cosine_sine(s[2])
             c0, z0 = rod.start
 
-            def slopes(_, w):
-                stretch, turn = 1 + (h * w[2] + v * w[3]) / rod.ea, w[5] / rod.ei + rod.bend
-                return [stretch * w[2], stretch * w[3], -w[3] * turn, w[2] * turn, turn - rod.bend, stretch * (h * w[3] - v * w[2])]
+            def slopes(arc, w):
+                p, q = h - line[0] * arc, v - line[1] * arc
+                stretch, turn = 1 + (p * w[2] + q * w[3]) / rod.ea, w[5] / rod.ei + rod.bend
+                return [stretch * w[2], stretch * w[3], -w[3] * turn, w[2] * turn, turn - rod.bend, stretch * (p * w[3] - q * w[2])]
 
             start = [s[0], s[1], c0 * c - z0 * z, z0 * c + c0 * z, s[2], s[3]]
             x, y, _, _, rotation, m = Extrapolation(slopes, "1e-21", 10, rod.length / 2).run(0, start, rod.length)
@@ -84,8 +86,9 @@ class Chain:
 
         def slope(arc, w):
             c, z = math.cos(angle + bend * arc + w[2]), math.sin(angle + bend * arc + w[2])
-            stretch = 1 + (h * c + v * z) / ea
-            return stretch * c, stretch * z, w[3] / ei, stretch * (h * z - v * c)
+            p, q = h - line[0] * arc, v - line[1] * arc
+            stretch = 1 + (p * c + q * z) / ea
+            return stretch * c, stretch * z, w[3] / ei, stretch * (p * z - q * c)
 
         for k in range(steps):
             arc = k * step
@@ -101,11 +104,12 @@ class Chain:
         h, v, free, load = u
         s = [number(0), number(0), number(0) if self.clamped else free, free if self.clamped else number(0)]
         for k, (rod, rest) in enumerate(zip(self.rods, self.rest)):
-            s = self.along(rod, s, h, v, number)
+            line = [load * number(c) for c in self.lines[k]]
+            s = self.along(rod, s, h, v, line, number)
             moved = [s[0] - number(rest[0]), s[1] - number(rest[1]), s[2]]
             if k == self.at:
                 displacement = moved[self.part]
-            h, v = h - load * number(self.loads[k][0]), v - load * number(self.loads[k][1])
+            h, v = (force - p * number(rod.length) - load * number(at) for force, p, at in zip((h, v), line, self.loads[k]))
         every = [*moved, h, v, s[3]]
         return [every[k] for k in self.fixed] + [displacement]
 
@@ -181,6 +185,34 @@ def shot(name, motion, low, high=None, parts=10, first=None, whole=None):
     return root(chain, u, low, high, lambda u, slope: every.singular(u))
 
 
+def falling_zero(value, low, high):
+    """Where a function changes its sign between two Decimals, by bisection to all digits."""
+    sign = value(low) > 0
+    for _ in range(90):
+        middle = (low + high) / 2
+        low, high = (middle, high) if (value(middle) > 0) == sign else (low, middle)
+    return low
+
+
+def heavy(weight, ea=D(10) ** 6):
+    """The rotation at the clamped base of a column under its weight, 1 at its free top, which is 0 where it branches: the power series of
+    theta'' = -w s (1 - w s/EA) theta over the distance s from the top."""
+    a = [D(1), D(0)]
+    for n in range(80):
+        a.append((-weight * (a[n - 1] if n > 0 else 0) + weight**2 / ea * (a[n - 2] if n > 1 else 0)) / ((n + 1) * (n + 2)))
+    return sum(a)
+
+
+def shortened(load, ea=D(10) ** 6):
+    """P with P (1 - P/EA) = load."""
+    return 2 * load / (1 + (1 - 4 * load / ea).sqrt())
+
+
+def on_spring(x):
+    c, z = cosine_sine(x)
+    return x * z - c
+
+
 def main():
     head()
     down, aside = ("load.y", -20), ("B.x", 0.002)
@@ -200,7 +232,8 @@ def main():
             ("shallow-arch second bifurcation", shot("half-shallow-arch", "crown.y", -0.93, -0.97, 50, whole="shallow-arch")),
             ("deep-arch first maximum", shot("deep-arch", "crown.y", -110, -120, 60)),
             ("deep-arch load at -50", shot("deep-arch", "crown.y", -50, parts=30)),
-            ("portal first maximum", shot("portal", "B.x", 0.76, 0.768, 125, aside))):
+            ("portal first maximum", shot("portal", "B.x", 0.76, 0.768, 125, aside)),
+            ("heavy-cantilever load at -0.5", shot("heavy-cantilever", "tip.y", -0.5, parts=20))):
         row(name, load, 12)
     slope = (D(5) / 4).sqrt() ** -1
     truss = 2 * (1 - slope ** (D(2) / 3)) ** (D(3) / 2)
@@ -212,8 +245,11 @@ def main():
     row("level-brace first bifurcation", 1 / (1 + D("1e-6")), 12)
     for mode, name in enumerate(("first", "second", "third"), 1):
         euler = D("9.869604401089358618834490999876") * mode**2  # P (1 - P/EA) = pi^2 EI n^2/l^2
-        load = 2 * euler / (1 + (1 - 4 * euler / 10**6).sqrt())
-        row(f"column {name} bifurcation", load / D("9.869604401089358"), 12)  # the load of the file
+        row(f"column {name} bifurcation", shortened(euler) / D("9.869604401089358"), 12)  # the load of the file
+    row("spring-column first bifurcation", shortened(falling_zero(on_spring, D("0.8"), D("0.9")) ** 2), 12)
+    row("heavy-column first bifurcation", falling_zero(heavy, D(7), D(8)), 12)
+    # A moment of pi/4 turns a joint of stiffness 1 and bends the cantilever by pi/4 each.
+    row("joint-cantilever load at 0.9003163", D("0.25"), 12)
 
 
 main()

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -11,6 +13,8 @@
 #include "chapters/homotopy/commands/frame_dynamic.hpp"
 #include "chapters/homotopy/commands/frame_file.hpp"
 #include "chapters/homotopy/commands/frame_picture.hpp"
+#include "nlmech/frames/named/frame_forces.hpp"
+#include "nlmech/frames/named/frame_modes.hpp"
 #include "nlmech/frames/named/frame_paths.hpp"
 #include "nlmech/frames/named/mesh_error.hpp"
 #include "nlmech/scene/picture.hpp"
@@ -28,6 +32,9 @@ struct FrameOptions {
   int elements = 4;
   std::optional<int> steps, branches;
   std::optional<double> until, turn;
+  std::vector<double> at;
+  bool has_forces = false;
+  std::optional<int> modes;
   std::string load_case;
   double limit = scene::Options::default_limit;
   Stopwatch time = {};
@@ -46,6 +53,19 @@ void declare(scene::Options& options, FrameOptions& typed) {
       "--until", typed.until,
       "load factor at which a branch ends, not 0; negative: the path starts towards negative load factors. "
       "Default: twice the largest of the limit and branch points up to twice the first, if there is one");
+  options.add(
+      "--at", typed.at,
+      "load factors, such as 0.5,1: rows there, and at limit and branch points, alone; the default of "
+      "--until is then the farthest of them");
+  options.add("--forces", typed.has_forces,
+              "adds columns: forces at both ends of each member and its greatest moment, forces of supports "
+              "and springs");
+  options
+      .add("--modes", typed.modes,
+           "the lowest modes of linear buckling and of vibration instead of the path, under the constant "
+           "loads "
+           "or at the load factors --at: their number")
+      .range(1, 1000);
   options
       .add("--turn", typed.turn,
            "approximate rotation of the path's tangent in a step, rad (default 0.15); smaller values give "
@@ -73,14 +93,35 @@ frames::PathOptions path_options_of(const FrameOptions& typed) {
   return options;
 }
 
+/// Load factor at which the paths end, if it is given.
+std::optional<double> until_of(const FrameOptions& typed) {
+  if (typed.until || typed.at.empty()) return typed.until;
+  const double far = *std::ranges::max_element(typed.at, {}, [](double load) { return std::abs(load); });
+  return far == 0 ? std::nullopt : std::optional(far);
+}
+
 /// Throws InputError for an option that the mode does not use. With --dynamic, an imperfection still uses
 /// --turn and --steps: its shape comes from a path.
 void require_used(const FrameOptions& typed, const FrameFile& file) {
   if (typed.until && *typed.until == 0)
     throw InputError("--until 0: the frame is at rest there; give another load factor");
+  const double until = until_of(typed).value_or(0);
+  for (const double load : typed.at) {
+    if (load != 0 && (load * until < 0 || std::abs(load) > std::abs(until)))
+      throw InputError(fmt::format("--at {}: is not between 0 and the end of the path, {}", load, until));
+  }
+  const std::array path_only = {
+      std::pair{"--forces", typed.has_forces}, std::pair{"--branches", typed.branches.has_value()},
+      std::pair{"--plot", !typed.plot.empty()}, std::pair{"--dynamic", typed.dynamic.is_wanted}};
+  for (const auto& [option, is_typed] : path_only) {
+    if (typed.modes && is_typed)
+      throw InputError(fmt::format("{}: leave out this option or --modes", option));
+  }
   if (!typed.dynamic.is_wanted) return require_none(typed.dynamic);
   const std::array given = {std::pair{"--until", typed.until.has_value()},
                             std::pair{"--branches", typed.branches.has_value()},
+                            std::pair{"--at", !typed.at.empty()},
+                            std::pair{"--forces", typed.has_forces},
                             std::pair{"--turn", typed.turn && !file.model.imperfection},
                             std::pair{"--steps", typed.steps && !file.model.imperfection}};
   for (const auto& [option, is_typed] : given) {
@@ -90,38 +131,93 @@ void require_used(const FrameOptions& typed, const FrameFile& file) {
   }
 }
 
-/// Forces at each path point if displacements are prescribed; otherwise empty vectors.
-std::vector<Eigen::VectorXd> reactions(const frames::NamedFrame& frame, const frames::FramePaths& paths) {
-  std::vector<Eigen::VectorXd> all(paths.points.size());
-  for (std::size_t i = 0; i < all.size() && !frame.given.empty(); ++i)
-    static_cast<void>(frame.frame.force<double>(paths.points[i].x, all[i]));
-  return all;
-}
+/// Columns of forces: those at prescribed displacements, and with --forces all.
+class ForceColumns {
+ public:
+  ForceColumns(const FrameFile& file, const frames::NamedFrame& frame, bool is_all)
+      : file_(file), frame_(frame), is_all_(is_all) {
+    using frames::Motion;
+    for (int node = 0; node < static_cast<int>(file.model.nodes.size()); ++node) {
+      for (const Motion motion : {Motion::x, Motion::y, Motion::rotation}) {
+        if (!is_held(node, motion)) continue;
+        held_.push_back(3L * node + static_cast<Eigen::Index>(motion));
+        names_ += column(fmt::format("{}.{}.force", file.model.nodes[static_cast<std::size_t>(node)].name,
+                                     to_string(motion)));
+      }
+    }
+    if (is_all) name_members();
+  }
 
-bool is_given(const frames::NamedFrame& frame, const frames::NamedMotion& motion) {
-  return std::binary_search(frame.given.begin(), frame.given.end(), motion.unknown);
-}
+  [[nodiscard]] const std::string& names() const { return names_; }
+
+  /// The fields of a row.
+  [[nodiscard]] std::string at(const Eigen::VectorXd& x, double load) const {
+    if (names_.empty()) return {};
+    const frames::FrameForces forces = forces_of(file_.model, frame_, x, load);
+    std::string text;
+    const auto add = [&](double value) { text += fmt::format(",{:.12g}", value); };
+    for (const Eigen::Index i : held_) add(forces.nodes[i]);
+    if (!is_all_) return text;
+    for (const frames::MemberForces& m : forces.members) {
+      for (const frames::SectionForces& s : {m.first, m.second}) add(s.axial), add(s.shear), add(s.moment);
+      add(m.moment);
+    }
+    for (const double force : forces.springs) add(force);
+    return text;
+  }
+
+ private:
+  static std::string column(const std::string& name) { return "," + scene::csv_field(name); }
+
+  [[nodiscard]] bool is_held(int node, frames::Motion motion) const {
+    const Eigen::Index at = frame_.frame.unknown(node, motion);
+    if (at >= 0) return std::binary_search(frame_.given.begin(), frame_.given.end(), at);
+    return is_all_ && std::ranges::any_of(frame_.supports, [&](const frames::Support& s) {
+             return s.node == node && s.motion == motion;
+           });
+  }
+
+  /// Members that join the same nodes are numbered from the second on.
+  void name_members() {
+    std::map<std::string, int> known;
+    for (const frames::NamedMember& m : file_.model.members) {
+      std::string name = m.first + '-' + m.second;
+      if (const int number = ++known[name]; number > 1) name += fmt::format(" {}", number);
+      for (const std::string& end : {m.first, m.second}) {
+        for (const char* const part : {"axial", "shear", "moment"})
+          names_ += column(fmt::format("{}.{}.{}", name, end, part));
+      }
+      names_ += column(name + ".moment");
+    }
+    for (std::size_t i = 1; i <= file_.model.springs.size(); ++i)
+      names_ += fmt::format(",spring_{}.force", i);
+  }
+
+  const FrameFile& file_;
+  const frames::NamedFrame& frame_;
+  bool is_all_;
+  std::vector<Eigen::Index> held_;  ///< indices in FrameForces::nodes
+  std::string names_;
+};
 
 /// Estimated discretisation error of each path point; nothing if not known.
 using MeshErrors = std::vector<std::optional<double>>;
 
 std::string csv_of(const frames::NamedFrame& frame, const frames::FramePaths& paths, const MeshErrors& errors,
-                   bool with_branch) {
+                   const ForceColumns& forces, const FrameOptions& typed) {
+  const bool with_branch = typed.branches.value_or(0) > 0;
   std::string text(with_branch ? "branch,load_factor" : "load_factor");
   for (const frames::NamedMotion& m : frame.motions) text.append(",").append(scene::csv_field(m.name));
-  for (const frames::NamedMotion& m : frame.motions) {
-    if (is_given(frame, m)) text.append(",").append(scene::csv_field(m.name + ".force"));
-  }
-  text += ",mesh_error,negative_eigenvalues,kind\n";
-  const std::vector<Eigen::VectorXd> forces = reactions(frame, paths);
+  text += forces.names() + ",mesh_error,negative_eigenvalues,kind\n";
   for (std::size_t i = 0; i < paths.points.size(); ++i) {
     const frames::FramePoint& p = paths.points[i];
+    if (!typed.at.empty() && p.kind == frames::FramePoint::Kind::step &&
+        std::ranges::find(typed.at, p.load) == typed.at.end())
+      continue;
     if (with_branch) text += fmt::format("{},", p.branch);
     text += fmt::format("{:.12g}", p.load);
     for (const frames::NamedMotion& m : frame.motions) text += fmt::format(",{:.12g}", p.x[m.unknown]);
-    for (const frames::NamedMotion& m : frame.motions) {
-      if (is_given(frame, m)) text += fmt::format(",{:.12g}", forces[i][m.unknown]);
-    }
+    text += forces.at(p.x, p.load);
     text += errors[i] ? fmt::format(",{:.2g}", *errors[i]) : ",";
     text += fmt::format(",{},{}\n", p.negative, to_string(p.kind));
   }
@@ -206,6 +302,62 @@ void print_unfollowed_branches(const frames::FramePaths& paths) {
                     paths.unfollowed, paths.branches + paths.unfollowed));
 }
 
+/// The modes at each load factor; the last entry has the status of a failure.
+std::vector<frames::FrameModes> modes_of(const FrameOptions& typed, const frames::Imperfect& made,
+                                         const std::vector<double>& loads) {
+  frames::PathOptions options = path_options_of(typed);
+  options.until = until_of(typed);
+  options.at = loads;
+  const frames::Start start = start_of(made.frame, options);
+  const frames::FramePaths paths =
+      options.until ? equilibrium_paths(made.frame, options) : frames::FramePaths{};
+  for (const Status& status : {made.status, start.status, paths.status}) {
+    if (!status.ok()) return {{{}, status}};
+  }
+  std::vector<frames::FrameModes> all;
+  for (const double load : loads) {
+    const auto at = std::ranges::find(paths.points, load, &frames::FramePoint::load);
+    all.push_back(frame_modes(made.frame, load == 0 ? start.x : at->x, load, *typed.modes));
+    if (!all.back().status.ok()) break;
+  }
+  return all;
+}
+
+/// The value of the mode of this kind and number, from 0; none if there is no such mode.
+std::optional<double> value_of(const frames::FrameModes& modes, frames::FrameMode::Kind kind, int number) {
+  for (const frames::FrameMode& mode : modes.modes) {
+    if (mode.kind == kind && number-- == 0) return mode.value;
+  }
+  return std::nullopt;
+}
+
+void print_modes(const FrameOptions& typed, const FrameFile& file, const frames::Imperfect& made) {
+  const std::vector<double> loads = typed.at.empty() ? std::vector{0.} : typed.at;
+  const int second = frames::second_mesh(typed.elements, made.frame.frame.members().size());
+  const auto modes = modes_of(typed, made, loads);
+  if (!modes.back().status.ok()) throw Failure(modes.back().status);
+  if (modes.back().modes.empty())
+    throw InputError(fmt::format("--modes: {} has neither masses nor loads that compress", file.name));
+  const auto others = modes_of(typed, frame_of(file, typed, second), loads);
+  const double factor = frames::mesh_factor(typed.elements, second);
+  std::string text = "load_factor,kind,mode,value,mesh_error";
+  for (const frames::NamedMotion& m : made.frame.motions) text.append(",").append(scene::csv_field(m.name));
+  text += "\n";
+  for (std::size_t i = 0; i < loads.size(); ++i) {
+    std::array<int, 2> numbers = {0, 0};
+    for (const frames::FrameMode& mode : modes[i].modes) {
+      const int number = numbers[static_cast<std::size_t>(mode.kind)]++;
+      text += fmt::format("{:.12g},{},{},{:.12g},", loads[i], to_string(mode.kind), number + 1, mode.value);
+      const auto other = i < others.size() ? value_of(others[i], mode.kind, number) : std::nullopt;
+      if (other) text += fmt::format("{:.2g}", std::min(1., factor * std::abs(1 - *other / mode.value)));
+      for (const frames::NamedMotion& m : made.frame.motions)
+        text += fmt::format(",{:.12g}", mode.shape[m.unknown]);
+      text += "\n";
+    }
+  }
+  scene::print_result(text);
+}
+
 void move(const FrameOptions& typed, const FrameFile& file, const frames::NamedFrame& frame,
           const scene::Picture& picture) {
   const FrameRun run = run_frame(file, frame, typed.dynamic, typed.left());
@@ -222,6 +374,7 @@ void work(const FrameOptions& typed) {
       read_frame(typed.file, typed.load_case.empty() ? std::nullopt : std::optional(typed.load_case));
   require_used(typed, file);
   file.model.may_move = typed.dynamic.is_wanted && !file.model.imperfection;
+  file.model.needs_load = !typed.modes;
   const frames::Imperfect made = frame_of(file, typed, typed.elements);
   if (!made.status.ok()) throw Failure(made.status);
   if (file.model.imperfection)
@@ -230,13 +383,15 @@ void work(const FrameOptions& typed) {
                     file.model.imperfection->amplitude, to_string(made.buckled.kind), made.buckled.load));
   const frames::NamedFrame& frame = made.frame;
   if (typed.dynamic.is_wanted) return move(typed, file, frame, picture);
+  if (typed.modes) return print_modes(typed, file, made);
   frames::PathOptions options = path_options_of(typed);
-  options.until = typed.until;
+  options.until = until_of(typed);
+  options.at = typed.at;
   options.branches = typed.branches.value_or(0);
   const Estimated e = estimated(file, typed, frame, options);
   const frames::FramePaths& paths = e.paths;
   if (paths.points.empty()) throw Failure(paths.status);
-  scene::print_result(csv_of(frame, paths, e.errors, options.branches > 0));
+  scene::print_result(csv_of(frame, paths, e.errors, ForceColumns(file, frame, typed.has_forces), typed));
   if (picture.wanted()) picture.draw([&] { return frame_picture(frame, paths); });
   if (!paths.status.ok())
     throw Failure(Status::failure(
@@ -255,8 +410,10 @@ void add_frame_command(scene::Commands& all) {
           "prints as CSV load_factor, displacements of the named nodes that are free, forces at given "
           "displacements, mesh_error (relative, estimated with another number of elements: of the load "
           "factor at limit and branch points, else of displacements and forces), negative_eigenvalues (of "
-          "the tangent stiffness; 0: stable), kind (step, maximum, minimum, bifurcation). With --dynamic its "
-          "motion: time, load_factor, displacements, energies",
+          "the tangent stiffness; 0: stable), kind (step, maximum, minimum, bifurcation). With --modes its "
+          "modes: "
+          "load_factor, kind (buckling, vibration), mode, value (critical load factor; cycles per time), "
+          "mesh_error, shape. With --dynamic its motion: time, load_factor, displacements, energies",
           declare, work);
 }
 

@@ -7,7 +7,10 @@
 #include <cmath>
 #include <utility>
 
+#include "nlmech/frames/named/frame_paths.hpp"
+#include "nlmech/ivp/named/named_integrators.hpp"
 #include "nlmech/ivp/named/named_methods.hpp"
+#include "nlmech/ivp/structural/alpha_family.hpp"
 #include "nlmech/ivp/system.hpp"
 #include "nlmech/scene/picture.hpp"
 #include "nlmech/scene/table.hpp"
@@ -64,6 +67,13 @@ ivp::Settings settings_of(const DynamicOptions& typed, const frames::FrameMotion
   return {.step = step};
 }
 
+ivp::NamedIntegrator integrator_of(const DynamicOptions& typed, const ivp::Settings& settings) {
+  if (typed.alpha) return ivp::named::with_options(ivp::Hht{.step = *settings.step, .alpha = *typed.alpha});
+  if (typed.rho)
+    return ivp::named::with_options(ivp::GeneralizedAlpha{.step = *settings.step, .rho_inf = *typed.rho});
+  return ivp::named_integrator(method_of(typed), settings);
+}
+
 Moment moment_of(const frames::FrameMotion& motion, double t, const Eigen::VectorXd& x,
                  const frames::FrameEnergies& energies) {
   return {t,
@@ -101,7 +111,7 @@ class Runs {
   /// displacements
   /// @param has_rows whether to record rows
   FrameRun run(const ivp::Settings& settings, const FrameRun* coarse = nullptr, bool has_rows = true) {
-    const auto integrate = ivp::named_integrator(method_of(typed_), settings);
+    const auto integrate = integrator_of(typed_, settings);
     frames::FrameEnergies energies(motion_);
     FrameRun run;
     run.moments.push_back(moment_of(motion_, 0, motion_.rest(), energies));
@@ -235,6 +245,14 @@ void declare_dynamic(scene::Options& options, DynamicOptions& typed) {
            "with --dynamic: rows at multiples of this time and at the end, by dense output (default: a row "
            "for each step)")
       .positive();
+  options
+      .add("--alpha", typed.alpha,
+           "with --method hht: its parameter, less dissipation towards 0 (default -0.1)")
+      .range(-1. / 3, 0);
+  options
+      .add("--rho", typed.rho,
+           "with --method generalized-alpha: spectral radius at infinite frequency (default 0.8)")
+      .range(0, 1);
 }
 
 void require_none(const DynamicOptions& typed) {
@@ -242,7 +260,8 @@ void require_none(const DynamicOptions& typed) {
       std::pair{"--history", !typed.history.empty()},        std::pair{"--factor", typed.factor.has_value()},
       std::pair{"--duration", typed.duration.has_value()},   std::pair{"--time", typed.time.has_value()},
       std::pair{"--method", !typed.method.empty()},          std::pair{"--step", typed.step.has_value()},
-      std::pair{"--tolerance", typed.tolerance.has_value()}, std::pair{"--every", typed.every.has_value()}};
+      std::pair{"--tolerance", typed.tolerance.has_value()}, std::pair{"--every", typed.every.has_value()},
+      std::pair{"--alpha", typed.alpha.has_value()},         std::pair{"--rho", typed.rho.has_value()}};
   for (const auto& [option, is_typed] : given) {
     if (is_typed)
       throw InputError(fmt::format("{}: is for a motion in time; add --dynamic or leave it out", option));
@@ -252,11 +271,16 @@ void require_none(const DynamicOptions& typed) {
 FrameRun run_frame(const FrameFile& file, const frames::NamedFrame& frame, const DynamicOptions& typed,
                    double seconds) {
   if (!typed.time) throw InputError("--dynamic: needs --time T, the end of the motion");
+  if (typed.alpha && typed.method != "hht") throw InputError("--alpha: is for --method hht");
+  if (typed.rho && typed.method != "generalized-alpha")
+    throw InputError("--rho: is for --method generalized-alpha");
   const LoadHistory history = history_of(typed);
   if (typed.every && *typed.time / *typed.every > static_cast<double>(most_rows))
     throw InputError(fmt::format("--every {}: more than {} rows", *typed.every, most_rows));
   try {
-    const frames::FrameMotion motion(frame, history);
+    frames::Start start = start_of(frame, {.seconds = seconds});
+    if (!start.status.ok()) throw Failure(start.status);
+    const frames::FrameMotion motion(frame, history, std::move(start.x));
     const ivp::Settings settings = settings_of(typed, motion, *typed.time);
     if (!typed.every && settings.step && *typed.time / *settings.step > static_cast<double>(most_rows))
       throw InputError(

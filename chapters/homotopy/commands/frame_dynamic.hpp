@@ -25,6 +25,8 @@ struct DynamicOptions {
   std::optional<double> step;       ///< --step
   std::optional<double> tolerance;  ///< --tolerance
   std::optional<double> every;      ///< --every
+  std::optional<double> alpha;      ///< --alpha
+  std::optional<double> rho;        ///< --rho
 };
 
 /// Declares the options of a motion.

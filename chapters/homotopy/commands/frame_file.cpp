@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <initializer_list>
 #include <map>
 #include <optional>
 #include <set>
@@ -37,11 +38,15 @@ class Reader {
       if (key == "nodes")
         for_entries(key, *node, [this](const auto& k, const auto& n) { read_node(k, n); });
       else if (key == "members")
-        read_members(*node);
+        for_tables(key, *node, [this](const auto& table) { read_member(table); });
       else if (key == "supports")
         for_entries(key, *node, [this](const auto& k, const auto& n) { read_support(k, n); });
+      else if (key == "springs")
+        for_tables(key, *node, [this](const auto& table) { read_spring(table); });
       else if (key == "loads")
-        for_actions(key, *node, [this](const auto& k, const auto& n) { read_load(k, n); });
+        for_actions(key, *node, [this](const auto& k, const auto& n) { read_load("loads", k, n); });
+      else if (key == "constant_loads")
+        for_entries(key, *node, [this](const auto& k, const auto& n) { read_load("constant_loads", k, n); });
       else if (key == "displacements")
         for_actions(key, *node, [this](const auto& k, const auto& n) { read_displacement(k, n); });
       else if (key == "masses")
@@ -52,8 +57,9 @@ class Reader {
         read_imperfection(*node);
       else
         complain(*node, key,
-                 "no such key; the keys are nodes, members, supports, loads, displacements, masses, damping, "
-                 "imperfection");
+                 "no such key; the keys are nodes, members, supports, springs, loads, constant_loads, "
+                 "displacements, "
+                 "masses, damping, imperfection");
     }
   }
   [[nodiscard]] FrameFile take() {
@@ -182,20 +188,32 @@ class Reader {
     note_line(ModelPart::nodes, node);
   }
 
-  void read_members(const toml::node& node) {
+  /// Calls use(table) for the tables under [[key]].
+  template <class Use>
+  void for_tables(const std::string& key, const toml::node& node, const Use& use) {
+    const std::string what = "must be tables, each under [[" + key + "]]";
     const toml::array* const all = node.as_array();
-    if (all == nullptr) complain(node, "members", "each member is a table under [[members]]");
+    if (all == nullptr) complain(node, key, what);
     for (const toml::node& entry : *all) {
       const toml::table* const table = entry.as_table();
-      if (table == nullptr) complain(entry, "members", "each member is a table under [[members]]");
-      read_member(*table);
+      if (table == nullptr) complain(entry, key, what);
+      use(*table);
+    }
+  }
+
+  void require_keys(const toml::table& table, const char* what,
+                    std::initializer_list<std::string_view> keys) const {
+    for (const std::string_view key : keys) {
+      if (!table.contains(key))
+        throw InputError(
+            fmt::format("{}, line {}: {} without {}", file_.name, table.source().begin.line, what, key));
     }
   }
 
   void read_member(const toml::table& table) {
     frames::NamedMember m;
-    std::vector<std::string> hinges;
-    const toml::node* hinges_at = nullptr;
+    std::vector<std::pair<std::string, double>> hinges;  // with the stiffness of the joint
+    std::pair<std::string, const toml::node*> hinges_at;
     for (const auto& [key, node] : in_order(table)) {
       if (key == "nodes") {
         const std::vector<std::string> ends = texts(*node, key);
@@ -207,23 +225,25 @@ class Reader {
       } else if (key == "elements") {
         m.elements = whole(*node, key);
       } else if (key == "hinges") {
-        hinges = texts(*node, key);
-        hinges_at = node;
+        for (std::string& end : texts(*node, key)) hinges.emplace_back(std::move(end), 0.);
+        hinges_at = {key, node};
+      } else if (key == "joints") {
+        for (const auto& [end, stiffness] : table_of(*node, key, "must be a table such as { A = 100 }"))
+          hinges.emplace_back(end, number(*stiffness, key + "." + end));
+        hinges_at = {key, node};
       } else {
-        complain(*node, key,
-                 "no such key; the keys of a member are nodes, EA, EI, hinges, elements, radius, mass");
+        complain(
+            *node, key,
+            "no such key; the keys of a member are nodes, EA, EI, hinges, joints, elements, radius, mass");
       }
     }
-    for (const std::string_view key : {"nodes", "EA", "EI"}) {
-      if (!table.contains(key))
-        throw InputError(
-            fmt::format("{}, line {}: a member without {}", file_.name, table.source().begin.line, key));
-    }
-    for (const std::string& hinge : hinges) {
+    require_keys(table, "a member", {"nodes", "EA", "EI"});
+    for (const auto& [hinge, stiffness] : hinges) {
       if (hinge != m.first && hinge != m.second)
-        complain(*hinges_at, "hinges",
+        complain(*hinges_at.second, hinges_at.first,
                  fmt::format("the member joins {} and {}", quoted_input(m.first), quoted_input(m.second)));
       (hinge == m.first ? m.is_first_pinned : m.is_second_pinned) = true;
+      (hinge == m.first ? m.first_joint : m.second_joint) += stiffness;
     }
     file_.model.members.push_back(std::move(m));
     note_line(ModelPart::members, table);
@@ -253,12 +273,48 @@ class Reader {
     }
   }
 
-  void read_load(const std::string& name, const toml::node& node) {
-    const std::string key = "loads." + name;
+  void read_spring(const toml::table& table) {
+    frames::NamedSpring s;
+    for (const auto& [key, node] : in_order(table)) {
+      if (key == "nodes") {
+        std::vector<std::string> ends = texts(*node, key);
+        if (ends.empty() || ends.size() > 2)
+          complain(*node, key, "a spring has one node, and the ground, or two");
+        s.second = std::move(ends.back());
+        if (ends.size() == 2) s.first = std::move(ends.front());
+      } else if (key == "direction") {
+        read_direction(*node, s);
+      } else if (key == "stiffness") {
+        s.stiffness = number(*node, key);
+      } else {
+        complain(*node, key, "no such key; the keys of a spring are nodes, direction, stiffness");
+      }
+    }
+    require_keys(table, "a spring", {"nodes", "direction", "stiffness"});
+    file_.model.springs.push_back(std::move(s));
+    note_line(ModelPart::springs, table);
+  }
+
+  void read_direction(const toml::node& node, frames::NamedSpring& s) const {
+    if (const toml::array* const vector = node.as_array(); vector != nullptr && vector->size() == 2) {
+      s.x = number((*vector)[0], "direction");
+      s.y = number((*vector)[1], "direction");
+      return;
+    }
+    const auto motion = motion_of(node.value_exact<std::string>().value_or(""));
+    if (!motion) complain(node, "direction", "must be \"x\", \"y\", \"rotation\" or a vector [x, y]");
+    s.x = *motion == Motion::x;
+    s.y = *motion == Motion::y;
+    s.turns = *motion == Motion::rotation;
+  }
+
+  void read_load(const std::string& part, const std::string& name, const toml::node& node) {
+    const std::string key = part + "." + name;
     for (const auto& [word, value] : table_of(node, key, "a load is a table such as { y = -1 }")) {
       const auto motion = word == "moment" ? Motion::rotation : motion_of(word);
       if (!motion || word == "rotation") complain(*value, key + "." + word, "a load has x, y, moment");
-      file_.model.loads.push_back({name, *motion, number(*value, key + "." + word)});
+      file_.model.loads.push_back(
+          {name, *motion, number(*value, key + "." + word), part == "constant_loads"});
       note_line(ModelPart::loads, *value);
     }
   }
@@ -342,6 +398,7 @@ std::string_view name_of(ModelPart part) {
     case ModelPart::displacements: return "displacements";
     case ModelPart::masses: return "masses";
     case ModelPart::damping: return "damping";
+    case ModelPart::springs: return "springs";
     default: return "imperfection";
   }
 }

@@ -22,8 +22,9 @@ struct FrameFile {
   std::vector<FrameFile> others = {};
 };
 
-/// Parses the tables `nodes`, `members`, `supports`, `loads`, `displacements`, `masses`, `damping` and
-/// `imperfection`. The keys of loads and displacements are node names, or case names and then node names.
+/// Parses the tables `nodes`, `members`, `supports`, `springs`, `loads`, `constant_loads`, `displacements`,
+/// `masses`, `damping` and `imperfection`. The keys of loads and displacements are node names, or case names
+/// and then node names.
 /// @param name of the text in error messages: the file name, or "standard input"
 /// @param load_case name of the load case; not needed for a single one
 /// @throws InputError naming file, line, key and value: TOML syntax error, unknown key, value of the wrong

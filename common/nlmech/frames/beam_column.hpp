@@ -179,4 +179,17 @@ template <class T>
   return k;
 }
 
+/// Change of member_tangent() with the axial force N at fixed displacements, where rotations relative to the
+/// chord are small: the geometric stiffness of linear buckling. At N = 0 it is that of a cubic beam element.
+[[nodiscard]] inline Matrix<double, 6> member_geometric(const MemberState<double>& s) {
+  const double c = s.e[0] / s.length, q = s.e[1] / s.length;
+  Vector<double, 6> chord, a, symmetric;  // gradients of the chord's rotation, theta_a and theta_s
+  chord << q, -c, 0, -q, c, 0;
+  a << -q, c, 0.5, q, -c, 0.5;
+  symmetric << 0, 0, 0.5, 0, 0, -0.5;
+  return s.length * chord * chord.transpose() +
+         s.rest_length * (s.axial.g.antisymmetric.slope * a * a.transpose() +
+                          s.axial.g.symmetric.slope * symmetric * symmetric.transpose());
+}
+
 }  // namespace nlmech::frames

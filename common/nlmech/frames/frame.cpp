@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "nlmech/program/dual.hpp"
 #include "nlmech/support/doubles.hpp"
 #include "nlmech/support/sentences.hpp"
 
@@ -30,6 +31,10 @@ BeamColumn beam_of(const Member& m, std::size_t index, const std::vector<Node>& 
     throw invalid_argument("Frame: member {} has EA = {} and EI = {}; both must be positive", index, m.ea,
                            m.ei);
   }
+  for (const double joint : {m.first_joint, m.second_joint}) {
+    if (!(joint >= 0 && std::isfinite(joint)))
+      throw invalid_argument("Frame: member {} has a joint of stiffness {}", index, joint);
+  }
   return beam;
 }
 
@@ -41,8 +46,8 @@ std::vector<std::size_t> nodes_without_rotation(const std::vector<Member>& membe
     ++(is_pinned ? pinned : rigid)[static_cast<std::size_t>(node)];
   };
   for (const Member& m : members) {
-    count(m.first, m.is_first_pinned);
-    count(m.second, m.is_second_pinned);
+    count(m.first, m.is_first_pinned && m.first_joint == 0);
+    count(m.second, m.is_second_pinned && m.second_joint == 0);
   }
   std::vector<std::size_t> found;
   for (std::size_t i = 0; i < nodes; ++i) {
@@ -53,9 +58,11 @@ std::vector<std::size_t> nodes_without_rotation(const std::vector<Member>& membe
 
 }  // namespace
 
-Frame::Frame(std::vector<Node> nodes, std::vector<Member> members, const std::vector<Support>& supports)
-    : nodes_(std::move(nodes)), members_(std::move(members)) {
+Frame::Frame(std::vector<Node> nodes, std::vector<Member> members, const std::vector<Support>& supports,
+             std::vector<Spring> springs)
+    : nodes_(std::move(nodes)), members_(std::move(members)), springs_(std::move(springs)) {
   number_unknowns(supports);
+  add_springs();
   parts_.reserve(members_.size());
   for (std::size_t i = 0; i < members_.size(); ++i) {
     const Member& m = members_[i];
@@ -64,8 +71,11 @@ Frame::Frame(std::vector<Node> nodes, std::vector<Member> members, const std::ve
       part.unknowns[j] = unknowns_[3 * static_cast<std::size_t>(m.first) + j];
       part.unknowns[j + 3] = unknowns_[3 * static_cast<std::size_t>(m.second) + j];
     }
+    const std::array nodes_rotations = {part.unknowns[2], part.unknowns[5]};
     if (m.is_first_pinned) part.unknowns[2] = size_++;
     if (m.is_second_pinned) part.unknowns[5] = size_++;
+    if (m.is_first_pinned) add_joint(m.first_joint, nodes_rotations[0], part.unknowns[2]);
+    if (m.is_second_pinned) add_joint(m.second_joint, nodes_rotations[1], part.unknowns[5]);
     parts_.push_back(part);
   }
   if (size_ == 0) throw std::invalid_argument("Frame: every displacement is fixed");
@@ -84,23 +94,45 @@ void Frame::number_unknowns(const std::vector<Support>& supports) {
   }
 }
 
+void Frame::add_joint(double stiffness, Eigen::Index node, Eigen::Index end) {
+  if (stiffness > 0) elastics_.push_back({stiffness, {0, 0, -1, 0, 0, 1}, {-1, -1, node, -1, -1, end}, {}});
+}
+
+void Frame::add_springs() {
+  for (const Spring& s : springs_) {
+    if (s.first != -1) require_node(s.first, nodes_.size(), "a spring");
+    require_node(s.second, nodes_.size(), "a spring");
+    if (!(s.stiffness > 0 && std::isfinite(s.stiffness) && std::isfinite(s.x + s.y + s.rotation)))
+      throw invalid_argument("Frame: a spring has the stiffness {} and the direction ({}, {}, {})",
+                             s.stiffness, s.x, s.y, s.rotation);
+    Elastic elastic{s.stiffness, {-s.x, -s.y, -s.rotation, s.x, s.y, s.rotation}, {}, {}};
+    for (std::size_t i = 0; i < 3; ++i) {
+      elastic.unknowns[i] = s.first < 0 ? -1 : unknowns_[3 * static_cast<std::size_t>(s.first) + i];
+      elastic.unknowns[i + 3] = unknowns_[3 * static_cast<std::size_t>(s.second) + i];
+    }
+    elastics_.push_back(elastic);
+  }
+}
+
 void Frame::make_pattern() {
   std::vector<Eigen::Triplet<double>> entries;
-  entries.reserve(36 * parts_.size());
-  for (const Part& part : parts_) {
-    for (const Eigen::Index column : part.unknowns) {
-      for (const Eigen::Index row : part.unknowns) {
+  entries.reserve(36 * (parts_.size() + elastics_.size()));
+  const auto add_entries = [&](const std::array<Eigen::Index, 6>& unknowns) {
+    for (const Eigen::Index column : unknowns) {
+      for (const Eigen::Index row : unknowns) {
         if (row >= 0 && column >= 0)
           entries.emplace_back(static_cast<int>(row), static_cast<int>(column), 0.);
       }
     }
-  }
+  };
+  for (const Part& part : parts_) add_entries(part.unknowns);
+  for (const Elastic& elastic : elastics_) add_entries(elastic.unknowns);
   pattern_.resize(size_, size_);
   pattern_.setFromTriplets(entries.begin(), entries.end());
   pattern_.makeCompressed();
   const int* const rows = pattern_.innerIndexPtr();
   const int* const starts = pattern_.outerIndexPtr();
-  for (Part& part : parts_) {
+  const auto find_slots = [&](auto& part) {
     for (std::size_t i = 0; i < 36; ++i) {
       const Eigen::Index row = part.unknowns[i % 6], column = part.unknowns[i / 6];
       part.slots[i] = -1;
@@ -108,7 +140,36 @@ void Frame::make_pattern() {
       const int *const first = rows + starts[column], *const last = rows + starts[column + 1];
       part.slots[i] = std::lower_bound(first, last, static_cast<int>(row)) - rows;
     }
+  };
+  for (Part& part : parts_) find_slots(part);
+  for (Elastic& elastic : elastics_) find_slots(elastic);
+}
+
+double Frame::spring_force(const Displacements<double>& x, std::size_t index) const {
+  require_size(x.size());
+  if (index >= springs_.size()) throw invalid_argument("Frame: there is no spring {}", index);
+  return elastics_[index].stiffness * elongation<double>(elastics_[index], x);
+}
+
+Status Frame::geometric(const Displacements<double>& x, const Displacements<double>& rate,
+                        Eigen::SparseMatrix<double>& k) const {
+  using Number = Dual<double, 1>;
+  require_size(rate.size());
+  clear(k);
+  Displacements<Number> moving(x.size());
+  for (Eigen::Index i = 0; i < x.size(); ++i) {
+    moving[i] = x[i];
+    moving[i].partial[0] = rate[i];
   }
+  return for_members<Number>(moving, [&](const Part& part, const MemberState<Number>& state) {
+    const Matrix<double, 6> m =
+        state.axial_force.partial[0] *
+        member_geometric(member_state<double>(part.beam, displacements_of<double>(part, x)));
+    for (int i = 0; i < 36; ++i) {
+      const Eigen::Index slot = part.slots[static_cast<std::size_t>(i)];
+      if (slot >= 0) k.valuePtr()[slot] += m(i % 6, i / 6);
+    }
+  });
 }
 
 double Frame::data_rounding(const Displacements<double>& v) const {

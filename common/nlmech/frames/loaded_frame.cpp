@@ -49,6 +49,7 @@ LoadedFrame::LoadedFrame(const Frame& frame, Eigen::VectorXd load, Coupling coup
 }
 
 LoadedFrame::LoadedFrame(const NamedFrame& frame) : LoadedFrame(frame.frame, frame.load) {
+  steady_ = frame.steady;
   if (frame.given.empty()) return;
   displacement_ = frame.displacement;
   std::vector<Eigen::Index> place(static_cast<std::size_t>(size_), -1);
@@ -110,6 +111,7 @@ void LoadedFrame::residual(const Eigen::VectorXd& x, double load, Eigen::VectorX
     return;
   }
   all -= load * load_;
+  if (steady_.size() > 0) all -= steady_;
   if (has_given()) f = forces_(free_);
 }
 
@@ -126,6 +128,7 @@ void LoadedFrame::linearise(const Eigen::VectorXd& x, double load) {
 bool LoadedFrame::long_residual(const algebraic::LongVector& x, double load, Eigen::VectorXd& f) {
   algebraic::LongVector forces;
   status_ = frame_.force<long double>(long_whole(x, load), forces);
+  if (steady_.size() > 0) forces -= steady_.cast<long double>();
   if (has_values(status_))
     f = free((forces - load * load_.cast<long double>()).cast<double>());
   else
@@ -138,9 +141,30 @@ bool LoadedFrame::long_matrix(const algebraic::LongVector& x, double load,
   if (!has_given()) return has_values(frame_.tangent<long double>(x, k));
   Eigen::SparseMatrix<long double> all;
   if (!has_values(frame_.tangent<long double>(long_whole(x, load), all))) return false;
-  k = tangent_.cast<long double>();
-  for (const auto& [from, to] : slots_) k.valuePtr()[to] = all.valuePtr()[from];
+  k = block(all);
   return true;
+}
+
+template <class T>
+Eigen::SparseMatrix<T> LoadedFrame::block(const Eigen::SparseMatrix<T>& all) const {
+  if (!has_given()) return all;
+  Eigen::SparseMatrix<T> k = tangent_.cast<T>();
+  for (const auto& [from, to] : slots_) k.valuePtr()[to] = all.valuePtr()[from];
+  return k;
+}
+
+std::optional<Eigen::SparseMatrix<double>> LoadedFrame::geometric(const Eigen::VectorXd& x, double load) {
+  algebraic::SymmetricSolver solver;
+  const Eigen::VectorXd scale = algebraic::scale_of(tangent_.diagonal());
+  solver.take(tangent_, scale);
+  if (!solver.is_finite() || solver.factorise().zero > 0) return std::nullopt;
+  Eigen::VectorXd rate(size());
+  solver.solve((-column_).cwiseQuotient(scale), rate);
+  rate = shape(rate.cwiseQuotient(scale));
+  if (has_given()) rate += displacement_;
+  Eigen::SparseMatrix<double> all;
+  if (!has_values(frame_.geometric(whole(x, load), rate, all))) return std::nullopt;
+  return block(all);
 }
 
 Eigen::VectorXd LoadedFrame::scale() const {
@@ -155,6 +179,7 @@ Eigen::VectorXd LoadedFrame::scale() const {
 }
 
 void LoadedFrame::remove_full_rotations(Eigen::VectorXd& change) const {
+  if (frame_.has_springs()) return;  // a full turn strains them
   if (has_given()) return;  // the prescribed displacements grow with the load, so no configuration recurs
   constexpr double turn = 2 * std::numbers::pi;
   const auto turns = [&](Eigen::Index i) { return i < 0 ? 0 : std::round(change[i] / turn); };
@@ -182,8 +207,8 @@ ShortestMember LoadedFrame::shortest(const Eigen::VectorXd& x, double load) cons
   return found;
 }
 
-double LoadedFrame::first_load() {
-  linearise(Eigen::VectorXd::Zero(size()), 0);
+double LoadedFrame::first_load(const Eigen::VectorXd& start) {
+  linearise(start, 0);
   algebraic::SymmetricSolver solver;
   const Eigen::VectorXd scale = algebraic::scale_of(tangent_.diagonal());
   solver.take(tangent_, scale);
@@ -195,7 +220,7 @@ double LoadedFrame::first_load() {
   double first = 1 / excess_of(frame_, whole(x, 1));
   if (!(std::isfinite(first) && first > 0)) return 1;
   for (int halving = 0; halving < 60; ++halving, first /= 2) {
-    linearise(first * x, first);
+    linearise(start + first * x, first);
     solver.take(tangent_, scale);
     if (solver.is_finite() && solver.factorise().negative == negative) break;
   }

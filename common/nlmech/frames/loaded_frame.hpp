@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -21,9 +22,9 @@ struct ShortestMember {
   double y;     ///< y of its first node at rest
 };
 
-/// F(x, W) = dU/dx - W q for a frame with the load factor W. dF/dx is sparse. Degrees of freedom may be
-/// prescribed: they equal W times a given displacement, and x holds the others. K and dF/dW then also depend
-/// on W, and a limit point is an extremum of the prescribed displacements.
+/// F(x, W) = dU/dx - W q - q0 for a frame with the load factor W; q0 are constant loads. dF/dx is sparse.
+/// Degrees of freedom may be prescribed: they equal W times a given displacement, and x holds the others. K
+/// and dF/dW then also depend on W, and a limit point is an extremum of the prescribed displacements.
 class LoadedFrame : public algebraic::Loaded {
  public:
   /// @param frame the structure; must outlive this object
@@ -31,7 +32,8 @@ class LoadedFrame : public algebraic::Loaded {
   /// @param coupling `as_printed` uses the misprinted Eq. 2.35 in K, to show its effect; F is unchanged
   /// @throws std::invalid_argument if q has another size than the frame, or is not finite
   LoadedFrame(const Frame& frame, Eigen::VectorXd load, Coupling coupling = Coupling::consistent);
-  /// Takes the loads and prescribed displacements of a named frame. @param frame must outlive this object
+  /// Takes the loads, constant loads and prescribed displacements of a named frame. @param frame must outlive
+  /// this object
   explicit LoadedFrame(const NamedFrame& frame);
 
   /// The structure.
@@ -48,13 +50,18 @@ class LoadedFrame : public algebraic::Loaded {
   /// Scales of the unknowns for path following: one for all translations, so that the rotation of a member
   /// with its node does not rotate the tangent of the path, and 1 for rotations.
   [[nodiscard]] Eigen::VectorXd scale() const;
-  /// Load factor of a first step. By linear theory it displaces no node by more than a thousandth of the size
-  /// of the frame, rotates none by more than 0.02 rad, and displaces no ends of a member relative to each
-  /// other by more than a tenth of its length; the inertia of K does not change.
-  [[nodiscard]] double first_load();
+  /// Load factor of a first step from the free unknowns @p start at the load factor 0. By linear theory it
+  /// displaces no node by more than a thousandth of the size of the frame, rotates none by more than 0.02
+  /// rad, and displaces no ends of a member relative to each other by more than a tenth of its length; the
+  /// inertia of K does not change.
+  [[nodiscard]] double first_load(const Eigen::VectorXd& start);
   /// Removes multiples of 2 pi from a difference of displacements by scale(), if both ends of each member
   /// have turned by the same multiple: the configuration is then identical.
   void remove_full_rotations(Eigen::VectorXd& change) const;
+  /// K_g of the free unknowns: the change of K with the load factor by the axial forces that grow with it, as
+  /// linear theory at (x, load) has them. linearise(x, load) first; empty if K is singular or a state of a
+  /// member has no values.
+  [[nodiscard]] std::optional<Eigen::SparseMatrix<double>> geometric(const Eigen::VectorXd& x, double load);
   /// The beam-column with the greatest relative shortening. @param x free unknowns
   [[nodiscard]] ShortestMember shortest(const Eigen::VectorXd& x, double load) const;
 
@@ -76,10 +83,14 @@ class LoadedFrame : public algebraic::Loaded {
 
  private:
   [[nodiscard]] bool has_given() const { return displacement_.size() > 0; }
+  /// The block of the free unknowns of a matrix with the pattern of the tangent.
+  template <class T>
+  [[nodiscard]] Eigen::SparseMatrix<T> block(const Eigen::SparseMatrix<T>& all) const;
   [[nodiscard]] algebraic::LongVector long_whole(const algebraic::LongVector& free, double load) const;
 
   const Frame& frame_;
   Eigen::VectorXd load_, displacement_;  ///< for all unknowns; displacement_ is empty if none is prescribed
+  Eigen::VectorXd steady_;               ///< q0; empty if there is none
   Eigen::Index size_;
   Coupling coupling_;
   std::vector<Eigen::Index> free_;  ///< indices of the free unknowns, if some are prescribed

@@ -29,30 +29,35 @@ constexpr const char *maximum = "first maximum", *minimum = "first minimum", *fo
                      *place = "load at the displacement";
 
 // oracle: homotopy_deck *
-constexpr std::array deck = {Row{"toggle", maximum, "B.y", 0, 42.4397755886, 4, 3},
-                             Row{"toggle", minimum, "B.y", 0, 32.1221640887, 4, 3},
-                             Row{"toggle", place, "B.y", -0.1, 31.2811575124, 4, 3},
-                             Row{"toggle", place, "B.y", -0.625, 44.3432474912, 4, 3},
-                             Row{"lee", maximum, "load.x", 0, 1.85567275376, 2, 3},
-                             Row{"lee", minimum, "load.x", 0, -0.941443155560, 2, 3},
-                             Row{"lee", place, "load.x", 10, 1.58298251914, 2, 3},
-                             Row{"lee", place, "load.x", 60, 1.25453516498, 2, 3},
-                             Row{"half-shallow-arch", maximum, "crown.y", 0, 34.0900034632, 2, 4},
-                             Row{"half-shallow-arch", minimum, "crown.y", 0, 14.2530270884, 2, 4},
-                             Row{"shallow-arch", fork, "crown.y", 0, 27.0970708750, 4, 3},
-                             Row{"shallow-arch", second, "crown.y", 0, 21.7344379534, 4, 3},
-                             Row{"half-shallow-arch", place, "crown.y", -1, 20.1573568660, 2, 4},
-                             Row{"deep-arch", maximum, "crown.y", 0, 8.97294947594, 2, 3},
-                             Row{"deep-arch", place, "crown.y", -50, 5.54191183320, 2, 3},
-                             Row{"portal", maximum, "B.x", 0, 9.00249954706, 6, 5},
-                             Row{"truss", maximum, "apex.y", 0, 0.0383837398174, 1, 2},
-                             Row{"truss", minimum, "apex.y", 0, -0.0383837398174, 1, 2},
-                             Row{"cantilever", place, "tip.y", 0.6366197723675814, 0.250000000000, 2, 3},
-                             Row{"inclined-brace", fork, "foot.x", 0, 0.353553265593, 1, 2},
-                             Row{"level-brace", fork, "foot.x", 0, 0.999999000001, 1, 2},
-                             Row{"column", fork, "middle.y", 0, 1.00000986980, 4, 3},
-                             Row{"column", second, "middle.y", 0, 4.00015792614, 4, 3},
-                             Row{"column", third, "middle.y", 0, 9.00079958001, 4, 3}};
+constexpr std::array deck = {
+    Row{"toggle", maximum, "B.y", 0, 42.4397755886, 4, 3},
+    Row{"toggle", minimum, "B.y", 0, 32.1221640887, 4, 3},
+    Row{"toggle", place, "B.y", -0.1, 31.2811575124, 4, 3},
+    Row{"toggle", place, "B.y", -0.625, 44.3432474912, 4, 3},
+    Row{"lee", maximum, "load.x", 0, 1.85567275376, 2, 3},
+    Row{"lee", minimum, "load.x", 0, -0.941443155560, 2, 3},
+    Row{"lee", place, "load.x", 10, 1.58298251914, 2, 3},
+    Row{"lee", place, "load.x", 60, 1.25453516498, 2, 3},
+    Row{"half-shallow-arch", maximum, "crown.y", 0, 34.0900034632, 2, 4},
+    Row{"half-shallow-arch", minimum, "crown.y", 0, 14.2530270884, 2, 4},
+    Row{"shallow-arch", fork, "crown.y", 0, 27.0970708750, 4, 3},
+    Row{"shallow-arch", second, "crown.y", 0, 21.7344379534, 4, 3},
+    Row{"half-shallow-arch", place, "crown.y", -1, 20.1573568660, 2, 4},
+    Row{"deep-arch", maximum, "crown.y", 0, 8.97294947594, 2, 3},
+    Row{"deep-arch", place, "crown.y", -50, 5.54191183320, 2, 3},
+    Row{"portal", maximum, "B.x", 0, 9.00249954706, 6, 5},
+    Row{"truss", maximum, "apex.y", 0, 0.0383837398174, 1, 2},
+    Row{"truss", minimum, "apex.y", 0, -0.0383837398174, 1, 2},
+    Row{"cantilever", place, "tip.y", 0.6366197723675814, 0.250000000000, 2, 3},
+    Row{"inclined-brace", fork, "foot.x", 0, 0.353553265593, 1, 2},
+    Row{"level-brace", fork, "foot.x", 0, 0.999999000001, 1, 2},
+    Row{"column", fork, "middle.y", 0, 1.00000986980, 4, 3},
+    Row{"column", second, "middle.y", 0, 4.00015792614, 4, 3},
+    Row{"column", third, "middle.y", 0, 9.00079958001, 4, 3},
+    Row{"spring-column", fork, "top.x", 0, 0.740174432253, 2, 3},
+    Row{"joint-cantilever", place, "tip.y", 0.9003163161571061, 0.250000000000, 2, 3},
+    Row{"heavy-cantilever", place, "tip.y", -0.5, 5.06437817114, 4, 4},
+    Row{"heavy-column", fork, "top.x", 0, 7.83737654040, 4, 4}};
 
 double number(const std::string& text) {
   double value = NAN;
@@ -119,10 +124,13 @@ double load_by_elements(const Row& row, int elements) {
   const bool is_column = std::string(row.frame) == "column", is_place = row.quantity == place;
   // The path of the deep arch continues far beyond its maximum.
   const bool is_first = row.quantity == maximum || std::string(row.frame) == "deep-arch";
-  const auto paths = equilibrium_paths(f, {.steps = 400,
-                                           .until = is_column ? std::optional(10.) : std::nullopt,
-                                           .turn = 0.08,
-                                           .critical = is_first ? 1 : 0});
+  const auto paths =
+      equilibrium_paths(f, {.steps = 400,
+                            .until = is_column                                      ? std::optional(10.)
+                                     : std::string(row.frame) == "heavy-cantilever" ? std::optional(6.)
+                                                                                    : std::nullopt,
+                            .turn = 0.08,
+                            .critical = is_first ? 1 : 0});
   const auto kind = row.quantity == maximum   ? FramePoint::Kind::maximum
                     : row.quantity == minimum ? FramePoint::Kind::minimum
                                               : FramePoint::Kind::bifurcation;

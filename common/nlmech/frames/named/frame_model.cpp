@@ -45,15 +45,21 @@ Names names_of(const std::vector<NamedNode>& nodes) {
   return names;
 }
 
-/// Rejects two nodes at one position: nothing would join them.
-void require_places(const std::vector<NamedNode>& nodes) {
+bool is_spring_between(const std::vector<NamedSpring>& springs, const std::string& a, const std::string& b) {
+  return std::ranges::any_of(springs, [&](const NamedSpring& s) {
+    return (s.first == a && s.second == b) || (s.first == b && s.second == a);
+  });
+}
+
+/// Rejects two nodes at one position that no spring joins.
+void require_places(const std::vector<NamedNode>& nodes, const std::vector<NamedSpring>& springs) {
   std::vector<std::size_t> order(nodes.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   const auto place = [&](std::size_t i) { return std::tuple(nodes[i].x, nodes[i].y, i); };
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return place(a) < place(b); });
   for (std::size_t k = 1; k < order.size(); ++k) {
     const NamedNode &a = nodes[order[k - 1]], &b = nodes[order[k]];
-    if (a.x == b.x && a.y == b.y)
+    if (a.x == b.x && a.y == b.y && !is_spring_between(springs, a.name, b.name))
       throw refusal(ModelPart::nodes, order[k], "node {} is at the position of node {}, ({}, {})",
                     quoted_input(b.name), quoted_input(a.name), b.x, b.y);
   }
@@ -75,6 +81,10 @@ void require_member(const NamedMember& m, double length, std::size_t index) {
   if (!(m.ei > 0 && std::isfinite(m.ei))) refuse(fmt::format("EI = {}; it must be positive", m.ei));
   if (!(m.mass >= 0 && std::isfinite(m.mass)))
     refuse(fmt::format("mass = {}; it must not be negative", m.mass));
+  for (const double joint : {m.first_joint, m.second_joint}) {
+    if (!(joint >= 0 && std::isfinite(joint)))
+      refuse(fmt::format("joint = {}; its stiffness must not be negative", joint));
+  }
   if (m.elements < 1) refuse(fmt::format("elements = {}; at least 1", m.elements));
   if (!std::isfinite(m.radius)) refuse(fmt::format("radius = {}; it must be finite", m.radius));
   if (m.radius != 0 && length > 2 * std::abs(m.radius) * (1 + 1e-12))
@@ -123,11 +133,12 @@ void add_member(const NamedMember& m, std::size_t index, int first, int second, 
   for (const Node& place : places) {
     parts.nodes.push_back(place);
     const int next = static_cast<int>(parts.nodes.size()) - 1;
-    parts.members.push_back({before, next, m.ea, m.ei, before == first && m.is_first_pinned, false});
+    parts.members.push_back(
+        {before, next, m.ea, m.ei, before == first && m.is_first_pinned, false, m.first_joint});
     before = next;
   }
-  parts.members.push_back(
-      {before, second, m.ea, m.ei, before == first && m.is_first_pinned, m.is_second_pinned});
+  parts.members.push_back({before, second, m.ea, m.ei, before == first && m.is_first_pinned,
+                           m.is_second_pinned, m.first_joint, m.second_joint});
   parts.origins.resize(parts.members.size(), index);
 }
 
@@ -159,8 +170,58 @@ Parts parts_of(const FrameModel& model, const Names& names, int elements) {
   return parts;
 }
 
-Frame frame_of(const Parts& parts, const std::vector<Support>& supports) {
-  return {parts.nodes, parts.members, supports};
+std::vector<Spring> springs_of(const FrameModel& model, const Names& names) {
+  std::vector<Spring> springs;
+  for (std::size_t i = 0; i < model.springs.size(); ++i) {
+    const NamedSpring& s = model.springs[i];
+    const auto refuse = [&](const std::string& why) {
+      throw refusal(ModelPart::springs, i, "spring at {}: {}", quoted_input(s.second), why);
+    };
+    const int first = s.first.empty() ? -1 : index_of(names, s.first, ModelPart::springs, i),
+              second = index_of(names, s.second, ModelPart::springs, i);
+    if (first == second) refuse("from a node to itself");
+    if (!(s.stiffness > 0 && std::isfinite(s.stiffness)))
+      refuse(fmt::format("stiffness = {}; it must be positive", s.stiffness));
+    const double length = std::hypot(s.x, s.y);
+    if (!s.turns && !(length > 0 && std::isfinite(length)))
+      refuse(fmt::format("direction = [{}, {}]; its length must be positive", s.x, s.y));
+    springs.push_back(s.turns ? Spring{first, second, s.stiffness, 0, 0, 1}
+                              : Spring{first, second, s.stiffness, s.x / length, s.y / length, 0});
+  }
+  return springs;
+}
+
+/// Rejects springs both of whose ends are fixed.
+void require_spring_motions(const FrameModel& model, const Frame& frame) {
+  for (std::size_t i = 0; i < frame.springs().size(); ++i) {
+    const Spring& s = frame.springs()[i];
+    const auto can_move = [&](int node) {
+      return node >= 0 && ((s.x != 0 && frame.unknown(node, Motion::x) >= 0) ||
+                           (s.y != 0 && frame.unknown(node, Motion::y) >= 0) ||
+                           (s.rotation != 0 && frame.unknown(node, Motion::rotation) >= 0));
+    };
+    if (!can_move(s.first) && !can_move(s.second))
+      throw refusal(ModelPart::springs, i,
+                    "spring at {}, whose motion is fixed, or to which no member is rigidly joined",
+                    quoted_input(model.springs[i].second));
+  }
+}
+
+/// Index of the member that a load names as "FIRST-SECOND".
+std::size_t member_called(const FrameModel& model, const std::string& name, std::size_t load) {
+  std::optional<std::size_t> found;
+  for (std::size_t i = 0; i < model.members.size(); ++i) {
+    const NamedMember& m = model.members[i];
+    if (name != m.first + '-' + m.second && name != m.second + '-' + m.first) continue;
+    if (found)
+      throw refusal(ModelPart::loads, load, "load along {}: several members join these nodes",
+                    quoted_input(name));
+    found = i;
+  }
+  if (!found)
+    throw refusal(ModelPart::loads, load, "there is no node{} {}",
+                  name.find('-') == std::string::npos ? "" : " and no member", quoted_input(name));
+  return *found;
 }
 
 /// Index of the unknown on which a load or displacement acts. @param what "load on", for messages
@@ -172,6 +233,41 @@ Eigen::Index unknown_of(const std::string& node, Motion motion, const Names& nam
         part, index, "{} {}.{}, which {}", what, quoted_input(node), to_string(motion),
         motion == Motion::rotation ? "is fixed, or to which no member is rigidly joined" : "is fixed");
   return at;
+}
+
+void add_load(const FrameModel& model, const Names& names, std::size_t i, NamedFrame& f) {
+  const NamedLoad& l = model.loads[i];
+  AppliedLoads& to = l.is_constant ? f.constant : f.growing;
+  if (!std::isfinite(l.value))
+    throw refusal(ModelPart::loads, i, "load on {}.{} = {}; it must be finite", quoted_input(l.node),
+                  to_string(l.motion), l.value);
+  const auto part = static_cast<Eigen::Index>(l.motion);
+  if (const auto node = names.find(l.node); node != names.end()) {
+    const Eigen::Index at = unknown_of(l.node, l.motion, names, f.frame, ModelPart::loads, i, "load on");
+    if (std::binary_search(f.given.begin(), f.given.end(), at))
+      throw refusal(ModelPart::loads, i, "load on {}.{}, whose displacement is given", quoted_input(l.node),
+                    to_string(l.motion));
+    to.nodes[3L * node->second + part] += l.value;
+    return;
+  }
+  const bool is_weight = l.node == "gravity";
+  const std::size_t member = is_weight ? 0 : member_called(model, l.node, i);
+  if (l.motion == Motion::rotation)
+    throw refusal(ModelPart::loads, i, "load on {}: gravity and loads along members have x and y",
+                  quoted_input(l.node));
+  double most = 0;
+  for (std::size_t k = 0; k < f.members.size(); ++k) {
+    if (!is_weight && f.members[k] != member) continue;
+    const double factor = is_weight ? model.members[f.members[k]].mass : 1;
+    to.members[2 * static_cast<Eigen::Index>(k) + part] += factor * l.value;
+    most = std::max(most, factor);
+  }
+  for (std::size_t k = 0; is_weight && k < model.masses.size(); ++k) {
+    const NamedMass& m = model.masses[k];
+    to.nodes[3L * index_of(names, m.node, ModelPart::masses, k) + part] += m.mass * l.value;
+    most = std::max(most, m.mass);
+  }
+  if (!(most > 0)) throw refusal(ModelPart::loads, i, "gravity: no member and no node has a mass");
 }
 
 /// Sets the loads on the unknowns and the prescribed displacements.
@@ -191,20 +287,17 @@ void add_actions(const FrameModel& model, const Names& names, NamedFrame& f) {
     f.displacement[at] = d.value;
   }
   std::sort(f.given.begin(), f.given.end());
-  for (std::size_t i = 0; i < model.loads.size(); ++i) {
-    const NamedLoad& l = model.loads[i];
-    const Eigen::Index at = unknown_of(l.node, l.motion, names, f.frame, ModelPart::loads, i, "load on");
-    if (!std::isfinite(l.value))
-      throw refusal(ModelPart::loads, i, "load on {}.{} = {}; it must be finite", quoted_input(l.node),
-                    to_string(l.motion), l.value);
-    if (std::binary_search(f.given.begin(), f.given.end(), at))
-      throw refusal(ModelPart::loads, i, "load on {}.{}, whose displacement is given", quoted_input(l.node),
-                    to_string(l.motion));
-    f.load[at] += l.value;
+  for (AppliedLoads* const loads : {&f.growing, &f.constant}) {
+    loads->nodes.setZero(3 * static_cast<Eigen::Index>(model.nodes.size()));
+    loads->members.setZero(2 * static_cast<Eigen::Index>(f.members.size()));
   }
+  for (std::size_t i = 0; i < model.loads.size(); ++i) add_load(model, names, i, f);
+  f.load = f.growing.on_unknowns(f.frame);
+  f.steady = f.constant.on_unknowns(f.frame);
+  if (!(f.steady.cwiseAbs().maxCoeff() > 0)) f.steady.resize(0);
   if (static_cast<Eigen::Index>(f.given.size()) == f.frame.size())
     throw refusal(ModelPart::displacements, 0, "the displacements of all nodes are given");
-  if (!(f.load.cwiseAbs().maxCoeff() > 0 || f.displacement.cwiseAbs().maxCoeff() > 0))
+  if (model.needs_load && !(f.load.cwiseAbs().maxCoeff() > 0 || f.displacement.cwiseAbs().maxCoeff() > 0))
     throw refusal(ModelPart::loads, 0, "there is no load, or all of them are 0");
 }
 
@@ -259,6 +352,34 @@ void require_numbers(const FrameModel& model) {
 
 }  // namespace
 
+Vector<double, 6> AppliedLoads::at_ends(const Frame& frame, std::size_t beam_column) const {
+  const Member& m = frame.members()[beam_column];
+  const Node &a = frame.nodes()[static_cast<std::size_t>(m.first)],
+             &b = frame.nodes()[static_cast<std::size_t>(m.second)];
+  const double dx = b.x - a.x, dy = b.y - a.y, length = std::hypot(dx, dy);
+  const auto at = 2 * static_cast<Eigen::Index>(beam_column);
+  const double x = members[at], y = members[at + 1], moment = (dx * y - dy * x) * length / 12;
+  Vector<double, 6> forces;
+  forces << x * length / 2, y * length / 2, moment, x * length / 2, y * length / 2, -moment;
+  return forces;
+}
+
+Eigen::VectorXd AppliedLoads::on_unknowns(const Frame& frame) const {
+  Eigen::VectorXd load = Eigen::VectorXd::Zero(frame.size());
+  for (Eigen::Index i = 0; i < nodes.size(); ++i) {
+    const Eigen::Index at = frame.unknown(static_cast<int>(i / 3), static_cast<Motion>(i % 3));
+    if (at >= 0) load[at] += nodes[i];
+  }
+  for (std::size_t k = 0; k < frame.members().size(); ++k) {
+    const Vector<double, 6> forces = at_ends(frame, k);
+    const std::array<Eigen::Index, 6>& unknowns = frame.unknowns_of(k);
+    for (std::size_t i = 0; i < 6; ++i) {
+      if (unknowns[i] >= 0) load[unknowns[i]] += forces[static_cast<Eigen::Index>(i)];
+    }
+  }
+  return load;
+}
+
 std::string_view to_string(Motion motion) noexcept {
   switch (motion) {
     case Motion::x: return "x";
@@ -270,7 +391,7 @@ std::string_view to_string(Motion motion) noexcept {
 NamedFrame build(const FrameModel& model, int elements) {
   if (elements < 1) throw invalid_argument("frame: {} elements a member", elements);
   const Names names = names_of(model.nodes);
-  require_places(model.nodes);
+  require_places(model.nodes, model.springs);
   if (model.members.empty()) throw refusal(ModelPart::members, 0, "there are no members");
   std::vector<Support> supports;
   for (std::size_t i = 0; i < model.supports.size(); ++i) {
@@ -278,6 +399,10 @@ NamedFrame build(const FrameModel& model, int elements) {
     supports.push_back({index_of(names, s.node, ModelPart::supports, i), s.motion});
   }
   require_numbers(model);
+  const std::vector<Spring> springs = springs_of(model, names);
+  const auto frame_of = [&](const Parts& parts, const std::vector<Support>& held) {
+    return Frame(parts.nodes, parts.members, held, springs);
+  };
   // Prescribed displacements count as fixed: the load factor does not change here.
   std::vector<Support> fixed = supports;
   for (std::size_t i = 0; i < model.displacements.size(); ++i) {
@@ -287,7 +412,7 @@ NamedFrame build(const FrameModel& model, int elements) {
   // Whether a frame is a mechanism does not depend on the number of elements.
   const Parts whole = parts_of(model, names, 0), divided = parts_of(model, names, elements);
   std::optional<Mechanism> mechanism;
-  if (fixed.empty() && !model.may_move) mechanism = {0, Motion::x};
+  if (fixed.empty() && springs.empty() && !model.may_move) mechanism = {0, Motion::x};
   bool is_all_fixed = false;
   try {
     if (!mechanism && !model.may_move) mechanism = find_mechanism(frame_of(whole, fixed));
@@ -304,8 +429,9 @@ NamedFrame build(const FrameModel& model, int elements) {
   if (is_all_fixed && supports.size() == fixed.size())
     throw refusal(ModelPart::supports, 0, "all nodes are fixed");
   NamedFrame f{.frame = frame_of(divided, supports), .members = divided.origins, .supports = supports};
-  add_actions(model, names, f);
+  require_spring_motions(model, f.frame);
   f.mass = masses_of(model, names, f.frame, f.members);
+  add_actions(model, names, f);
   f.damping = model.damping;
   for (std::size_t i = 0; i < model.nodes.size(); ++i) {
     for (const Motion motion : {Motion::x, Motion::y, Motion::rotation}) {
@@ -324,7 +450,7 @@ constexpr double no_energy = 1e-18;
 
 /// Twice the strain energy of small displacements, from the strains of the members.
 double twice_energy(const Frame& frame, const Eigen::VectorXd& x) {
-  double sum = 0;
+  double sum = 2 * frame.spring_energy<double>(x);
   for (std::size_t i = 0; i < frame.members().size(); ++i) {
     const Member& m = frame.members()[i];
     const Node &a = frame.nodes()[static_cast<std::size_t>(m.first)],

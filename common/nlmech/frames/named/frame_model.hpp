@@ -28,11 +28,13 @@ struct NamedMember {
   double ei = 0;                  ///< EI, force times length squared, positive
   bool is_first_pinned = false;   ///< is the first end pinned?
   bool is_second_pinned = false;  ///< is the second end pinned?
-  int elements = 1;               ///< beam-columns, times @p elements of build()
+  double first_joint = 0;   ///< stiffness of the joint at a pinned first end, moment per rad; 0: a hinge
+  double second_joint = 0;  ///< the same at a pinned second end
+  int elements = 1;         ///< beam-columns, times @p elements of build()
   /// Radius of a circular arc, at most half a circle, with the ends of its elements on it: clockwise from the
   /// first node to the second if positive, anticlockwise if negative; 0: straight
   double radius = 0;
-  double mass = 0;  ///< mass per length, not negative; used only for motions in time
+  double mass = 0;  ///< mass per length, not negative; for motions, vibrations and own weight
 };
 
 /// A fixed degree of freedom of a named node.
@@ -41,11 +43,24 @@ struct NamedSupport {
   Motion motion = Motion::x;  ///< which
 };
 
-/// A dead load on a named node for a load factor of 1.
+/// A linear spring that keeps its direction, between two named nodes or from the ground to one.
+struct NamedSpring {
+  std::string first;     ///< name of a node; empty: the ground
+  std::string second;    ///< name of another node
+  double x = 0;          ///< direction; its length does not count
+  double y = 0;          ///< direction
+  bool turns = false;    ///< is it a spring against rotation? It has no direction then
+  double stiffness = 0;  ///< force per length, or moment per rad; positive
+};
+
+/// A dead load for a load factor of 1.
 struct NamedLoad {
-  std::string node;           ///< its name
-  Motion motion = Motion::x;  ///< direction of the load; a moment for a rotation
-  double value = 0;           ///< force or moment, finite
+  /// Name of a node, or of a member as "FIRST-SECOND" for a force per length along it, or "gravity", unless a
+  /// node has that name, for an acceleration of all masses: own weight
+  std::string node;
+  Motion motion = Motion::x;  ///< direction of the load; a moment for a rotation of a node
+  double value = 0;           ///< force, moment, force per length at rest, or acceleration; finite
+  bool is_constant = false;   ///< does the load stay the same at all load factors?
 };
 
 /// A prescribed displacement of a named node for a load factor of 1.
@@ -55,7 +70,7 @@ struct NamedDisplacement {
   double value = 0;           ///< displacement, or angle in rad, finite
 };
 
-/// A mass at a named node, for motions in time.
+/// A mass at a named node, for motions, vibrations and own weight.
 struct NamedMass {
   std::string node;    ///< its name
   double mass = 0;     ///< not negative
@@ -79,12 +94,15 @@ struct FrameModel {
   std::vector<NamedNode> nodes;        ///< nodes, in the order of the results
   std::vector<NamedMember> members;    ///< members, at least one
   std::vector<NamedSupport> supports;  ///< supports, in any order
-  std::vector<NamedLoad> loads;        ///< at least one that is not 0, unless a displacement is prescribed
+  std::vector<NamedLoad>
+      loads;  ///< one at least that grows and is not 0, unless a displacement is prescribed
   std::vector<NamedDisplacement> displacements;   ///< prescribed displacements, each once, none of them fixed
   std::vector<NamedMass> masses;                  ///< masses in addition to those of members
   Damping damping;                                ///< damping of motions in time
   std::optional<Imperfection> imperfection = {};  ///< used by imperfect(); build() makes the perfect frame
   bool may_move = false;                          ///< accept a mechanism, for motions in time
+  std::vector<NamedSpring> springs = {};          ///< springs, in the order of the results
+  bool needs_load = true;  ///< refuse a model whose loads do not grow; vibrations need none
 };
 
 /// List of a FrameModel.
@@ -96,11 +114,12 @@ enum class ModelPart : std::uint8_t {
   displacements,  ///< FrameModel::displacements
   masses,         ///< FrameModel::masses
   damping,        ///< the one entry
-  imperfection    ///< the one entry
+  imperfection,   ///< the one entry
+  springs         ///< FrameModel::springs
 };
 
 /// Number of values of ModelPart.
-inline constexpr std::size_t model_parts = 8;
+inline constexpr std::size_t model_parts = 9;
 
 /// Error in a model, with the entry that causes it.
 class ModelError : public std::invalid_argument {
@@ -124,6 +143,18 @@ struct NamedMotion {
   Eigen::Index unknown;  ///< index of the unknown of the frame
 };
 
+/// Loads as they are applied, on fixed motions too.
+struct AppliedLoads {
+  Eigen::VectorXd nodes = {};    ///< forces along x and y and moment at each named node, three numbers each
+  Eigen::VectorXd members = {};  ///< forces per length along x and y of each beam-column, two numbers each
+
+  /// Forces and moments at the ends of a beam-column that do the work of the load along it: half of it at
+  /// each end, and moments of p l^2/12 for its part p across the member at rest.
+  [[nodiscard]] Vector<double, 6> at_ends(const Frame& frame, std::size_t beam_column) const;
+  /// Forces on the unknowns of the frame.
+  [[nodiscard]] Eigen::VectorXd on_unknowns(const Frame& frame) const;
+};
+
 /// The frame built from a model.
 struct NamedFrame {
   Frame frame;                ///< structure; the named nodes come first, in the order of the model
@@ -137,8 +168,17 @@ struct NamedFrame {
   /// each (its half rotating about the node), plus the mass or inertia of the node itself. These masses do
   /// not depend on the direction of a member, so there are no gyroscopic forces.
   Eigen::VectorXd mass = {};
-  Damping damping = {};  ///< damping of motions in time
+  Damping damping = {};         ///< damping of motions in time
+  AppliedLoads growing = {};    ///< for a load factor of 1; `load` is on_unknowns() of it
+  AppliedLoads constant = {};   ///< at all load factors
+  Eigen::VectorXd steady = {};  ///< on_unknowns() of `constant`; empty if there is none
 };
+
+/// All loads on the unknowns at a load factor.
+[[nodiscard]] inline Eigen::VectorXd loads_at(const NamedFrame& frame, double load) {
+  if (frame.steady.size() == 0) return load * frame.load;
+  return load * frame.load + frame.steady;
+}
 
 /// "x", "y", "rotation".
 [[nodiscard]] std::string_view to_string(Motion motion) noexcept;
@@ -153,8 +193,10 @@ inline constexpr int most_beam_columns = 100'000;
 /// @param elements beam-columns per member, times NamedMember::elements; positive
 /// @throws ModelError for an unknown or repeated name, two nodes at one position, a node without a member, a
 /// member of zero length, EA or EI that is not positive, an arc that does not span its nodes, numbers that
-/// are not finite, a load on a fixed, prescribed or missing degree of freedom, neither load nor displacement,
-/// a prescribed displacement that is fixed or repeated, negative masses or damping, a mode below 1, more than
+/// are not finite, a load on a fixed, prescribed or missing degree of freedom or along a member that is not
+/// there, a spring of no stiffness or at fixed motions only, neither load nor displacement (unless
+/// FrameModel::needs_load is false), a prescribed displacement that is fixed or repeated, negative masses or
+/// damping, a mode below 1, more than
 /// most_beam_columns; and, unless FrameModel::may_move, for a frame that can move without strain in any
 /// member (a mechanism, a part without support), naming the node that moves most
 /// @throws std::invalid_argument if @p elements is not positive

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <utility>
 
 #include "nlmech/support/doubles.hpp"
 #include "nlmech/support/quoted_input.hpp"
@@ -21,6 +22,11 @@ void require_masses(const NamedFrame& f) {
                          "moves no mass");
     }
   }
+  for (const NamedMotion& m : f.motions) {
+    if (!(f.mass[m.unknown] > 0))
+      throw ModelError(ModelPart::nodes, static_cast<std::size_t>(m.node),
+                       "a motion in time needs an inertia at this node, where only joints hold its rotation");
+  }
 }
 
 }  // namespace
@@ -30,8 +36,8 @@ double LoadHistory::at(double t) const {
   return kind == Kind::pulse && t >= duration ? 0 : factor;
 }
 
-FrameMotion::FrameMotion(const NamedFrame& frame, const LoadHistory& history)
-    : frame_(&frame), history_(history) {
+FrameMotion::FrameMotion(const NamedFrame& frame, const LoadHistory& history, Eigen::VectorXd start)
+    : frame_(&frame), history_(history), start_(std::move(start)) {
   if (!frame.given.empty())
     throw ModelError(ModelPart::displacements, 0, "a motion in time has loads, and no given displacements");
   if (!std::isfinite(history.factor) || !std::isfinite(history.duration) ||
@@ -52,7 +58,9 @@ void FrameMotion::acceleration(const double& t, const Eigen::VectorXd& q, const 
     return;
   }
   if (frame_->damping.mass > 0 || frame_->damping.stiffness > 0) a.noalias() += damping_ * v;
-  a = (history_.at(t) * frame_->load - a).cwiseQuotient(frame_->mass);
+  a = history_.at(t) * frame_->load - a;
+  if (frame_->steady.size() > 0) a += frame_->steady;
+  a = a.cwiseQuotient(frame_->mass);
 }
 
 void FrameMotion::operator()(const double& t, const Eigen::VectorXd& x, Eigen::VectorXd& dxdt) const {
@@ -102,7 +110,11 @@ double FrameMotion::highest_frequency() const {
   return std::sqrt(size);
 }
 
-FrameEnergies::FrameEnergies(const FrameMotion& motion) : motion_(&motion) {}
+FrameEnergies::FrameEnergies(const FrameMotion& motion)
+    : motion_(&motion),
+      at_rest_(motion.frame().frame.energy<double>(motion.rest().head(motion.size() / 2)).value) {
+  strain = at_rest_;
+}
 
 double FrameEnergies::along_load(const Eigen::VectorXd& x) const {
   const Eigen::VectorXd& q = motion_->frame().load;
@@ -123,11 +135,12 @@ void FrameEnergies::add(double t0, double t1, double moved, double lost, const E
                late = motion_->history().at(t1 - h / 4), slope = 2 * (late - early) / h;
   const double first = early - slope * h / 4, last = late + slope * h / 4;
   work += last * along_load(x1) - first * along_load(x0) - slope * moved;
+  if (f.steady.size() > 0) work += f.steady.dot(x1.head(n) - x0.head(n));
   dissipated += lost;
   kinetic = 0.5 * x1.tail(n).cwiseAbs2().dot(f.mass);
   strain = f.frame.energy<double>(x1.head(n)).value;
   greatest = std::max(greatest, kinetic + strain);
-  imbalance = std::max(imbalance, std::abs(kinetic + strain + dissipated - work));
+  imbalance = std::max(imbalance, std::abs(kinetic + strain - at_rest_ + dissipated - work));
 }
 
 }  // namespace nlmech::frames

@@ -29,7 +29,7 @@ struct LoadHistory {
   [[nodiscard]] double at(double t) const;
 };
 
-/// The equations of motion M x'' + C x' + dU/dx = W(t) q of a frame with lumped masses and Rayleigh's
+/// The equations of motion M x'' + C x' + dU/dx = W(t) q + q0 of a frame with lumped masses and Rayleigh's
 /// damping: a problem for ivp::System with the state (displacements, velocities). Where the frame has no
 /// valid forces, accelerations are NaN, which integrators report.
 ///
@@ -41,15 +41,20 @@ class FrameMotion {
 
   /// @param frame must outlive this object
   /// @param history load history
+  /// @param start displacements at the start, such as those of start_of(); empty: 0
   /// @throws ModelError if an unknown has no mass (names a member), or if displacements are prescribed
   /// @throws std::invalid_argument if the load history is not finite, or a ramp or pulse has no positive
   /// duration
-  FrameMotion(const NamedFrame& frame, const LoadHistory& history);
+  FrameMotion(const NamedFrame& frame, const LoadHistory& history, Eigen::VectorXd start = {});
 
   /// Number of components of the state.
   [[nodiscard]] int size() const { return 2 * static_cast<int>(frame_->frame.size()); }
-  /// State at rest.
-  [[nodiscard]] Eigen::VectorXd rest() const { return Eigen::VectorXd::Zero(size()); }
+  /// State at rest, in the displacements of the start.
+  [[nodiscard]] Eigen::VectorXd rest() const {
+    Eigen::VectorXd state = Eigen::VectorXd::Zero(size());
+    if (start_.size() > 0) state.head(start_.size()) = start_;
+    return state;
+  }
   /// Derivative of the state.
   void operator()(const double& t, const Eigen::VectorXd& x, Eigen::VectorXd& dxdt) const;
   /// Accelerations x'' for displacements q and velocities v.
@@ -73,6 +78,7 @@ class FrameMotion {
  private:
   const NamedFrame* frame_;
   LoadHistory history_;
+  Eigen::VectorXd start_;
   Eigen::SparseMatrix<double> damping_, stiffness_;
 };
 
@@ -100,11 +106,11 @@ class FrameEnergies {
 
   double kinetic = 0;     ///< kinetic energy
   double strain = 0;      ///< strain energy
-  double work = 0;        ///< work of the loads
+  double work = 0;        ///< work of the loads since the start
   double dissipated = 0;  ///< energy dissipated by damping
   double greatest = 0;    ///< maximum of kinetic plus strain energy so far
-  /// Maximum error so far of the energy balance |kinetic + strain + dissipated - work|; 0 for an exact
-  /// motion.
+  /// Maximum error so far of the energy balance |kinetic + strain - strain at rest + dissipated - work|; 0
+  /// for an exact motion.
   double imbalance = 0;
 
  private:
@@ -116,6 +122,7 @@ class FrameEnergies {
            const Eigen::VectorXd& x1);
 
   const FrameMotion* motion_;
+  double at_rest_;  ///< strain energy
 };
 
 }  // namespace nlmech::frames

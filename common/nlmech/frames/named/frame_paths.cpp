@@ -42,17 +42,19 @@ struct Crossing {
 /// Follows all branches.
 class PathTracer {
  public:
-  PathTracer(LoadedFrame& equations, const PathOptions& how)
+  PathTracer(LoadedFrame& equations, const PathOptions& how, const Eigen::VectorXd& start)
       : how_(how),
         equations_(equations),
-        first_(std::min(equations.first_load(), std::abs(how.until.value_or(HUGE_VAL)) / 20)),
+        first_(std::min(equations.first_load(start), std::abs(how.until.value_or(HUGE_VAL)) / 20)),
         path_({.first = first_,
                .turn = how.turn,
                .longest = 1e12,
                .iterations = 16,
                .aim = 8,
                .scale = equations.scale()},
-              equations, Eigen::VectorXd::Zero(equations.size()), 0) {}
+              equations, start, 0) {
+    std::sort(how_.at.begin(), how_.at.end());
+  }
 
   FramePaths all() {
     Status status = path_.start(how_.until.value_or(1) > 0);
@@ -206,6 +208,7 @@ class PathTracer {
     const Eigen::Index change = direction_of_step();
     for (; listed_ < met_.size(); ++listed_) {
       const CriticalPoint& c = met_[listed_];
+      add_requested(before, c.point);
       if (has_ended(before, c.point)) return true;
       if (Crossing* const met = known(c)) {
         arrive(*met);
@@ -224,7 +227,10 @@ class PathTracer {
       before = c.point;
       if (c.vanishing > 0) negative = change != 0 ? next : c.point.negative;
     }
-    if (out_.points.size() > begin_ && has_ended(before, path_.now())) return true;
+    if (out_.points.size() > begin_) {
+      add_requested(before, path_.now());
+      if (has_ended(before, path_.now())) return true;
+    }
     add(FramePoint::Kind::step, path_.now(), path_.now().negative);
     return exceeds_time();
   }
@@ -235,6 +241,25 @@ class PathTracer {
     for (std::size_t i = listed_; i < met_.size(); ++i) all += met_[i].vanishing;
     const Eigen::Index change = path_.now().negative - path_.before().negative;
     return all == 0 || std::abs(change) != all ? 0 : change / all;
+  }
+
+  /// Adds the points at the requested load factors between two points and before the end of the branch.
+  void add_requested(const PathPoint& from, const PathPoint& to) {
+    const double low = std::min(from.load, to.load), high = std::max(from.load, to.load), end = end_load();
+    const auto add_at = [&](double load) {
+      if (!(load > low && load < high && std::abs(load) < end)) return;
+      PathPoint point;
+      if (const Outcome outcome = path_.crossing(load, from, to, point); outcome != Outcome::success)
+        lost_ = failed_with(
+            outcome, "frame: the path has no point at the load factor {:.10g}; take shorter steps (turn)",
+            load);
+      else
+        add(FramePoint::Kind::step, point, point.negative);
+    };
+    if (from.load < to.load)
+      std::for_each(how_.at.begin(), how_.at.end(), add_at);
+    else
+      std::for_each(how_.at.rbegin(), how_.at.rend(), add_at);
   }
 
   /// Does the branch reach its end load between two points? Records the end, or the failure in lost_.
@@ -319,6 +344,9 @@ void require(const PathOptions& options) {
   if (options.steps < 1 || options.branches < 0 || options.critical < 0)
     throw invalid_argument("equilibrium_paths: {} steps, {} branches and {} critical points", options.steps,
                            options.branches, options.critical);
+  for (const double load : options.at) {
+    if (!std::isfinite(load)) throw invalid_argument("equilibrium_paths: at = {}; it must be finite", load);
+  }
   if (options.until && !(*options.until != 0 && std::isfinite(*options.until)))
     throw invalid_argument("equilibrium_paths: until = {}; it must be finite and not 0", *options.until);
 }
@@ -336,8 +364,37 @@ std::string_view to_string(FramePoint::Kind kind) noexcept {
 
 FramePaths equilibrium_paths(const NamedFrame& frame, const PathOptions& options) {
   require(options);
+  Start start = start_of(frame, options);
+  if (!start.status.ok()) {
+    FramePaths failed;
+    failed.status = std::move(start.status);
+    return failed;
+  }
   LoadedFrame equations(frame);
-  return PathTracer(equations, options).all();
+  return PathTracer(equations, options, equations.free(start.x)).all();
+}
+
+Start start_of(const NamedFrame& frame, const PathOptions& options) {
+  Start start{Eigen::VectorXd::Zero(frame.frame.size()), {}};
+  if (frame.steady.size() == 0) return start;
+  NamedFrame growing = frame;
+  growing.load = std::exchange(growing.steady, {});
+  growing.displacement.setZero();
+  FramePaths paths = equilibrium_paths(
+      growing,
+      {.steps = options.steps, .until = 1, .turn = options.turn, .critical = 1, .seconds = options.seconds});
+  const auto critical = std::ranges::find_if(
+      paths.points, [](const FramePoint& p) { return p.kind != FramePoint::Kind::step; });
+  start.status = std::move(paths.status);
+  if (critical != paths.points.end())
+    start.status =
+        failed_with(Outcome::wrong_branch,
+                    "frame: at {:.6g} of the constant loads, before any others, the frame reaches a {}; "
+                    "take smaller constant loads, or let them grow",
+                    critical->load, to_string(critical->kind));
+  else if (start.status.ok())
+    start.x = paths.points.back().x;
+  return start;
 }
 
 namespace {
@@ -351,9 +408,10 @@ std::vector<Node> displacements_of(const Frame& frame, const Eigen::VectorXd& sh
   return all;
 }
 
-/// Factor that scales the greatest displacement along x or y to 1. If several are equal to rounding, the
-/// first determines the sign.
-double factor_of(const std::vector<Node>& moves) {
+}  // namespace
+
+double factor_of(const Frame& frame, const Eigen::VectorXd& shape) {
+  const std::vector<Node> moves = displacements_of(frame, shape);
   double most = 0;
   for (const Node& m : moves) most = std::max({most, std::abs(m.x), std::abs(m.y)});
   for (const Node& m : moves) {
@@ -363,8 +421,6 @@ double factor_of(const std::vector<Node>& moves) {
   }
   return HUGE_VAL;
 }
-
-}  // namespace
 
 Imperfect imperfect(const NamedFrame& perfect, const Imperfection& imperfection, const PathOptions& options) {
   const auto& [mode, amplitude] = imperfection;
@@ -392,7 +448,7 @@ Imperfect imperfect(const NamedFrame& perfect, const Imperfection& imperfection,
   }
   out.status = {};
   const std::vector<Node> moves = displacements_of(perfect.frame, out.buckled.mode);
-  const double factor = amplitude * factor_of(moves);
+  const double factor = amplitude * factor_of(perfect.frame, out.buckled.mode);
   if (!std::isfinite(factor)) {
     out.status =
         Status::failure(Outcome::not_converged,
@@ -404,7 +460,10 @@ Imperfect imperfect(const NamedFrame& perfect, const Imperfection& imperfection,
     nodes[i].x += factor * moves[i].x;
     nodes[i].y += factor * moves[i].y;
   }
-  out.frame.frame = Frame(std::move(nodes), perfect.frame.members(), perfect.supports);
+  out.frame.frame =
+      Frame(std::move(nodes), perfect.frame.members(), perfect.supports, perfect.frame.springs());
+  out.frame.load = out.frame.growing.on_unknowns(out.frame.frame);
+  if (out.frame.steady.size() > 0) out.frame.steady = out.frame.constant.on_unknowns(out.frame.frame);
   return out;
 }
 

@@ -22,6 +22,8 @@ struct PathOptions {
   /// Load factor at which each branch ends, not 0; if negative, the path starts towards negative load
   /// factors.
   std::optional<double> until = {};
+  /// Load factors at which the paths have points too, wherever they pass them before their ends; finite
+  std::vector<double> at = {};
   int branches = 0;    ///< limit of branches to follow in addition to the path from rest
   double turn = 0.15;  ///< target rotation of the tangent in a step, rad
   /// Number of the limit or bifurcation point at which the path from rest ends, in place of a multiple of
@@ -68,8 +70,9 @@ struct FramePaths {
 ///
 /// A branch ends at the load factor `until`, or at a known bifurcation point. Without `until` it ends at
 /// twice the greatest load factor of its limit and bifurcation points, including its start; points beyond
-/// twice the first load factor do not count. Failures: `step_limit`; `time_limit` after `seconds`, checked at
-/// each step; `singular_matrix` if elements are so short that rounding makes the frame unstable at rest.
+/// twice the first load factor do not count. Where loads are constant the path starts at start_of().
+/// Failures: `step_limit`; `time_limit` after `seconds`, checked at each step; `singular_matrix` if elements
+/// are so short that rounding makes the frame unstable at rest.
 ///
 /// Prescribed displacements have the same load factor; eigenvalues are those with prescribed displacements
 /// fixed.
@@ -81,6 +84,22 @@ struct FramePaths {
 /// @param options limits and end of the paths
 /// @throws std::invalid_argument if an option of @p options is out of range
 [[nodiscard]] FramePaths equilibrium_paths(const NamedFrame& frame, const PathOptions& options);
+
+/// Displacements of a frame at the load factor 0, or the reason of failure.
+struct Start {
+  Eigen::VectorXd x;  ///< displacements; 0 without constant loads
+  Status status;  ///< success, or as FramePaths::status; `wrong_branch` if the constant loads alone buckle it
+};
+
+/// Equilibrium under the constant loads alone, on the path along which they grow together from nothing, which
+/// must be stable.
+///
+/// Tests compare it with the path of a frame whose constant loads grow.
+[[nodiscard]] Start start_of(const NamedFrame& frame, const PathOptions& options);
+
+/// Factor that scales the greatest displacement of a node along x or y in a shape to 1. If several are equal
+/// to rounding, the first determines the sign. Infinite if no node is displaced.
+[[nodiscard]] double factor_of(const Frame& frame, const Eigen::VectorXd& shape);
 
 /// Frame with an imperfection, or the reason of failure.
 struct Imperfect {

@@ -83,7 +83,7 @@ class Comparison {
     for (std::size_t i = own.begin; i <= own.end && time_.seconds() < seconds_; ++i) {
       const FramePoint& p = m_.paths.points[i];
       if (p.kind != FramePoint::Kind::step) continue;
-      if (p.load == 0) {
+      if (p.load == 0 && m_.frame.steady.size() == 0) {
         errors_[i] = 0;
         continue;
       }
@@ -171,6 +171,7 @@ class Comparison {
     if (!has_values(m_.frame.frame.force<double>(p.x, own)) ||
         !has_values(m_.second.frame.force<double>(x, other)))
       return 1;
+    own -= loads_at(m_.frame, p.load), other -= loads_at(m_.second, p.load);
     double largest = 0, most = 0;
     for (std::size_t i = 0; i < m_.frame.given.size(); ++i) {
       largest = std::max(largest, std::abs(own[m_.frame.given[i]]));
