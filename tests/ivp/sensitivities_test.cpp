@@ -300,6 +300,16 @@ TEST(Sensitivities, JumpWhereTheEquationsSwitch) {
   EXPECT_LE(greatest(corner.columns_at(3) - Eigen::Vector2d(1, 1)), 1e-13);  // x(3) + x(0) = 2 - 1
 }
 
+// A run that ends at the time of a switch, 1, is continued by another one.
+TEST(Sensitivities, AtTheTimeOfASwitchAreThoseAfterIt) {
+  const Extended ramp("x' = step(t - a); a' = 0; a(0) = 1; x(0) = 0", {"a"});
+  const ivp::Solution middle = ramp.run(1, "dop853", 1e-12);
+  EXPECT_NEAR(ramp.columns(middle.x)(0, 0), -1, 1e-12);
+  const auto end =
+      ivp::named_integrator("dop853", {.tolerance = 1e-12})(ramp.system(), middle.x, 1, 2, {}, {});
+  EXPECT_NEAR(ramp.columns(end.x)(0, 0), -1, 1e-12);
+}
+
 TEST(Sensitivities, EndWhereTheSolutionStaysOnASurface) {
   const Extended friction("x' = 0.5 - sign(x); x(0) = 1", {"x"});
   const ivp::Solution end = friction.run(4);

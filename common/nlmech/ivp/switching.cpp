@@ -63,6 +63,7 @@ class Walk {
       segment_ = SmoothSegment(solution_.t, end);
       begin(solution_.t, solution_.x);
       while (solution_.status.ok() && solution_.t != stretch_end_) segment();
+      if (solution_.status.ok() && layout_.columns > 0) cross_at_end();
     }
     solution_.statistics.seconds = watch_.seconds();
     return solution_;
@@ -318,6 +319,15 @@ class Walk {
     }
     if (solution_.status.ok()) hold(at.t, at.x);
     if (solution_.status.ok() && layout_.columns > 0) saltate(mode_before, i, at);
+  }
+  // At the time of a switch the sensitivities are those after it, so that a run may be continued by another
+  // one, which starts with the mode after it.
+  void cross_at_end() {
+    for (std::size_t i = 0; i < mode_.size() && solution_.status.ok(); ++i) {
+      in(mode_).surfaces(solution_.t, solution_.x, values_, rates_);
+      const Margin m = margin(i);
+      if (m.value <= 0 && m.slope < 0) change({i, solution_.t, solution_.x}, false);
+    }
   }
   // The jump of the sensitivities where f jumps by d at a zero of g, S+ = S + d (g_x S)/(g_t + g_x f): the
   // time of the switch depends on what S is the derivative by. (M. di Bernardo et al., Piecewise-smooth
