@@ -20,6 +20,7 @@
 #include "nlmech/program/dual.hpp"
 #include "nlmech/program/linear_terms.hpp"
 #include "nlmech/program/recorded.hpp"
+#include "nlmech/program/variational.hpp"
 
 namespace nlmech::ivp {
 
@@ -94,6 +95,8 @@ class AnyProblem {
   virtual bool is_rounded(int) const = 0;
   virtual std::shared_ptr<const AnyProblem> in_mode(const Mode&) const = 0;
   virtual void surfaces(double, const State&, std::span<double>, std::span<double>) const = 0;
+  virtual void surfaces_along(double, const State&, const State&, std::span<double>) const = 0;
+  virtual program::VariationalLayout layout() const = 0;
   virtual program::LinearTerms linear_terms() const = 0;
   virtual bool invariants(double, const State&, Eigen::VectorXd&) const = 0;
   virtual bool bounds(State&, State&) const = 0;
@@ -114,6 +117,12 @@ concept GivesLinearTerms = requires(const Problem& problem) {
 template <class Problem>
 concept GivesSeriesCodes = requires(const Problem& problem) {
   { problem.series_codes() } -> std::same_as<std::shared_ptr<machine_code::SeriesCodes>>;
+};
+
+/// True if the problem may have sensitivities in its state, as typed equations do.
+template <class Problem>
+concept GivesLayout = requires(const Problem& problem) {
+  { problem.layout() } -> std::convertible_to<program::VariationalLayout>;
 };
 
 /// True if the problem gives quantities that stay constant along its solutions.
@@ -364,6 +373,19 @@ class Direct final : public std::conditional_t<n == Eigen::Dynamic, detail::AnyP
   /// Switching functions, or shares (switching.hpp), of the equations of a mode, and their rates of change.
   void surfaces(double t, const State& x, std::span<double> values, std::span<double> rates) const {
     if constexpr (detail::GivesSwitches<Problem>) problem_.surfaces(t, OwnState(x), values, rates);
+  }
+  /// The derivatives of the switching functions of a mode along a @p direction of the state; nothing is
+  /// written for a problem without layout().
+  void surfaces_along([[maybe_unused]] double t, [[maybe_unused]] const State& x,
+                      [[maybe_unused]] const State& direction,
+                      [[maybe_unused]] std::span<double> derivatives) const {
+    if constexpr (detail::GivesLayout<Problem>)
+      problem_.surfaces_along(t, OwnState(x), OwnState(direction), derivatives);
+  }
+  /// Places of the unknowns and of their sensitivities, if there are any, in the state.
+  [[nodiscard]] program::VariationalLayout layout() const {
+    if constexpr (detail::GivesLayout<Problem>) return problem_.layout();
+    return {size(), 0, second_order()};
   }
 
   /// The linear terms of f with constant coefficients, and its harmonic loads; none for a problem that

@@ -43,6 +43,7 @@ class Walk {
         direction_(t1 > t0 ? 1 : -1),
         first_(t0),
         end_(t1),
+        layout_(system.layout()),
         mode_(static_cast<std::size_t>(system.switches()), 1),
         values_(mode_.size()),
         rates_(mode_.size()),
@@ -62,6 +63,7 @@ class Walk {
       segment_ = SmoothSegment(solution_.t, end);
       begin(solution_.t, solution_.x);
       while (solution_.status.ok() && solution_.t != stretch_end_) segment();
+      if (solution_.status.ok() && layout_.columns > 0) cross_at_end();
     }
     solution_.statistics.seconds = watch_.seconds();
     return solution_;
@@ -185,6 +187,11 @@ class Walk {
     for (std::size_t i = 0; i < mode_.size(); ++i) {
       if (!stays_on_surface(mode_[i])) continue;
       if (direction_ < 0) return no_past(i, t);
+      if (layout_.columns > 0)
+        return fail(Outcome::outside_validity, t,
+                    "sensitivities do not continue where the solution stays on the surface of switching "
+                    "function {}; end before, or smooth the equation there",
+                    i + 1);
       const bool is_open = std::isnan(values_[i]);
       if (is_open && rate(i, mode_[i] + 1, t, x) == 0 && rate(i, mode_[i] - 1, t, x) == 0) {
         ++mode_[i];  // both sides rest there, as those of sqrt(abs(x)) sign(x) do: each share is as good
@@ -294,6 +301,7 @@ class Walk {
   void change(const Switch& at, bool at_start) {
     const std::size_t i = at.surface;
     const int before = mode_[i];
+    const Mode mode_before = mode_;
     if (stays_on_surface(before)) {
       mode_ = beside(i, before + (rate(i, before + 1, at.t, at.x) > 0 ? 1 : -1), at.t, at.x);
     } else {
@@ -310,6 +318,40 @@ class Walk {
         mode_ = beside(i, cell, at.t, at.x);
     }
     if (solution_.status.ok()) hold(at.t, at.x);
+    if (solution_.status.ok() && layout_.columns > 0) saltate(mode_before, i, at);
+  }
+  // At the time of a switch the sensitivities are those after it, so that a run may be continued by another
+  // one, which starts with the mode after it.
+  void cross_at_end() {
+    for (std::size_t i = 0; i < mode_.size() && solution_.status.ok(); ++i) {
+      in(mode_).surfaces(solution_.t, solution_.x, values_, rates_);
+      const Margin m = margin(i);
+      if (m.value <= 0 && m.slope < 0) change({i, solution_.t, solution_.x}, false);
+    }
+  }
+  // The jump of the sensitivities where f jumps by d at a zero of g, S+ = S + d (g_x S)/(g_t + g_x f): the
+  // time of the switch depends on what S is the derivative by. (M. di Bernardo et al., Piecewise-smooth
+  // Dynamical Systems, 2008, sec. 2.5.)
+  void saltate(const Mode& before, std::size_t i, const Switch& at) {
+    const double t = segment_(at.t);
+    State f(at.x.size()), jump = f, direction = State::Zero(at.x.size());
+    in(before).rhs(t, at.x, f);
+    in(mode_).rhs(t, at.x, jump);
+    jump -= f;
+    evaluate(before, at.t, at.x);
+    const double rate = rates_[i];
+    for (int k = 1; k <= layout_.columns; ++k) {
+      for (int j = 0; j < layout_.size; ++j) direction[layout_.place(j)] = at.x[layout_.place(j, k)];
+      in(before).surfaces_along(t, at.x, direction, rates_);
+      for (int j = 0; j < layout_.size; ++j) {
+        const double d = jump[layout_.place(j)];
+        if (d != 0) solution_.x[layout_.place(j, k)] += d * rates_[i] / rate;
+      }
+    }
+    if (!solution_.x.allFinite())
+      fail(Outcome::outside_validity, at.t,
+           "the solution touches the surface of switching function {}, where sensitivities are not defined",
+           i + 1);
   }
 
   // Searches a step of the method: the first switch in it ends the segment.
@@ -449,6 +491,7 @@ class Walk {
   const Limits& limits_;
   int direction_;
   double first_, end_;
+  program::VariationalLayout layout_;
   double stretch_end_ = end_;             // next discontinuity, or the end
   SmoothSegment segment_;                 // up to stretch_end_
   static constexpr int off_surfaces = 1;  // surfaces are even

@@ -91,6 +91,12 @@ class System {
   void surfaces(double t, const State& x, std::span<double> values, std::span<double> rates) const {
     problem_->surfaces(t, x, values, rates);
   }
+  /// The derivatives of the switching functions of a mode along a @p direction of the state.
+  void surfaces_along(double t, const State& x, const State& direction, std::span<double> derivatives) const {
+    problem_->surfaces_along(t, x, direction, derivatives);
+  }
+  /// Places of the unknowns and of their sensitivities, if there are any, in the state.
+  [[nodiscard]] program::VariationalLayout layout() const { return problem_->layout(); }
   /// The linear terms of f with constant coefficients, and its harmonic loads, from its expressions; none for
   /// a problem that branches or is in double only.
   [[nodiscard]] program::LinearTerms linear_terms() const { return problem_->linear_terms(); }

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include "nlmech/program/highest_derivatives.hpp"
 #include "nlmech/support/quoted_input.hpp"
@@ -58,8 +57,10 @@ class EquationReader {
         made_.state_names_.push_back(with_primes(u.name, primes));
       }
     }
-    made_.graph_ = Graph(static_cast<int>(made_.state_names_.size()));
-    made_.initial_.resize(made_.state_names_.size());
+    const std::size_t size = made_.state_names_.size();
+    made_.graph_ = Graph(static_cast<int>(size + made_.variables_.size()));
+    made_.initial_.resize(size);
+    made_.layout_ = {static_cast<int>(size), 0, made_.second_order()};
   }
 
   // `name = ...` is a definition unless the name is an unknown; other statements are equations.
@@ -82,7 +83,9 @@ class EquationReader {
         throw InputError(fmt::format("--set {}: must be a finite number, not {}", quoted_input(name), value));
       names_.defined[name] = {made_.graph_.number(value), {}};
     }
-    check_definitions(settings);
+    for (std::size_t i = 0; i < made_.variables_.size(); ++i)
+      names_.defined[made_.variables_[i]] = {Graph::state(made_.layout_.size + static_cast<int>(i)), {}};
+    if (made_.variables_.empty()) check_definitions(settings);
     for (const Statement& statement : tree_.statements) {
       const Syntax& left = tree_.nodes[statement.left];
       if (defines(left)) add_parameter(left.name, meaning_.definition(left.name, left.place));
@@ -129,9 +132,9 @@ class EquationReader {
         throw source_.mistake(given.place,
                               fmt::format("another initial value is given at time {}", *made_.initial_time_));
       made_.initial_time_ = time;
-      std::optional<double>& value = made_.initial_[static_cast<std::size_t>(component->second)];
+      std::optional<NodeId>& value = made_.initial_[static_cast<std::size_t>(component->second)];
       if (value) throw source_.mistake(given.place, "given twice");
-      value = meaning_.number(given.value, "an initial value");
+      value = initial_value(made_, meaning_, given.value);
     }
   }
 
@@ -168,7 +171,12 @@ class EquationReader {
 
   static std::string no_component(const Equations& equations) {
     return fmt::format("no component of the state; these are {}",
-                       quoted_input(fmt::format("{}", fmt::join(equations.state_names(), ", ")), 200));
+                       quoted_input(fmt::format("{}", fmt::join(equations.component_names(), ", ")), 200));
+  }
+  // A number, unless parameters are variables.
+  static NodeId initial_value(Equations& equations, Meaning& meaning, std::size_t root) {
+    if (!equations.variables_.empty()) return meaning.expression(root);
+    return equations.graph_.number(meaning.number(root, "an initial value"));
   }
 
  private:
@@ -268,7 +276,7 @@ class EquationReader {
 };
 
 Equations::Equations(SourceText source, const Settings& settings, TableReader read_table)
-    : source_(std::move(source)), tree_(parse(source_)) {
+    : source_(std::move(source)), tree_(parse(source_)), settings_(settings) {
   names_.read_table = std::move(read_table);
   EquationReader reader(*this);
   reader.find_unknowns();
@@ -279,6 +287,17 @@ Equations::Equations(SourceText source, const Settings& settings, TableReader re
   reader.solve();
   reader.take_conserved();
   reader.summarise();
+}
+
+Equations::Equations(const Equations& from, const std::vector<std::string>& variables)
+    : source_(from.source_), tree_(from.tree_), settings_(from.settings_), variables_(variables) {
+  names_.read_table = from.names_.read_table;
+  EquationReader reader(*this);
+  reader.find_unknowns();
+  reader.name_components();
+  reader.define(settings_);
+  reader.take_initial_values();
+  reader.solve();
 }
 
 bool Equations::second_order() const {
@@ -357,18 +376,23 @@ std::vector<int> Equations::initial_order(const std::string& text) const {
     for (const Statement& statement : tree.statements)
       order.push_back(names_.component(tree.nodes[statement.left]));
   }
-  if (order.size() == state_names_.size()) return order;
-  order.resize(state_names_.size());
-  std::iota(order.begin(), order.end(), 0);
+  const auto size = static_cast<std::size_t>(layout_.size);
+  if (order.size() != size) {
+    order.clear();
+    for (int i = 0; i < layout_.size; ++i) order.push_back(layout_.place(i));
+  }
+  for (int k = 1; k <= layout_.columns; ++k) {
+    for (std::size_t i = 0; i < size; ++i) order.push_back(order[i] + layout_.shift(k));
+  }
   return order;
 }
 
-std::vector<double> Equations::initial_state(const std::string& name, const std::string& text) {
+Equations::InitialNodes Equations::initial_nodes(const std::string& name, const std::string& text) {
   // "x=1, x'=0"
   const SourceText source(name, text);
   const SyntaxTree tree = parse(source, Separator::comma);
   Meaning meaning(graph_, names_, source, tree);
-  std::vector<std::optional<double>> given(state_names_.size());
+  InitialNodes given(initial_.size());
   if (!tree.initial_values.empty())
     throw source.mistake(tree.initial_values.front().place,
                          "write initial values as x=1; --from gives the time");
@@ -380,18 +404,26 @@ std::vector<double> Equations::initial_state(const std::string& name, const std:
     const Syntax& left = tree.nodes[statement.left];
     const int component = left.kind == SyntaxKind::name ? names_.component(left) : -1;
     if (component < 0) throw source.mistake(left.place, EquationReader::no_component(*this));
-    std::optional<double>& value = given[static_cast<std::size_t>(component)];
+    std::optional<NodeId>& value = given[static_cast<std::size_t>(component)];
     if (value) throw source.mistake(left.place, "given twice");
-    value = meaning.number(statement.right, "an initial value");
+    value = EquationReader::initial_value(*this, meaning, statement.right);
   }
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    if (!given[i]) given[i] = initial_[i];
+  }
+  return given;
+}
+
+std::vector<double> Equations::initial_state(const std::string& name, const std::string& text) {
+  const InitialNodes given = initial_nodes(name, text);
   std::vector<double> x;
   std::vector<std::string> missing;
-  for (std::size_t i = 0; i < given.size(); ++i) {
-    const std::optional<double> value = given[i] ? given[i] : initial_[i];
-    x.push_back(value.value_or(0));
-    if (!value) missing.push_back(state_names_[i]);
+  for (int i = 0; i < layout_.size; ++i) {
+    const std::size_t place = index(layout_.place(i));
+    x.push_back(given[place] ? graph_[*given[place]].c : 0);
+    if (!given[place]) missing.push_back(state_names_[place]);
   }
-  if (missing.empty()) return x;
+  if (missing.empty()) return with_sensitivities_of(x, name, text);
   const auto needs = std::find_if(names_.unknowns.begin(), names_.unknowns.end(), [&](const Unknown& u) {
     return missing.front().substr(0, missing.front().find('\'')) == u.name;
   });

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -11,8 +12,10 @@
 
 #include "nlmech/program/graph.hpp"
 #include "nlmech/program/meaning.hpp"
+#include "nlmech/program/program.hpp"
 #include "nlmech/program/source_text.hpp"
 #include "nlmech/program/syntax.hpp"
+#include "nlmech/program/variational.hpp"
 
 namespace nlmech::program {
 
@@ -77,6 +80,35 @@ class Equations {
   /// @throws InputError for a value that is missing, given twice, not finite, or for an unknown component
   [[nodiscard]] std::vector<double> initial_state(const std::string& name, const std::string& text);
 
+  /// These equations with the derivatives of their solution by some initial values and parameters as further
+  /// components, at fixed times and exact to rounding: the variational equations. initial_state() and
+  /// initial_order() have these components too. Component x's derivative by a is named dx/da; for an initial
+  /// value a is the component's name. Initial values that the text gives as expressions of a parameter
+  /// depend on it; a parameter is independent of those it is defined by.
+  /// @param name of the option in messages
+  /// @param of names of components and of parameters()
+  /// @param scale factor on all derivatives
+  /// @throws InputError for an unknown name, for one given twice, and for a parameter on which a switching
+  /// function, a rounded expression or the initial time depends
+  [[nodiscard]] Equations with_sensitivities(const std::string& name, const std::vector<std::string>& of,
+                                             double scale = 1) const;
+  /// Places of the unknowns and of their sensitivities in the state.
+  [[nodiscard]] const VariationalLayout& layout() const { return layout_; }
+  /// The state without sensitivities: "x", "x'".
+  [[nodiscard]] std::vector<std::string> component_names() const;
+  /// The state with its sensitivities from the values @p x of the components alone, which depend on no
+  /// parameter.
+  [[nodiscard]] std::vector<double> with_initial_sensitivities(const std::vector<double>& x) const;
+  /// The state after a change x+ = h(t, x) by an event, at a zero of g: in addition to h, the sensitivities
+  /// S+ = h_x S + h_p + (f(x+) - h_t - h_x f) (g_x S + g_p)/(g_t + g_x f). The last term, without which S
+  /// would be that at the moving time of the event, is the saltation (M. di Bernardo et al., Piecewise-smooth
+  /// Dynamical Systems, 2008, sec. 2.5).
+  /// @param name of the option in messages @param event the text of g
+  /// @param changes components by their places in the state, with the texts of their new values
+  /// @throws InputError that points at the mistake
+  [[nodiscard]] Program change_at(const std::string& name, const std::string& event,
+                                  const std::vector<std::pair<int, std::string>>& changes) const;
+
   /// The components in the order of @p text of initial_state() if it names all of them; otherwise in the
   /// order of the state.
   [[nodiscard]] std::vector<int> initial_order(const std::string& text) const;
@@ -101,6 +133,17 @@ class Equations {
 
  private:
   friend class EquationReader;
+  /// Columns of with_sensitivities().
+  struct Sensitivities;
+  /// Value of a component of the initial state, if it is given.
+  using InitialNodes = std::vector<std::optional<NodeId>>;
+
+  // Reads the text of `from` again, with parameters as variables of the graph that follow the state.
+  Equations(const Equations& from, const std::vector<std::string>& variables);
+  [[nodiscard]] InitialNodes initial_nodes(const std::string& name, const std::string& text);
+  [[nodiscard]] std::vector<double> with_sensitivities_of(const std::vector<double>& x,
+                                                          const std::string& name,
+                                                          const std::string& text) const;
   [[nodiscard]] NodeId with_highest_derivatives(const LinearForm& form);
 
   SourceText source_;
@@ -111,9 +154,13 @@ class Equations {
   std::vector<std::pair<std::string, double>> parameters_;
   std::vector<NodeId> slopes_, conserved_;
   std::vector<double> lower_, upper_;
-  std::vector<std::optional<double>> initial_;
+  InitialNodes initial_;
   std::optional<double> initial_time_, final_time_;
   std::string summary_;
+  Settings settings_;
+  std::vector<std::string> variables_;  // parameters that are variables of the graph
+  VariationalLayout layout_{0};
+  std::shared_ptr<const Sensitivities> sensitivities_;
 };
 
 }  // namespace nlmech::program

@@ -12,6 +12,9 @@ namespace nlmech::program {
 /// state. A choice has the derivative of the chosen operand.
 [[nodiscard]] std::vector<NodeId> partials(Graph& graph, NodeId id, int first, int count);
 
+/// The derivative of the operation @p id from those of its operands, @p da and @p db.
+[[nodiscard]] NodeId derivative_of(Graph& graph, NodeId id, NodeId da, NodeId db);
+
 /// The expressions @p ids of the graph @p from as nodes of the graph @p to, with nodes of @p to in place of
 /// the time (@p variables[0]) and of each component i (@p variables[i + 1]). A table needs the time of @p to
 /// as time.

@@ -1,5 +1,5 @@
 /// @file
-/// Typed equations as a problem for all methods.
+/// Typed and recorded equations as a problem for all methods.
 #pragma once
 
 #include <algorithm>
@@ -8,6 +8,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "nlmech/program/dual.hpp"
 #include "nlmech/program/equations.hpp"
 #include "nlmech/program/linear_terms.hpp"
 #include "nlmech/program/program.hpp"
@@ -18,7 +19,7 @@
 
 namespace nlmech::program {
 
-/// The right-hand side of Equations for every number type: a problem for ivp::System and ivp::Direct. Copies
+/// The right-hand side of equations for every number type: a problem for ivp::System and ivp::Direct. Copies
 /// share the program.
 class Problem {
  public:
@@ -26,14 +27,19 @@ class Problem {
 
   /// Problem of @p equations.
   explicit Problem(const Equations& equations)
-      : program_(std::make_shared<const RepeatedProgram>(equations.graph(), equations.slopes())),
-        switches_(std::make_shared<const Switches>(equations.graph(), equations.slopes())),
-        features_(std::make_shared<const TimeFeatures>(equations.graph(), equations.slopes())),
-        stated_(std::make_shared<const Stated>(equations)),
-        linear_(std::make_shared<const LinearTerms>(
-            program::linear_terms(equations.graph(), equations.slopes()))),
-        size_(equations.size()),
-        second_order_(equations.second_order()),
+      : Problem(equations.graph(), equations.slopes(), equations.layout()) {
+    stated_ = std::make_shared<const Stated>(equations);
+  }
+  /// Problem of the derivatives @p slopes, nodes of @p graph, of a state with @p layout: for instance a
+  /// recording's, or variational_equations().
+  Problem(const Graph& graph, const std::vector<NodeId>& slopes, const VariationalLayout& layout)
+      : program_(std::make_shared<const RepeatedProgram>(graph, slopes)),
+        switches_(std::make_shared<const Switches>(graph, slopes)),
+        features_(std::make_shared<const TimeFeatures>(graph, slopes)),
+        stated_(std::make_shared<const Stated>()),
+        linear_(std::make_shared<const LinearTerms>(program::linear_terms(graph, slopes))),
+        layout_(layout),
+        size_(graph.size()),
         smooth_(switches_->count() == 0) {}
 
   /// The same problem with the derivatives @p slopes, nodes of @p graph.
@@ -49,7 +55,9 @@ class Problem {
   /// Components of the state.
   [[nodiscard]] int size() const { return size_; }
   /// Is every unknown of second order?
-  [[nodiscard]] bool second_order() const { return second_order_; }
+  [[nodiscard]] bool second_order() const { return layout_.second_order; }
+  /// Places of the unknowns and of their sensitivities, if there are any, in the state.
+  [[nodiscard]] const VariationalLayout& layout() const { return layout_; }
 
   /// The times between @p t0 and @p t1, in the direction of integration, at which the equations change or at
   /// which a step must end (TimeFeatures).
@@ -85,6 +93,21 @@ class Problem {
     program_->run(t, x, size, size + 2 * count, [&](int i, double value) {
       const auto k = static_cast<std::size_t>(i);
       (k < count ? values[k] : rates[k - count]) = value;
+    });
+  }
+
+  /// Within a mode: the derivatives of the switching functions along a direction of the state.
+  void surfaces_along(double t, const Vector<double, Eigen::Dynamic>& x,
+                      const Vector<double, Eigen::Dynamic>& direction, std::span<double> derivatives) const {
+    using D = Dual<double, 1>;
+    Vector<D, Eigen::Dynamic> at(size_);
+    for (int i = 0; i < size_; ++i) {
+      at[i] = D(x[i]);
+      at[i].partial[0] = direction[i];
+    }
+    const auto size = static_cast<std::size_t>(size_);
+    program_->run(D(t), at, size, size + derivatives.size(), [&](int i, const D& value) {
+      derivatives[static_cast<std::size_t>(i)] = value.partial[0];
     });
   }
 
@@ -155,8 +178,9 @@ class Problem {
   std::shared_ptr<const Stated> stated_;
   std::shared_ptr<const LinearTerms> linear_;
   std::shared_ptr<machine_code::SeriesCodes> series_codes_ = std::make_shared<machine_code::SeriesCodes>();
+  VariationalLayout layout_;
   int size_;
-  bool second_order_, smooth_;
+  bool smooth_;
 };
 
 }  // namespace nlmech::program

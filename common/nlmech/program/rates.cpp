@@ -6,6 +6,14 @@
 namespace nlmech::program {
 namespace {
 
+NodeId slope_of(Graph& graph, const Table& table) {
+  if (table.stepped) return graph.number(0);
+  Table slopes{table.times, {}, true};
+  for (std::size_t i = 0; i + 1 < table.times.size(); ++i) slopes.values.push_back(table.slope(i));
+  slopes.values.push_back(slopes.values.back());
+  return graph.table(slopes);
+}
+
 /// Derivatives along a direction of time and state, one per node.
 class Rates {
  public:
@@ -27,40 +35,10 @@ class Rates {
  private:
   NodeId rule(NodeId id) {
     const Node n = graph_[id];
-    Graph& g = graph_;
-    if (n.operation == Operation::number) return g.number(0);
-    if (n.operation == Operation::variable) return n.a == 0 ? g.number(of_time_) : slopes_[index(n.a - 1)];
-    const NodeId a = n.a, b = n.b, da = known_[index(a)], db = known_[index(b)];
-    switch (n.operation) {
-      case Operation::sum: return g.sum(da, db);
-      case Operation::difference: return g.difference(da, db);
-      case Operation::shifted: return da;
-      case Operation::scaled: return g.product(g.number(n.c), da);
-      case Operation::divided: return g.quotient(da, g.number(n.c));
-      case Operation::product: return g.sum(g.product(da, b), g.product(a, db));
-      case Operation::quotient: return g.quotient(g.difference(da, g.product(id, db)), b);
-      case Operation::reciprocal: return g.negative(g.quotient(g.product(id, da), a));
-      case Operation::power: return g.product(g.product(g.number(n.c), g.power(a, g.number(n.c - 1))), da);
-      case Operation::any_power:
-        return g.product(id,
-                         g.sum(g.product(db, g.call(Function::log, a, a)), g.quotient(g.product(b, da), a)));
-      case Operation::atan2: {
-        const NodeId square = g.sum(g.product(a, a), g.product(b, b));
-        return g.quotient(g.difference(g.product(b, da), g.product(a, db)), square);
-      }
-      case Operation::choice: return g.choice(n.decides, da, db);
-      case Operation::floor: return g.number(0);
-      case Operation::table: return g.product(slope_of(*g.tables()[static_cast<std::size_t>(n.c)]), da);
-      default: return g.product(derivative(g, n.function, id, a), da);
-    }
-  }
-
-  NodeId slope_of(const Table& table) {
-    if (table.stepped) return graph_.number(0);
-    Table slopes{table.times, {}, true};
-    for (std::size_t i = 0; i + 1 < table.times.size(); ++i) slopes.values.push_back(table.slope(i));
-    slopes.values.push_back(slopes.values.back());
-    return graph_.table(slopes);
+    if (n.operation == Operation::number) return graph_.number(0);
+    if (n.operation == Operation::variable)
+      return n.a == 0 ? graph_.number(of_time_) : slopes_[index(n.a - 1)];
+    return derivative_of(graph_, id, known_[index(n.a)], known_[index(n.b)]);
   }
 
   Graph& graph_;
@@ -77,6 +55,33 @@ NodeId cosine_of_arc(Graph& g, NodeId a) {
 }
 
 }  // namespace
+
+NodeId derivative_of(Graph& g, NodeId id, NodeId da, NodeId db) {
+  const Node n = g[id];
+  const NodeId a = n.a, b = n.b;
+  switch (n.operation) {
+    case Operation::sum: return g.sum(da, db);
+    case Operation::difference: return g.difference(da, db);
+    case Operation::shifted: return da;
+    case Operation::scaled: return g.product(g.number(n.c), da);
+    case Operation::divided: return g.quotient(da, g.number(n.c));
+    case Operation::product: return g.sum(g.product(da, b), g.product(a, db));
+    case Operation::quotient: return g.quotient(g.difference(da, g.product(id, db)), b);
+    case Operation::reciprocal: return g.negative(g.quotient(g.product(id, da), a));
+    case Operation::power: return g.product(g.product(g.number(n.c), g.power(a, g.number(n.c - 1))), da);
+    case Operation::any_power:
+      return g.product(id,
+                       g.sum(g.product(db, g.call(Function::log, a, a)), g.quotient(g.product(b, da), a)));
+    case Operation::atan2: {
+      const NodeId square = g.sum(g.product(a, a), g.product(b, b));
+      return g.quotient(g.difference(g.product(b, da), g.product(a, db)), square);
+    }
+    case Operation::choice: return g.choice(n.decides, da, db);
+    case Operation::floor: return g.number(0);
+    case Operation::table: return g.product(slope_of(g, *g.tables()[static_cast<std::size_t>(n.c)]), da);
+    default: return g.product(derivative(g, n.function, id, a), da);
+  }
+}
 
 NodeId derivative(Graph& g, Function function, NodeId value, NodeId a) {
   const NodeId one = g.number(1), square = g.product(a, a);

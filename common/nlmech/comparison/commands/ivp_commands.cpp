@@ -27,6 +27,11 @@ std::string heading_of(const TypedOptions& typed) {
 }
 
 int integrate(const TypedOptions& typed, const std::string& program) {
+  if (!typed.sensitivities.empty() && !typed.states.empty())
+    throw input_error("--sensitivities {}: belongs to a single run; leave out --states",
+                      quoted_input(typed.sensitivities));
+  if (typed.control_sensitivities && typed.sensitivities.empty())
+    throw InputError("--control-sensitivities: needs --sensitivities");
   if (!typed.states.empty()) return print_runs(typed, program);
   if (typed.threads)
     throw input_error("--threads {}: applies to --states only; leave it out", *typed.threads);
@@ -183,6 +188,12 @@ void add_integrate(scene::Commands& commands) {
     options.add("--columns", typed.columns,
                 "further columns: \"E = x'^2/2 + x^2/2; r; x''\", new definitions, names of definitions, "
                 "highest derivatives");
+    options.add("--sensitivities", typed.sensitivities,
+                "further columns dx/da: derivatives of the solution at fixed time by initial values (named "
+                "as x; all for all) and parameters: \"x,x',a\"");
+    options.add("--control-sensitivities", typed.control_sensitivities,
+                "let the tolerance also bound the errors of the sensitivities in each step (default only "
+                "those of the solution)");
     options.add(
         "--event", typed.events,
         "print a row at each zero: \"x=0\", \"apex: x'=0 falling\" (with a name), \"x=0 rising end\" (end "

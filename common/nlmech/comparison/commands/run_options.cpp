@@ -82,9 +82,11 @@ MakeProblem problem_of(const TypedOptions& typed) {
   } else {
     make = library_problem(typed.problem);
   }
-  return [make, set](program::Settings values) {
+  return [make, set, sensitivities = typed.sensitivities,
+          controlled = typed.control_sensitivities](program::Settings values) {
     values.insert(set.begin(), set.end());  // keeps values that are there already
-    return make(values);
+    UserProblem problem = make(values);
+    return sensitivities.empty() ? problem : with_sensitivities(problem, sensitivities, controlled);
   };
 }
 

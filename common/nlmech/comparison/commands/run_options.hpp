@@ -40,6 +40,8 @@ struct TypedOptions {
   std::vector<std::string> changes;    ///< `--set-at`, each
   std::string section;                 ///< `--section`
   std::vector<std::string> columns;    ///< `--columns`, each
+  std::string sensitivities;           ///< `--sensitivities`
+  bool control_sensitivities = false;  ///< `--control-sensitivities`
   std::string states;                  ///< `--states`, a file
   std::optional<int> threads;          ///< `--threads`
   bool no_verify = false;              ///< `--no-verify`

@@ -16,6 +16,7 @@
 #include "nlmech/comparison/reference/verification.hpp"
 #include "nlmech/ivp/ensemble/integrate_all.hpp"
 #include "nlmech/ivp/named/named_integrators.hpp"
+#include "nlmech/ivp/sensitivities.hpp"
 #include "nlmech/scene/program/this_process.hpp"
 #include "nlmech/scene/table.hpp"
 #include "nlmech/support/doubles.hpp"
@@ -92,7 +93,7 @@ class Run {
         other_(other),
         t1_(options.t1),
         accuracy_(accuracy_of(options)),
-        one_(ivp::within_domain(one, problem.domain, accuracy_, &rests_)),
+        one_(integrator_of(ivp::within_domain(one, problem.domain, accuracy_, &rests_), problem)),
         finder_(events_of(options), accuracy_, one_) {
     found_.rows = fmt::format("t,{}{}\n", fmt::join(printed_names(problem, options), ","),
                               options.events.empty() ? "" : ",event");
@@ -146,6 +147,9 @@ class Run {
     std::vector<ivp::Event> events;
     for (const WantedEvent& e : options.events) events.push_back(e.event);
     return events;
+  }
+  static ivp::NamedIntegrator integrator_of(const ivp::NamedIntegrator& run, const UserProblem& problem) {
+    return problem.scaled ? ivp::controlled_by_solution(run, *problem.scaled) : run;
   }
   // Default accuracy for a fixed step.
   static ivp::StateAccuracy accuracy_of(const RunOptions& options) {
@@ -436,6 +440,11 @@ Trajectory Run::finish(ivp::Solution end) {
     if (!options_.section && end.t != options_.t0) print(end.t, end.x, "");
     throw RunFailure(Failure(with_turns(end.status)), std::move(found_.rows));
   }
+  if (rests_ && problem_.text.layout().columns > 0)
+    throw Failure(failed_with(Outcome::outside_validity,
+                              "{}: the argument of a root or power reaches zero, where sensitivities are not "
+                              "defined; end before, or leave out --sensitivities",
+                              method_.name));
   t1_ = end.t;
   // The row of an event at the end is already printed.
   if (finder_.ended() || (!finder_.hits().empty() && finder_.hits().back().t == t1_))

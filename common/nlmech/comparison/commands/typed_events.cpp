@@ -108,7 +108,7 @@ std::vector<WantedEvent> events_of(const std::string& option, const std::string&
     ivp::Event one = problem.event(option, equation);
     one.crossing = event.crossing;
     one.ends = event.ends;
-    events.push_back({name.empty() ? all : name, std::move(one), {}});
+    events.push_back({name.empty() ? all : name, std::move(one), equation});
   };
   const std::vector<double> times = times_of(option, text);
   if (times.empty()) add(text);
@@ -132,20 +132,23 @@ void add_change(const std::string& option, const std::string& typed, const UserP
   const std::string name = take_name(text);
   if (name.empty()) throw refuse("give the name of an event and what it changes: \"bounce: y' = -0.8 y'\"");
   std::vector<std::pair<Eigen::Index, StateFunction>> values;
+  std::vector<std::pair<int, std::string>> texts;
   while (!text.empty()) {
     const std::string one = scene::trimmed(text.substr(0, text.find(';')));
     text.erase(0, text.find(';') == std::string::npos ? text.size() : text.find(';') + 1);
     if (one.empty()) continue;
     const std::size_t sign = one.find('=');
     const std::string component = scene::trimmed(one.substr(0, sign));
-    const auto known = std::ranges::find(problem.state_names, component);
-    if (sign == std::string::npos || known == problem.state_names.end())
-      throw refuse(fmt::format("{}: must be one of {} = its new value", quoted_input(one),
-                               fmt::join(problem.state_names, ", ")));
-    const Eigen::Index i = known - problem.state_names.begin();
+    const std::vector<std::string> names = problem.text.component_names();
+    const auto known = std::ranges::find(names, component);
+    if (sign == std::string::npos || known == names.end())
+      throw refuse(
+          fmt::format("{}: must be one of {} = its new value", quoted_input(one), fmt::join(names, ", ")));
+    const Eigen::Index i = problem.text.layout().place(static_cast<int>(known - names.begin()));
     if (std::ranges::find(values, i, &std::pair<Eigen::Index, StateFunction>::first) != values.end())
       throw refuse(fmt::format("{} has two values; give one", component));
     values.emplace_back(i, problem.expression(option, one.substr(sign + 1)));
+    texts.emplace_back(static_cast<int>(i), one.substr(sign + 1));
   }
   if (values.empty()) throw refuse("give what the event changes: \"bounce: y' = -0.8 y'\"");
   bool found = false;
@@ -157,6 +160,16 @@ void add_change(const std::string& option, const std::string& typed, const UserP
       if (!is_new)
         throw refuse(fmt::format("another change of {} gives {} a value; leave one of them out",
                                  quoted_input(name), problem.state_names[static_cast<std::size_t>(i)]));
+    }
+    if (problem.text.layout().columns > 0) {
+      if (event.event.change)
+        throw refuse("with --sensitivities an event has one list of changes; join them by ;");
+      event.event.change = [change = problem.text.change_at(option, event.equation, texts)](double t,
+                                                                                            ivp::State& x) {
+        const ivp::State old = x;
+        change.run(t, old, 0, change.outputs(), [&x](int i, double value) { x[i] = value; });
+      };
+      continue;
     }
     event.event.change = [values, before = std::move(event.event.change)](double t, ivp::State& x) {
       if (before) before(t, x);

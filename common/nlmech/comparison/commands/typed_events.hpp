@@ -16,6 +16,7 @@ namespace nlmech::comparison {
 struct WantedEvent {
   std::string name;                     ///< printed name: the typed one or the equation as typed
   ivp::Event event;                     ///< event for the integrator
+  std::string equation;                 ///< its equation as typed: "x = 0"
   std::optional<double> at = {};        ///< time of the event, if it is one of a typed list of times
   std::set<Eigen::Index> changed = {};  ///< components that the event changes
 };

@@ -9,6 +9,7 @@
 #include <memory>
 #include <mutex>
 
+#include "nlmech/ivp/sensitivities.hpp"
 #include "nlmech/problems/texts.hpp"
 #include "nlmech/program/problem.hpp"
 #include "nlmech/program/syntax.hpp"
@@ -76,10 +77,11 @@ ivp::State UserProblem::initial_state(const std::string& typed) const {
   if (typed.empty() || typed.find('=') != std::string::npos)
     return state_of(program::Equations(text).initial_state("--initial", typed));
   const std::vector<double> x = scene::typed_numbers("--initial", typed);
-  if (x.size() != state_names.size())
+  const std::vector<std::string> components = text.component_names();
+  if (x.size() != components.size())
     throw input_error("--initial {}: {} numbers for the {} components {} of {}: {}", quoted_input(typed),
-                      x.size(), state_names.size(), fmt::join(state_names, ","), name, equation);
-  return state_of(x);
+                      x.size(), components.size(), fmt::join(components, ","), name, equation);
+  return state_of(text.with_initial_sensitivities(x));
 }
 
 Columns UserProblem::columns(const std::vector<std::string>& typed) const {
@@ -121,9 +123,9 @@ ivp::Event UserProblem::event(const std::string& option, const std::string& type
   return ivp::event_of(names.graph(), node, names.slopes());
 }
 
-UserProblem typed_problem(const program::SourceText& source, const program::Settings& settings,
-                          std::string_view name, const program::TableReader& read_table) {
-  const program::Equations equations(source, settings, read_table);
+namespace {
+
+UserProblem problem_of(const program::Equations& equations, std::string_view name) {
   const program::Problem problem(equations);
   const auto extended = [problem](const WorkLimit& effort) {
     // A Taylor series in extended precision does not detect switches, and may round their known times to
@@ -142,6 +144,31 @@ UserProblem typed_problem(const program::SourceText& source, const program::Sett
           .extended = extended,
           .domain = std::make_shared<const ivp::Domain>(equations),
           .text = equations};
+}
+
+}  // namespace
+
+UserProblem typed_problem(const program::SourceText& source, const program::Settings& settings,
+                          std::string_view name, const program::TableReader& read_table) {
+  return problem_of(program::Equations(source, settings, read_table), name);
+}
+
+UserProblem with_sensitivities(const UserProblem& problem, const std::string& typed, bool controlled) {
+  std::vector<std::string> names;
+  for (const std::string& piece : scene::split(typed, ',')) {
+    const std::string name = scene::trimmed(piece);
+    if (name == "all")
+      names.insert(names.end(), problem.state_names.begin(), problem.state_names.end());
+    else
+      names.push_back(name);
+  }
+  const auto extended = [&](double scale) {
+    return problem.text.with_sensitivities("--sensitivities", names, scale);
+  };
+  UserProblem made = problem_of(extended(1), problem.name);
+  made.event_lines = problem.event_lines;
+  if (!controlled) made.scaled = ivp::System(program::Problem(extended(ivp::unseen_scale)));
+  return made;
 }
 
 program::TableReader table_reader(const std::filesystem::path& folder) {

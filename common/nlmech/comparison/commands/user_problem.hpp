@@ -43,15 +43,18 @@ struct UserProblem {
   std::string name;                                        ///< "three-dof"; "the equation" of a user
   std::string equation;                                    ///< summary of the equations as text
   std::vector<std::pair<std::string, double>> parameters;  ///< names and values of the parameters
-  std::vector<std::string> state_names;  ///< names of the components, also of their columns: "x1", "x1'"
-  double t0 = 0;                         ///< initial time of the text; 0 if the text has none
-  std::optional<double> t1;              ///< end time of the text, if it has one
-  ivp::System system;                    ///< equations for the integrators
+  /// Names of the components, also of their columns: "x1", "x1'", "dx1/da".
+  std::vector<std::string> state_names;
+  double t0 = 0;             ///< initial time of the text; 0 if the text has none
+  std::optional<double> t1;  ///< end time of the text, if it has one
+  ivp::System system;        ///< equations for the integrators
   /// Computations in extended precision for references; may be none.
   std::function<std::vector<Candidate>(const WorkLimit&)> extended;
   std::shared_ptr<const ivp::Domain> domain = {};  ///< domain of the equations
   program::Equations text;                         ///< parsed equations
   std::vector<EventLine> event_lines = {};         ///< event lines of the text
+  /// With sensitivities that the tolerances do not control: the equations for controlled_by_solution().
+  std::optional<ivp::System> scaled = {};
 
   /// Initial state from numbers in the order of the state, or from expressions for some components, "x=1,
   /// x'=pi/2"; other components have their values of the text.
@@ -85,6 +88,13 @@ using MakeProblem = std::function<UserProblem(const program::Settings&)>;
 [[nodiscard]] UserProblem typed_problem(const program::SourceText& source, const program::Settings& settings,
                                         std::string_view name = "the equation",
                                         const program::TableReader& read_table = {});
+
+/// The problem with sensitivities as further components.
+/// @param typed names of initial values and parameters, separated by commas; all: all initial values
+/// @param controlled do the tolerances control the errors of the sensitivities?
+/// @throws InputError naming `--sensitivities` and the name
+[[nodiscard]] UserProblem with_sensitivities(const UserProblem& problem, const std::string& typed,
+                                             bool controlled);
 
 /// Reader of tables in files of @p folder: two columns, time and value, with or without a header. It reads
 /// each file once.
