@@ -63,6 +63,15 @@ a span's weight, with a moment of -w l^2/8 = -1.25; the spans have 9/128 w l^2. 
   $ sed 's/A = \["x", "y"\]/A = ["x", "y", "rotation"]/; s/B = \["y"\]/B = ["y", "rotation"]/' spans.toml > clamped.toml
   $ frame clamped.toml --at 1 --forces | sed '1s/[.-]/_/g' | holds 'A_rotation_force = 2.5*4/12 +- 1e-5' 'A_B_moment = -2.5*4/12 +- 1e-5' 'B_C_moment = -2.5*4/8 +- 1e-5'
 
+A clamped beam has no node that moves, and needs none for its forces: -w l^2/12 at its ends, w l^2/24 in its middle:
+
+  $ sed 's/base = \["x/tip = ["x", "y", "rotation"]\n&/; s/y = -1/y = -24/' frames/heavy-cantilever.toml > clamped.toml
+  $ frame clamped.toml --at 1e-3 --forces | sed '1s/[.-]/_/g' | holds 'tip_rotation_force = -2e-3 +- 1e-6' 'base_tip_moment = -2e-3 +- 1e-6' 'load_factor = 1e-3'
+  $ refused homotopy frame clamped.toml --at 1e-3 --elements 1
+  homotopy: clamped.toml, line 12: all nodes are fixed; take more elements, or add a node that moves
+  $ refused homotopy frame clamped.toml --at 1e-3 --plot beam.svg
+  homotopy: --plot: all nodes of the file are fixed; add one where the frame moves
+
 The deck's cantilever that sags by half of its length, by the elastica:
 
 # oracle: homotopy_deck heavy-cantilever load at -0.5

@@ -63,8 +63,7 @@ void declare(scene::Options& options, FrameOptions& typed) {
   options
       .add("--modes", typed.modes,
            "the lowest modes of linear buckling and of vibration instead of the path, under the constant "
-           "loads "
-           "or at the load factors --at: their number")
+           "loads or at the load factors --at: their number")
       .range(1, 1000);
   options
       .add("--turn", typed.turn,
@@ -382,6 +381,8 @@ void work(const FrameOptions& typed) {
         fmt::format("frame: imperfection of {:.6g} in the shape of the {} at load factor {:.10g}",
                     file.model.imperfection->amplitude, to_string(made.buckled.kind), made.buckled.load));
   const frames::NamedFrame& frame = made.frame;
+  if (picture.wanted() && frame.motions.empty())
+    throw InputError("--plot: all nodes of the file are fixed; add one where the frame moves");
   if (typed.dynamic.is_wanted) return move(typed, file, frame, picture);
   if (typed.modes) return print_modes(typed, file, made);
   frames::PathOptions options = path_options_of(typed);

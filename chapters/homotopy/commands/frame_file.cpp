@@ -430,14 +430,14 @@ frames::NamedFrame build_frame(const FrameFile& file, int elements) {
     }
   };
   frames::NamedFrame frame = built(file, elements);
-  // The validity of a load case does not depend on the number of elements.
+  // The validity of a load case does not depend on the number of elements; 2 have inner nodes, as more have.
   for (const FrameFile& other : file.others) {
     FrameFile whole = file;
     whole.model.loads = other.model.loads;
     whole.model.displacements = other.model.displacements;
     for (const ModelPart part : {ModelPart::loads, ModelPart::displacements})
       whole.lines[static_cast<std::size_t>(part)] = other.lines[static_cast<std::size_t>(part)];
-    static_cast<void>(built(whole, 1));
+    static_cast<void>(built(whole, std::min(elements, 2)));
   }
   return frame;
 }

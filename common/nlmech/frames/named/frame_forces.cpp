@@ -37,8 +37,9 @@ BeamState state_of(const FrameModel& model, const NamedFrame& frame, const Eigen
 /// Section at an end of a beam-column: 0 or 1.
 SectionForces section(const BeamState& s, int end) {
   const double angle = s.angle + (end == 0 ? s.half : -s.half) + s.turns[end], side = end == 0 ? -1 : 1;
-  const double c = std::cos(angle), q = std::sin(angle), x = s.forces[3 * end], y = s.forces[3 * end + 1];
-  return {side * (x * c + y * q), side * (x * q - y * c), side * s.forces[3 * end + 2]};
+  const double c = std::cos(angle), q = std::sin(angle);
+  const Eigen::Vector3d force = s.forces.segment<3>(3L * end);
+  return {side * (force[0] * c + force[1] * q), side * (force[0] * q - force[1] * c), side * force[2]};
 }
 
 /// The moment of the greatest size along a beam-column.

@@ -426,8 +426,9 @@ NamedFrame build(const FrameModel& model, int elements) {
                   "mechanism; give it a support or a member",
                   quoted_input(model.nodes[at].name), to_string(mechanism->motion));
   }
-  if (is_all_fixed && supports.size() == fixed.size())
-    throw refusal(ModelPart::supports, 0, "all nodes are fixed");
+  if (is_all_fixed && supports.size() == fixed.size() && divided.nodes.size() == model.nodes.size())
+    throw refusal(ModelPart::supports, 0,
+                  "all nodes are fixed; take more elements, or add a node that moves");
   NamedFrame f{.frame = frame_of(divided, supports), .members = divided.origins, .supports = supports};
   require_spring_motions(model, f.frame);
   f.mass = masses_of(model, names, f.frame, f.members);

@@ -254,7 +254,7 @@ class PathTracer {
             outcome, "frame: the path has no point at the load factor {:.10g}; take shorter steps (turn)",
             load);
       else
-        add(FramePoint::Kind::step, point, point.negative);
+        add_at_load(point, load);
     };
     if (from.load < to.load)
       std::for_each(how_.at.begin(), how_.at.end(), add_at);
@@ -269,7 +269,7 @@ class PathTracer {
     PathPoint last;
     const Outcome outcome = path_.crossing(to.load < 0 ? -end : end, from, to, last);
     if (outcome == Outcome::success)
-      add(FramePoint::Kind::step, last, last.negative);
+      add_at_load(last, to.load < 0 ? -end : end);
     else
       lost_ =
           failed_with(outcome,
@@ -277,6 +277,12 @@ class PathTracer {
                       "where it should end: the two points are not on one path; take shorter steps (turn)",
                       from.load, to.load, to.load < 0 ? -end : end);
     return true;
+  }
+
+  /// Adds a point at a given load factor, which the scales of the path have rounded.
+  void add_at_load(PathPoint& p, double load) {
+    p.load = load;
+    add(FramePoint::Kind::step, p, p.negative);
   }
 
   void add(FramePoint::Kind kind, const PathPoint& p, Eigen::Index negative, const Eigen::VectorXd& mode = {},

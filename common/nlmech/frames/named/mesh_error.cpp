@@ -80,6 +80,7 @@ class Comparison {
   }
 
   void compare_steps(const Stretch& own, const Stretch& other, bool is_whole) {
+    if (m_.frame.motions.empty()) return;  // nothing to compare
     for (std::size_t i = own.begin; i <= own.end && time_.seconds() < seconds_; ++i) {
       const FramePoint& p = m_.paths.points[i];
       if (p.kind != FramePoint::Kind::step) continue;
