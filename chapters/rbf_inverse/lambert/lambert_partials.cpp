@@ -68,7 +68,7 @@ void put(const std::vector<Family>& all, scene::Show& show) {
   for (const auto& [name, value] :
        {std::pair("in the plane", &Row::in_plane), {"across the plane", &Row::across}}) {
     scene::Panel& panel = plot.panel("transfer angle (degrees)", "|∂v_1/∂r_2| (√(μ/r_1^3))");
-    panel.caption(name).x_range(0, 360).log_y(1e-2, 1e2).key("top center").set("xtics 60");
+    panel.caption(name).x_range(0, 360).log_y(1e-2, 1e2).key("bottom center").set("xtics 60");
     for (const Family& f : all) panel.curve(f.name, f.rows, &Row::degrees, value);
   }
   double worst = 0, by_g = 0;

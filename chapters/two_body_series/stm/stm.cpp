@@ -64,7 +64,7 @@ std::vector<Row> measure(bool quick) {
   for (const double e : {0.1, 0.7, 0.99}) {
     const State start = on_ellipse(e);
     for (int i = -4; i <= 16; i += quick ? 4 : 1) {
-      const double orbits = std::pow(10, i / 4.0), time = orbits * revolution;
+      const double orbits = 1.1 * std::pow(10, i / 4.0), time = orbits * revolution;
       const TransitionMatrix reference = exact(start, time);
       const auto kappa = orbit::kepler_condition(start, time, 1);
       const auto add = [&](const char* method, const TransitionMatrix& phi) {
@@ -101,8 +101,8 @@ void put(const std::vector<Row>& all, scene::Show& show) {
                                    {"central differences", 0.7, 5}};
   for (const bool errors : {true, false}) {
     scene::Panel& panel = plot.panel("orbits", errors ? "relative error of Φ" : "|Φ^TJΦ − J| / |Φ|^2");
-    panel.log_x(0.1, 1e4).log_y(errors ? 1e-16 : 1e-20, errors ? 1e-2 : 1e-6);
-    panel.key(errors ? "top left font 'sans-serif,11'" : "off");
+    panel.log_x(0.1, 1.2e4).log_y(errors ? 1e-16 : 1e-20, errors ? 1 : 1e-6);
+    panel.key(errors ? "off" : "at graph 0.98, graph 0.76 right font 'sans-serif,11'");
     for (const Line& line : lines) {
       std::vector<double> x, y;
       for (const Row& r : all) {

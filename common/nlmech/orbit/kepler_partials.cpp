@@ -80,9 +80,9 @@ bool is_approach(double speed, double time) {
   return (1 - speed * std::abs(time)) * speed * std::sqrt(speed) > 8;
 }
 
-/// State and derivatives by dual numbers on a hyperbola for which kepler_state() uses Flyby; before the
+/// Derivatives by dual numbers on a hyperbola for which kepler_state() uses Flyby; before the
 /// passage of a fast body without the periapsis.
-KeplerTransition by_dual_numbers(const State& start, double time, double mu) {
+void by_dual_numbers(const State& start, double time, double mu, KeplerTransition& k) {
   BasicState<D> s;
   for (int i = 0; i < 3; ++i) {
     s.position[i] = D::variable(start.position[i], i);
@@ -100,13 +100,11 @@ KeplerTransition by_dual_numbers(const State& start, double time, double mu) {
     end = flyby_with_derivatives(direction, v, t);
     end = {r0 * end.position, speed * end.velocity};
   }
-  KeplerTransition k{.state = kepler_state(start, time, mu)};
   for (Eigen::Index i = 0; i < 6; ++i) {
     const auto& partial = (i < 3 ? end.position[i] : end.velocity[i - 3]).partial;
     for (std::size_t j = 0; j < 6; ++j) k.transition(i, static_cast<Eigen::Index>(j)) = partial[j];
     k.by_mu[i] = partial[6];
   }
-  return k;
 }
 
 /// c_4 and c_5 (see Stumpff) for the c_2 and c_3 @p c: by power series for |psi| <= 4, whose last term is
@@ -205,22 +203,23 @@ KeplerTransition kepler_partials(const State& start, double time, double mu) {
   const Ended e(d, w, t);
   const auto& at = e.at;
   KeplerTransition k;
-  // The terms of r over r, against 10 |w|: Flyby loses digits with the speed.
-  const double terms = at.u0 + std::abs(sigma * at.u1) + at.u2;
-  if (ww > 3 && sigma * t < 0 && terms * terms > 100 * ww * at.r * at.r) {
-    k = by_dual_numbers(start, time, mu);
-  } else {
-    k.state = is_flyby(ww, sigma, t)
-                  ? kepler_state(start, time, mu)
+  const bool flyby = is_flyby(ww, sigma, t);
+  k.state = flyby ? kepler_state(start, time, mu)
                   : moved(start, LagrangeCoefficients<double>{1 - at.u2, (at.u1 + sigma * at.u2) / rate,
                                                               -at.u1 / at.r * rate, 1 - at.u2 / at.r, 0});
+  const double r = std::sqrt(k.state.position.dot(k.state.position));
+  // Towards a periapsis the terms of r cancel, up to all digits; Flyby loses digits with the speed.
+  const double terms = at.u0 + std::abs(sigma * at.u1) + at.u2;
+  if (flyby && sigma * t < 0 &&
+      !(terms * terms <= 100 * ww * at.r * at.r && std::abs(at.r * r0 - r) <= 1e-3 * r)) {
+    by_dual_numbers(start, time, mu, k);
+  } else {
     add_derivatives(e, k);
     k.transition.topRightCorner<3, 3>() /= rate;
     k.transition.bottomLeftCorner<3, 3>() *= rate;
     k.by_mu.head<3>() *= r0 / mu;
     k.by_mu.tail<3>() *= speed / mu;
   }
-  const double r = std::sqrt(k.state.position.dot(k.state.position));
   k.by_time << k.state.velocity, -(mu / r / r / r) * k.state.position;
   return k;
 }
