@@ -4,8 +4,10 @@
 
 #include <cmath>
 #include <complex>
+#include <functional>
 #include <random>
 #include <string>
+#include <utility>
 
 #include "nlmech/comparison/choice/choice.hpp"
 #include "nlmech/comparison/commands/runs.hpp"
@@ -109,7 +111,8 @@ TEST(DefaultMethod, AnswersWhatIsForced) {
 }
 
 /// Integration from @p x0 by the default method, or by another one if its result is wrong.
-Trajectory default_run(const std::string& text, double x0, double end) {
+Trajectory default_run(const std::string& text, double x0, double end,
+                       const std::function<bool(double t)>& reached = {}) {
   const auto problem = typed_problem(program::SourceText("equation", text), {});
   const RunOptions options{.x0 = State::Constant(1, x0),
                            .t0 = 0,
@@ -118,7 +121,8 @@ Trajectory default_run(const std::string& text, double x0, double end) {
                            .every = {},
                            .order = problem.printed_order(""),
                            .limits = {.seconds = 60},
-                           .verify = true};
+                           .verify = true,
+                           .reached = reached};
   return default_trajectory(problem, options, default_method(problem, options));
 }
 
@@ -149,6 +153,26 @@ TEST(DefaultMethod, ReportsTheUsualMethodWhereNoneArrives) {
     ADD_FAILURE() << "it ends at t = 1";
   } catch (const Failure& failure) {
     EXPECT_NE(std::string(failure.what()).find("series"), std::string::npos) << failure.what();
+  }
+}
+
+/// Time and state of the last row.
+std::pair<double, double> last_row(const std::string& rows) {
+  const std::string last = rows.substr(rows.rfind('\n', rows.size() - 2) + 1);
+  return {std::stod(last), std::stod(last.substr(last.find(',') + 1))};
+}
+
+TEST(DefaultMethod, EndsWhereItsCallerWantsWithTheRowsUpToThere) {
+  double latest = 0;
+  const auto until_one = [&latest](double t) { return latest < 1 && (latest = t) < 1; };
+  try {
+    (void)default_run("x' = cos(10 t)", 0, 1000, until_one);
+    ADD_FAILURE() << "it was interrupted";
+  } catch (const RunFailure& failure) {
+    EXPECT_EQ(failure.status().outcome(), Outcome::interrupted);
+    const auto [t, x] = last_row(failure.rows());
+    EXPECT_EQ(t, latest);
+    EXPECT_NEAR(x, std::sin(10 * t) / 10, 1e-7);  // 100 steps' errors of 1e-9
   }
 }
 
