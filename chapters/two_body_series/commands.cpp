@@ -246,7 +246,7 @@ orbit::Vector3<double> vector_of(const char* option, const std::vector<double>& 
 
 /// State of --position and --velocity. @throws InputError
 orbit::State state_of(const TypedStates& s) {
-  const orbit::State state{vector_of("--position", s.position), vector_of("--velocity", s.velocity)};
+  orbit::State state{vector_of("--position", s.position), vector_of("--velocity", s.velocity)};
   refuse_centre(state);
   return state;
 }

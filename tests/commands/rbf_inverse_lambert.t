@@ -27,7 +27,7 @@ All of them in one file, and one of them by the direction of motion about the z 
   short,prograde,1,low,success
   short,prograde,1,high,success
   long,retrograde,0,,success
-  $ for arc in "" "--revolutions 1 --branch low" "--revolutions 1 --branch high" --long-way; do lambert $printed $arc | tail -1; done > each.txt
+  $ for one in "" "--revolutions 1 --branch low" "--revolutions 1 --branch high" --long-way; do lambert $printed $one | tail -1; done > each.txt
   $ tail -n +2 all.csv | cut -d, -f 5-11 | cmp - each.txt
   $ lambert $printed --direction prograde | cmp - short.csv
   $ lambert $printed --direction retrograde | tail -1 > long.txt
@@ -179,6 +179,6 @@ Mistakes
 The positions determine the plane, and a normal along the departure none:
 
   $ options --plane 0,0,1
-  rbf_inverse: --plane 0,0,1: the positions are 33.* degrees apart and determine the plane; leave it out (it is for 170 degrees and more) (glob)
+  rbf_inverse: --plane 0,0,1: the positions are 28.998 degrees apart and determine the plane; leave it out (it is for 170 degrees and more)
   $ wrong $half --plane 1,0,0
   rbf_inverse: --plane 1,0,0: lambert: the plane's normal (1, 0, 0) is along the departure; it must be across it

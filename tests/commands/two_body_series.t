@@ -138,7 +138,7 @@ What a motion does not determine is said: nodes in the plane of reference, apsid
   two_body_series: altitude=0: the altitude stays the same to within rounding from t = 0 to 9: no row is determined there
   3
   $ propagate $fall --method kepler --until 4 --events apsides
-  two_body_series: collision: kepler: the body passes so near the centre at t = 3.14159265 that doubles do not resolve events there; end the run before, or leave out --events
+  two_body_series: outside_validity: Kepler's problem: rounding of the data leaves the place after 3.14159 undetermined * (glob)
   [1]
 
 Elements

@@ -264,8 +264,8 @@ void add_arcs(const Arc& a, const orbit::TransferProblem& p, bool long_way, doub
   for (int m = 0; m <= a.revolutions.value_or(most_revolutions); ++m) {
     if (m > many && !a.revolutions)
       throw InputError(
-          fmt::format("--time {}: allows more than {} revolutions; give the largest number of "
-                      "rows by --revolutions M",
+          fmt::format("--time {}: allows more than {} revolutions; give the largest number "
+                      "by --revolutions M",
                       p.time, many));
     for (const auto branch : {orbit::LambertBranch::low, orbit::LambertBranch::high}) {
       if (m == 0 && branch == orbit::LambertBranch::high) continue;

@@ -35,7 +35,7 @@ class EventFinder::Functions : public BasicDenseOutput<ivp::State> {
   }
   void begin(const Step& step) {
     step_ = &step;
-    noise_ = 2 * tolerance_ * (10 + std::sqrt(static_cast<double>(step.index)));
+    noise_ = tolerance_ * (20 + static_cast<double>(step.index) / 16);
     length_ = step.x0.position.stableNorm();
     speed_ = std::max(step.x0.velocity.stableNorm(), std::sqrt(gravity_.mu / length_));
     own_.mu = gravity_.mu / length_ / speed_ / speed_;
