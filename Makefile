@@ -105,10 +105,12 @@ randomised: build
 	  NLMECH_RANDOMISED_SEED=$$seed ctest --test-dir $(BUILD) -R '^long/randomised/' -j2 --output-on-failure || failed=1; done; \
 	scripts/randomised-table $(BUILD)/randomised > tables/RANDOMISED.md.new && mv tables/RANDOMISED.md.new tables/RANDOMISED.md; exit $$failed
 
-# Runs each program of tools/oracles and compares with tables/reference/oracles; then sources with these rows.
+# Runs each program of tools/oracles and compares with tables/reference/oracles; then sources with these rows; then the references of the test set
+# for boundary values.
 oracles: configure
 	@cmake --build $(BUILD) --target reference_programs
 	@scripts/oracles run && scripts/oracles uses
+	@python3 -B tools/bvp_test_set_references.py | diff tables/reference/bvp_test_set.csv - >&2
 
 # All chapters are checked before the command says whether a check failed.
 check: figures

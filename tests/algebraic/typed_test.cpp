@@ -113,6 +113,8 @@ TEST(Roots, AreAsRightInAnyUnits) {
   expect_root("1e12 x^3 = 8e12", "x=1", Eigen::VectorXd::Constant(1, 2));
   expect_root("1e-200 (x - 3) = 0", "x=1", Eigen::VectorXd::Constant(1, 3));
   expect_root("x^2/1e30 = 4", "x=1e14", Eigen::VectorXd::Constant(1, 2e15));
+  expect_root("x^2 = 4e300", "x=1", Eigen::VectorXd::Constant(1, 2e150));  // |F|^2 overflows
+  expect_root("x^3 = 8e-300; y x = 2e-100", "x=1, y=3", Eigen::Vector2d(2e-100, 1));
 }
 
 TEST(Roots, ThatAreNoneAreRefused) {
@@ -229,6 +231,15 @@ TEST(TypedPath, GoesThroughFolds) {
   EXPECT_NEAR(maxima[0].x[0], 0, 1e-7);  // the square root of rounding
   EXPECT_NEAR(paths.points.back().parameter, 0, 1e-14);
   EXPECT_NEAR(paths.points.back().x[0], -1, 1e-14);
+}
+
+TEST(TypedPath, KeepsThePointsFoundWithinItsTime) {
+  const TypedSystem system = system_of("x^2 + a = 1", {.parameter = "a"});
+  const TypedPaths paths =
+      follow_paths(system, Eigen::VectorXd::Ones(1), {.from = 0, .until = 2, .seconds = 0});
+  EXPECT_EQ(paths.status.outcome(), Outcome::time_limit);
+  ASSERT_FALSE(paths.points.empty());
+  EXPECT_EQ(paths.points.front().x[0], 1);
 }
 
 TEST(TypedPath, GoesThroughFoldsOfOneEquationToTheLastBit) {

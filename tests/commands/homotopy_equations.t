@@ -31,6 +31,8 @@ Units do not matter:
 
   $ homotopy solve --equation "x^2 = 1e-20" --start x=1 | holds 'x = mpf(10)^-10 +- 1e-24' 'root = "proved"'
   $ homotopy solve --equation "1e12 x^3 = 8e12" --start x=1 | holds 'x = 2 +- 1e-15'
+  $ homotopy solve --equation "x^2 = 2e300" --start x=1 | holds 'x = sqrt(2*mpf(10)^300) +- 1e135'
+  solve: from the given start no solver found a root; this one is from other start 1
 
 Singular roots, and points that are none
 ----------------------------------------
@@ -107,6 +109,15 @@ Paths in a parameter
   0,bifurcation,0
   $ homotopy path --equation "energy = x^4/4 - a x^2/2" --start x=0 --parameter "a = -1:1" --branches 2 > path.csv
   $ holds --where branch=2 'x^2 = a +- 1e-12' < path.csv
+
+A path that reaches its limit of time keeps the points found:
+
+  $ homotopy path --equation "x^2 + a = 1" --start x=1 --parameter "a = 0:2" --limit 1e-9 > path.csv
+  homotopy: time_limit: all points found are printed, but a branch did not reach its end: path: 1e-09 s end at a parameter of 0
+  [1]
+  $ cat path.csv
+  branch,kind,a,x
+  0,step,0,1
 
 Mistakes
 --------

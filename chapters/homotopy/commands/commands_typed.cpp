@@ -103,6 +103,25 @@ std::vector<algebraic::TypedSolver> solvers_of(const algebraic::TypedSystem& sys
   return chosen;
 }
 
+std::set<std::string> names_in_box(const std::string& box) {
+  std::set<std::string> names;
+  if (box.empty()) return names;
+  for (const algebraic::NamedRange& range : algebraic::read_ranges("--box", box)) names.insert(range.name);
+  return names;
+}
+
+algebraic::Box box_of(const algebraic::TypedSystem& system, const std::string& box) {
+  const std::vector<algebraic::NamedRange> ranges = algebraic::read_ranges("--box", box);
+  algebraic::Box all;
+  for (const std::string& name : system.names()) {
+    const auto range = std::ranges::find(ranges, name, &algebraic::NamedRange::name);
+    if (range == ranges.end()) throw input_error("--box {}: {} needs a range", box, quoted_input(name));
+    all.emplace_back(std::min(range->low, range->high), std::max(range->low, range->high));
+  }
+  if (ranges.size() != all.size()) throw input_error("--box {}: has a name that is no unknown", box);
+  return all;
+}
+
 std::string columns_of(const algebraic::TypedSystem& system) {
   std::string text;
   for (const std::string& name : system.names()) text.append(scene::csv_field(name)).append(",");

@@ -34,6 +34,12 @@ void declare_roots(scene::Options& options, TypedRoots& typed);
                                                              const std::string& option,
                                                              const std::vector<std::string>& names);
 
+/// Names in a box "x=-5:5, y=0:2"; none in an empty text. @throws InputError
+[[nodiscard]] std::set<std::string> names_in_box(const std::string& box);
+
+/// The box. @throws InputError naming --box unless it has a range for each unknown, and no other
+[[nodiscard]] algebraic::Box box_of(const algebraic::TypedSystem& system, const std::string& box);
+
 /// "x,y,": names as columns of CSV, each before a comma.
 [[nodiscard]] std::string columns_of(const algebraic::TypedSystem& system);
 

@@ -73,19 +73,16 @@ std::vector<Eigen::VectorXd> starts_of(const CompareOptions& typed, const TypedS
   if (typed.starts == 0) return {system.start("--start", typed.roots.start)};
   if (typed.box.empty())
     return starts_around(system, system.start("--start", typed.roots.start), 10, typed.starts);
-  Eigen::VectorXd middle(system.size()), half = Eigen::VectorXd::Constant(system.size(), -1);
-  for (const algebraic::NamedRange& range : algebraic::read_ranges("--box", typed.box)) {
-    const auto found = std::ranges::find(system.names(), range.name);
-    if (found == system.names().end()) throw input_error("--box: {} is no unknown", range.name);
-    const auto i = found - system.names().begin();
-    middle[i] = (range.low + range.high) / 2;
-    half[i] = std::abs(range.high - range.low) / 2;
-  }
-  if (half.minCoeff() < 0) throw input_error("--box {}: every unknown needs a range, x=-5:5", typed.box);
+  const algebraic::Box box = box_of(system, typed.box);
   std::vector<Eigen::VectorXd> all =
       starts_around(system, Eigen::VectorXd::Zero(system.size()), 1, typed.starts);
-  for (Eigen::VectorXd& x : all)
-    x = (middle + half.cwiseProduct(x)).cwiseMax(system.lower()).cwiseMin(system.upper());
+  for (Eigen::VectorXd& x : all) {
+    for (Eigen::Index i = 0; i < x.size(); ++i) {
+      const program::Interval& side = box[static_cast<std::size_t>(i)];
+      x[i] = side.low + side.width() * (x[i] + 1) / 2;
+    }
+    x = x.cwiseMax(system.lower()).cwiseMin(system.upper()).eval();
+  }
   return all;
 }
 
@@ -183,14 +180,7 @@ scene::Figure basin_picture(const std::vector<Runs>& all, const std::vector<Eige
 }
 
 void compare_solvers(const CompareOptions& typed) {
-  const std::set<std::string> in_box = [&] {
-    std::set<std::string> names;
-    if (typed.box.empty()) return names;
-    for (const algebraic::NamedRange& range : algebraic::read_ranges("--box", typed.box))
-      names.insert(range.name);
-    return names;
-  }();
-  const TypedSystem system = system_of(typed.roots, in_box);
+  const TypedSystem system = system_of(typed.roots, names_in_box(typed.box));
   if (!typed.box.empty() && typed.starts == 0)
     throw input_error("--box {}: needs a number of --starts", typed.box);
   const std::vector<TypedSolver> solvers =

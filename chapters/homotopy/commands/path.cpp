@@ -18,7 +18,7 @@ using algebraic::TypedPathPoint;
 
 struct PathCommand {
   TypedRoots roots;
-  algebraic::TypedPathOptions path;
+  algebraic::TypedPathOptions path{.seconds = scene::Options::default_limit};
   std::string parameter, plot;
 };
 
@@ -32,6 +32,7 @@ void declare(scene::Options& options, PathCommand& typed) {
   options.add("--turn", typed.path.turn, "rotation of the path's tangent in a step, rad").range(1e-3, 1);
   options.add("--steps", typed.path.steps, "largest number of steps of a branch").range(1, 100'000);
   options.add("--plot", typed.plot, "NAME.svg: the first unknown against the parameter");
+  options.limit(typed.path.seconds);
 }
 
 scene::Figure path_picture(const algebraic::TypedSystem& system, const std::string& parameter,

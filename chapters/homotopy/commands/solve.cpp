@@ -3,7 +3,6 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <string>
 
 #include "chapters/homotopy/commands/commands.hpp"
@@ -38,8 +37,7 @@ void print_remarks(const algebraic::TypedSystem& system, const algebraic::TypedS
   const algebraic::CheckedRoot& root = found.root;
   if (tried > 1)
     scene::print_message(fmt::format(
-        "solve: from the given start no solver found a root; this one is from pseudo-random start {}",
-        tried - 1));
+        "solve: from the given start no solver found a root; this one is from other start {}", tried - 1));
   if (root.kind == Kind::singular)
     scene::print_message(
         fmt::format("solve: a singular root: dF/dx loses rank {}, multiplicity {} {}; a change of the "
@@ -77,20 +75,10 @@ algebraic::TypedSolution solution_of(const SolveOptions& typed, const algebraic:
 /// All roots in the box as rows.
 void solve_all(const SolveOptions& typed) {
   if (typed.box.empty()) throw InputError("--all-roots: give a --box, a range for each unknown");
-  const std::vector<algebraic::NamedRange> ranges = algebraic::read_ranges("--box", typed.box);
-  std::set<std::string> names;
-  for (const algebraic::NamedRange& range : ranges) names.insert(range.name);
-  const algebraic::TypedSystem system = system_of(typed.roots, names);
+  const algebraic::TypedSystem system = system_of(typed.roots, names_in_box(typed.box));
   if (system.size() > 3)
     throw input_error("--all-roots: {} unknowns; bisection takes up to three", system.size());
-  algebraic::Box box;
-  for (const std::string& name : system.names()) {
-    const auto range = std::ranges::find(ranges, name, &algebraic::NamedRange::name);
-    if (range == ranges.end()) throw input_error("--box {}: {} needs a range", typed.box, quoted_input(name));
-    box.emplace_back(std::min(range->low, range->high), std::max(range->low, range->high));
-  }
-  if (ranges.size() != box.size()) throw input_error("--box {}: has a name that is no unknown", typed.box);
-  const algebraic::AllRoots found = all_roots(system, box, {.seconds = typed.limit});
+  const algebraic::AllRoots found = all_roots(system, box_of(system, typed.box), {.seconds = typed.limit});
   std::string text = columns_of(system) + "error,root\n";
   for (const algebraic::RootBox& root : found.boxes) {
     double error = 0;

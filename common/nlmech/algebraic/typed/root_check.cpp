@@ -188,7 +188,8 @@ bool is_stationary(const TypedSystem& system, const VectorXd& x, const VectorXd&
   system.residual(x, f);
   const MatrixXd j = scaled_matrix(system, x, typical, row_size);
   f = f.cwiseQuotient(row_size).eval();
-  return f.norm() > 0 && (j.transpose() * f).norm() <= 1e-5 * f.norm();
+  f /= f.cwiseAbs().maxCoeff();  // its square may be out of range
+  return f.allFinite() && (j.transpose() * f).norm() <= 1e-5 * f.norm();
 }
 
 std::string_view to_string(CheckedRoot::Kind kind) noexcept {

@@ -168,6 +168,30 @@ std::vector<VectorXd> starts_around(const TypedSystem& system, const VectorXd& s
   return all;
 }
 
+/// The next multiples of the start, by powers of ten up and down, at which no equation is far larger than the
+/// change that the unknowns can make: none if the start is such a point.
+std::vector<VectorXd> other_sizes(const TypedSystem& system, const VectorXd& start) {
+  const auto is_balanced = [&](const VectorXd& x) {
+    VectorXd f;
+    MatrixXd j;
+    system.residual(x, f);
+    system.derivative(x, j);
+    const VectorXd change = (j.leftCols(x.size()) * x.asDiagonal()).cwiseAbs().rowwise().sum();
+    return f.allFinite() && change.allFinite() && (f.cwiseAbs().array() <= change.array()).all();
+  };
+  std::vector<VectorXd> all;
+  if (is_balanced(start)) return all;
+  for (const int sign : {1, -1}) {
+    for (int k = 1; k <= 300; ++k) {
+      const VectorXd x = start * std::pow(10., sign * k);
+      if (!system.contains(x) || !is_balanced(x)) continue;
+      all.push_back(x);
+      break;
+    }
+  }
+  return all;
+}
+
 TypedSolution solve_by_several(const TypedSystem& system, const VectorXd& start, double tolerance,
                                std::int64_t iterations, int& tried) {
   const std::vector<TypedSolver> solvers = typed_solvers(system);
@@ -189,13 +213,15 @@ TypedSolution solve_by_several(const TypedSystem& system, const VectorXd& start,
     if (found.status.ok()) return found;
     if (name == "levenberg-marquardt") lowest = std::move(found);
   }
+  std::vector<VectorXd> others = other_sizes(system, start);
   for (const double size : {0.1, 1., 10., 100.}) {
-    for (const VectorXd& from : starts_around(system, start, size, 8)) {
-      ++tried;
-      for (const std::string_view name : {"dogleg", "levenberg-marquardt"}) {
-        TypedSolution found = by(name, from);
-        if (found.status.ok()) return found;
-      }
+    for (VectorXd& from : starts_around(system, start, size, 8)) others.push_back(std::move(from));
+  }
+  for (const VectorXd& from : others) {
+    ++tried;
+    for (const std::string_view name : {"dogleg", "levenberg-marquardt"}) {
+      TypedSolution found = by(name, from);
+      if (found.status.ok()) return found;
     }
   }
   const bool is_minimum = lowest.end.allFinite() && is_stationary(system, lowest.end, lowest.typical);

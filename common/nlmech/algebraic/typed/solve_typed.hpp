@@ -49,8 +49,9 @@ struct TypedSolution {
                                      const Eigen::VectorXd& start, double tolerance, std::int64_t iterations);
 
 /// Tries energy-trust-region (with an energy), dogleg, levenberg-marquardt, damped-newton and riks from the
-/// start, then dogleg and levenberg-marquardt from pseudo-random starts at growing distances, the same in
-/// each run, until one succeeds.
+/// start, then dogleg and levenberg-marquardt from other starts, the same in each run, until one succeeds: if
+/// F(start) is larger than the change that the unknowns can make there, from the next multiples of the start
+/// by powers of ten where it is not; then from pseudo-random starts at growing distances.
 /// @param tried receives the number of starts
 /// @return the first success; else the end of levenberg-marquardt from the given start, with a failure that
 /// says whether it is a minimum of |F|

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "nlmech/support/sentences.hpp"
+#include "nlmech/support/stopwatch.hpp"
 
 namespace nlmech::algebraic {
 namespace {
@@ -130,7 +131,7 @@ class BranchTracer {
     begin_ = path_.now().at;
     steps_ = 0;
     Status status = follow(
-        path_, [this](const Path&) { return list(); }, options_.steps, met_);
+        path_, [this](const Path&) { return list() || is_late(); }, options_.steps, met_);
     if (!lost_.ok()) return std::exchange(lost_, {});
     if (status.ok()) return status;
     if (Crossing* const met = near(path_.now(), 2 * length_of_step())) {
@@ -161,6 +162,13 @@ class BranchTracer {
     if (has_left(before, path_.now())) return true;
     add(TypedPathPoint::Kind::step, path_.now());
     return has_returned();
+  }
+
+  bool is_late() {
+    if (watch_.seconds() < options_.seconds) return false;
+    lost_ = failed_with(Outcome::time_limit, "path: {:.6g} s end at a parameter of {:.10g}", options_.seconds,
+                        path_.now().load);
+    return true;
   }
 
   static TypedPathPoint::Kind kind_of(CriticalPoint::Kind kind) {
@@ -219,6 +227,7 @@ class BranchTracer {
     met.is_open[path_.before().tangent.dot(met.direction) > 0 ? 1 : 0] = false;
   }
 
+  Stopwatch watch_;
   TypedPathOptions options_;
   double low_, high_;
   LoadedSystem equations_;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <vector>
 
 #include "nlmech/algebraic/paths/path.hpp"
@@ -32,11 +33,12 @@ struct TypedPathPoint {
 
 /// Options of follow_paths().
 struct TypedPathOptions {
-  double from = 0;     ///< parameter at the start
-  double until = 1;    ///< other end of the range; all branches end at both
-  double turn = 0.15;  ///< target rotation of the tangent in a step, rad
-  int steps = 1000;    ///< largest number of steps of a branch
-  int branches = 0;    ///< largest number of branches to follow besides the first
+  double from = 0;            ///< parameter at the start
+  double until = 1;           ///< other end of the range; all branches end at both
+  double turn = 0.15;         ///< target rotation of the tangent in a step, rad
+  int steps = 1000;           ///< largest number of steps of a branch
+  int branches = 0;           ///< largest number of branches to follow besides the first
+  double seconds = HUGE_VAL;  ///< largest wall time; the points found until then are kept
 };
 
 /// Paths from a start.

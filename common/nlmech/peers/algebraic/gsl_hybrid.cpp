@@ -4,6 +4,7 @@
 #include <gsl/gsl_multiroots.h>
 
 #include <cmath>
+#include <exception>
 #include <memory>
 
 #include "nlmech/support/sentences.hpp"
@@ -20,6 +21,7 @@ struct RootCalls {
   VectorXd x, f;
   Eigen::MatrixXd b;
   Report report;
+  std::exception_ptr exception;
 
   int residual(const gsl_vector* at, gsl_vector* out) {
     for (Eigen::Index i = 0; i < x.size(); ++i) x[i] = gsl_vector_get(at, static_cast<std::size_t>(i));
@@ -40,11 +42,23 @@ struct RootCalls {
     return b.allFinite() ? GSL_SUCCESS : GSL_EBADFUNC;
   }
 
+  /// An exception must not pass through GSL.
+  template <class Call>
+  int guarded(const Call& call) {
+    try {
+      return call();
+    } catch (...) {
+      exception = std::current_exception();
+      return GSL_EBADFUNC;
+    }
+  }
   static int call_residual(const gsl_vector* at, void* data, gsl_vector* out) {
-    return static_cast<RootCalls*>(data)->residual(at, out);
+    auto& calls = *static_cast<RootCalls*>(data);
+    return calls.guarded([&] { return calls.residual(at, out); });
   }
   static int call_matrix(const gsl_vector* at, void* data, gsl_matrix* out) {
-    return static_cast<RootCalls*>(data)->matrix(at, out);
+    auto& calls = *static_cast<RootCalls*>(data);
+    return calls.guarded([&] { return calls.matrix(at, out); });
   }
   static int call_both(const gsl_vector* at, void* data, gsl_vector* f, gsl_matrix* j) {
     const int status = call_residual(at, data, f);
@@ -74,7 +88,7 @@ Report find_root(const GslHybrid& method, algebraic::Equations& equations, Vecto
   algebraic::require_size("gsl-hybrid", equations, x);
   const auto n = static_cast<std::size_t>(x.size());
   gsl_error_handler_t* const before = gsl_set_error_handler_off();
-  RootCalls calls{equations, x, VectorXd(x.size()), {}, {}};
+  RootCalls calls{equations, x, VectorXd(x.size()), {}, {}, {}};
   gsl_multiroot_function_fdf function{&RootCalls::call_residual, &RootCalls::call_matrix,
                                       &RootCalls::call_both, n, &calls};
   const std::unique_ptr<gsl_vector, void (*)(gsl_vector*)> start(gsl_vector_alloc(n), gsl_vector_free);
@@ -100,6 +114,7 @@ Report find_root(const GslHybrid& method, algebraic::Equations& equations, Vecto
   for (std::size_t i = 0; i < n; ++i)
     x[static_cast<Eigen::Index>(i)] = gsl_vector_get(gsl_multiroot_fdfsolver_root(solver.get()), i);
   gsl_set_error_handler(before);
+  if (calls.exception) std::rethrow_exception(calls.exception);
   report = std::move(calls.report);
   report.statistics.steps = steps;
   report.first = first;
