@@ -110,6 +110,15 @@ Paths in a parameter
   $ homotopy path --equation "energy = x^4/4 - a x^2/2" --start x=0 --parameter "a = -1:1" --branches 2 > path.csv
   $ holds --where branch=2 'x^2 = a +- 1e-12' < path.csv
 
+An unknown that grows a thousandfold along the path, and a limit point after it has (a = 3 (0.001/2)^(2/3) at x = -(0.001/2)^(1/3)):
+
+  $ homotopy path --equation "x (x^2 - a) = 0.001" --start x=0 --parameter "a = -1:1" > path.csv
+  $ holds --each 'abs(x^3 - a*x - mpf("0.001")) <= 1e-12' < path.csv
+  $ tail -1 path.csv | cut -d, -f 2,3
+  step,1
+  $ homotopy path --equation "x (x^2 - a) = -1e-9" --start x=1e-9 --parameter "a = -1:1" | holds --where a=1 'x = -1 +- 1e-8'
+  $ homotopy path --equation "x (x^2 - a) = 0.001" --start x=-1 --parameter "a = 1:-1" | holds --where kind=minimum 'a = 3*(mpf("0.0005"))^(2/mpf(3)) +- 1e-12'
+
 A path that reaches its limit of time keeps the points found:
 
   $ homotopy path --equation "x^2 + a = 1" --start x=1 --parameter "a = 0:2" --limit 1e-9 > path.csv

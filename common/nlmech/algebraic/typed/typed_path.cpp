@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <utility>
 
 #include "nlmech/support/sentences.hpp"
@@ -57,14 +58,14 @@ class LoadedSystem final : public Loaded {
   MatrixXd j_;
 };
 
-/// Path options for a range of the parameter.
-PathMethod path_method(const TypedPathOptions& options, const VectorXd& root) {
-  VectorXd scale(root.size());
-  const double largest = root.cwiseAbs().maxCoeff();
-  for (Index i = 0; i < root.size(); ++i)
-    scale[i] = 1 / (std::abs(root[i]) > 1e-3 * largest && root[i] != 0 ? std::abs(root[i])
-                    : largest > 0                                      ? largest
-                                                                       : 1);
+/// Path options for a range of the parameter and unknowns of the sizes at @p x.
+PathMethod path_method(const TypedPathOptions& options, const VectorXd& x) {
+  VectorXd scale(x.size());
+  const double largest = x.cwiseAbs().maxCoeff();
+  for (Index i = 0; i < x.size(); ++i)
+    scale[i] = 1 / (std::abs(x[i]) > 1e-3 * largest && x[i] != 0 ? std::abs(x[i])
+                    : largest > 0                                ? largest
+                                                                 : 1);
   return {.first = std::abs(options.until - options.from) / 100,
           .turn = options.turn,
           .longest = 10,
@@ -80,12 +81,13 @@ class BranchTracer {
         low_(std::min(options.from, options.until)),
         high_(std::max(options.from, options.until)),
         equations_(system, root, options.from),
-        path_(path_method(options, root), equations_, root, options.from) {}
+        scale_(path_method(options, root).scale),
+        path_(path_from(root, options.from)) {}
 
   TypedPaths run() {
-    Status status = path_.start(options_.until > options_.from);
+    Status status = path_->start(options_.until > options_.from);
     if (status.ok()) {
-      add(TypedPathPoint::Kind::step, path_.now());
+      add(TypedPathPoint::Kind::step, path_->now());
       status = along();
     }
     out_.status = status;
@@ -113,13 +115,13 @@ class BranchTracer {
     const Crossing from = crossings_[i];
     Status status;
     for (double reach = 0.02; reach > 1e-7; reach /= 4) {
-      status = path_.switch_branch(from.point, from.direction, half == 0 ? reach : -reach);
+      status = path_->switch_branch(from.point, from.direction, half == 0 ? reach : -reach);
       if (status.ok()) break;
     }
     if (status.ok()) {
       ++branch_;
       add(TypedPathPoint::Kind::bifurcation, from.point);
-      add(TypedPathPoint::Kind::step, path_.now());
+      add(TypedPathPoint::Kind::step, path_->now());
       status = along();
     }
     if (out_.status.ok()) out_.status = status;
@@ -127,25 +129,61 @@ class BranchTracer {
 
   Status along() {
     listed_ = 0;
+    is_at_end_ = false;
     met_.clear();
-    begin_ = path_.now().at;
-    steps_ = 0;
-    Status status = follow(
-        path_, [this](const Path&) { return list() || is_late(); }, options_.steps, met_);
+    first_ = path_->now();
+    steps_ = taken_ = 0;
+    Status status;
+    do {
+      if (has_outgrown()) resize();
+      status = follow(
+          *path_, [this](const Path&) { return list() || is_late() || has_outgrown(); }, options_.steps + 1,
+          met_);
+    } while (status.ok() && lost_.ok() && !is_at_end_);
     if (!lost_.ok()) return std::exchange(lost_, {});
     if (status.ok()) return status;
-    if (Crossing* const met = near(path_.now(), 2 * length_of_step())) {
+    if (Crossing* const met = near(path_->now(), 2 * length_of_step())) {
       arrive(*met);
       return {};
     }
     return failed_with(status.outcome(), "path: branch {} ends at a parameter of {:.10g}: {}", branch_,
-                       path_.now().load, status.sentence());
+                       path_->now().load, status.sentence());
+  }
+
+  [[nodiscard]] std::unique_ptr<Path> path_from(const VectorXd& x, double load) {
+    return std::make_unique<Path>(path_method(options_, x), equations_, x, load);
+  }
+  /// Is an unknown ten times as large as its size? Lengths would measure it alone, and no longer the
+  /// parameter. Not beside a limit point, where the direction of a new start is not that of the path.
+  [[nodiscard]] bool has_outgrown() const {
+    const PathPoint& now = path_->now();
+    return std::abs(now.slope) > 0.1 && now.x.cwiseAbs().cwiseProduct(scale_).maxCoeff() > 10;
+  }
+  /// Continues with the sizes of the last point.
+  void resize() {
+    const PathPoint now = path_->now();
+    std::unique_ptr<Path> next = path_from(now.x, now.load);
+    const VectorXd change = path_method(options_, now.x).scale.cwiseQuotient(scale_);
+    scale_ = scale_.cwiseProduct(change);
+    if (!next->start(now.slope > 0).ok()) return;
+    const double load_change = next->system().load_scale() / path_->system().load_scale();
+    path_ = std::move(next);
+    first_.at = path_->system().scaled(first_.x, first_.load);
+    for (Crossing& k : crossings_) {
+      k.point.at = path_->system().scaled(k.point.x, k.point.load);
+      PathVector& d = k.direction;
+      if (d.y.size() > 0) d.y = d.y.cwiseProduct(change).eval(), d.m *= load_change;
+      if (const double length = d.norm(); length > 0) d.y /= length, d.m /= length;
+    }
+    steps_ = 0;
   }
 
   /// Adds the points of the last step. @return true at the end of the branch
-  bool list() {
+  bool list() { return is_at_end_ = add_points(); }
+  bool add_points() {
     if (steps_++ == 0) return false;  // no step yet
-    PathPoint before = path_.before();
+    ++taken_;
+    PathPoint before = path_->before();
     for (; listed_ < met_.size(); ++listed_) {
       const CriticalPoint& c = met_[listed_];
       if (has_left(before, c.point)) return true;
@@ -155,19 +193,26 @@ class BranchTracer {
       }
       add(kind_of(c.kind), c.point);
       // The sign of the vanishing eigenvalue is rounding.
-      out_.points.back().negative = std::min(path_.before().negative, path_.now().negative);
+      out_.points.back().negative = std::min(path_->before().negative, path_->now().negative);
       if (c.kind == CriticalPoint::Kind::bifurcation) crossings_.push_back({c.point, c.across, branch_});
       before = c.point;
     }
-    if (has_left(before, path_.now())) return true;
-    add(TypedPathPoint::Kind::step, path_.now());
+    if (has_left(before, path_->now())) return true;
+    add(TypedPathPoint::Kind::step, path_->now());
     return has_returned();
   }
 
   bool is_late() {
+    if (taken_ > options_.steps) {
+      lost_ = failed_with(Outcome::step_limit,
+                          "path: {} steps of branch {} end at a parameter of {:.10g}; allow more, or longer "
+                          "ones (turn)",
+                          options_.steps, branch_, path_->now().load);
+      return true;
+    }
     if (watch_.seconds() < options_.seconds) return false;
     lost_ = failed_with(Outcome::time_limit, "path: {:.6g} s end at a parameter of {:.10g}", options_.seconds,
-                        path_.now().load);
+                        path_->now().load);
     return true;
   }
 
@@ -185,7 +230,7 @@ class BranchTracer {
     // A branch that begins at an end of the range and leaves it at once.
     if ((from.load - end) * (to.load - end) > 0) return true;
     PathPoint last;
-    const Outcome outcome = path_.crossing(end, from, to, last);
+    const Outcome outcome = path_->crossing(end, from, to, last);
     if (outcome == Outcome::success)
       add(TypedPathPoint::Kind::step, last);
     else
@@ -198,10 +243,11 @@ class BranchTracer {
   // A closed branch comes back to its first point.
   [[nodiscard]] bool has_returned() const {
     if (steps_ < 5) return false;
-    const PathVector first = difference(path_.before().at, begin_), last = difference(path_.now().at, begin_);
-    const PathVector chord = difference(path_.now().at, path_.before().at);
+    const PathVector first = difference(path_->before().at, first_.at),
+                     last = difference(path_->now().at, first_.at);
+    const PathVector chord = difference(path_->now().at, path_->before().at);
     return first.dot(chord) < 0 && last.dot(chord) >= 0 &&
-           std::min(first.norm(), last.norm()) < chord.norm() && path_.now().tangent.dot(chord) > 0 &&
+           std::min(first.norm(), last.norm()) < chord.norm() && path_->now().tangent.dot(chord) > 0 &&
            first.norm() + last.norm() < 1.05 * chord.norm();
   }
 
@@ -210,7 +256,7 @@ class BranchTracer {
   }
   static PathVector difference(const PathVector& a, const PathVector& b) { return {a.y - b.y, a.m - b.m}; }
   [[nodiscard]] double length_of_step() const {
-    return path_.before().at.y.size() == 0 ? 0 : difference(path_.now().at, path_.before().at).norm();
+    return path_->before().at.y.size() == 0 ? 0 : difference(path_->now().at, path_->before().at).norm();
   }
   Crossing* near(const PathPoint& point, double least) {
     Crossing* found = nullptr;
@@ -224,21 +270,23 @@ class BranchTracer {
   }
   void arrive(Crossing& met) {
     add(TypedPathPoint::Kind::bifurcation, met.point);
-    met.is_open[path_.before().tangent.dot(met.direction) > 0 ? 1 : 0] = false;
+    met.is_open[path_->before().tangent.dot(met.direction) > 0 ? 1 : 0] = false;
   }
 
   Stopwatch watch_;
   TypedPathOptions options_;
   double low_, high_;
   LoadedSystem equations_;
-  Path path_;
+  VectorXd scale_;  ///< reciprocal sizes of the unknowns
+  std::unique_ptr<Path> path_;
   TypedPaths out_;
   std::vector<Crossing> crossings_;
   std::vector<CriticalPoint> met_;
   std::size_t listed_ = 0;
-  PathVector begin_;
+  PathPoint first_;
   Status lost_;
-  int branch_ = 0, steps_ = 0;
+  bool is_at_end_ = false;
+  int branch_ = 0, steps_ = 0, taken_ = 0;
 };
 
 }  // namespace
