@@ -6,8 +6,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "nlmech/bvp/typed/follow_parameter.hpp"
 #include "nlmech/bvp/typed/typed_solve.hpp"
 #include "nlmech/support/errors.hpp"
+#include "tests/bvp/problems.hpp"
 
 namespace nlmech::bvp::typed_problem_test {
 namespace {
@@ -156,7 +158,53 @@ TEST(SolveTyped, SingularEnds) {
   EXPECT_TRUE(sphere.is_singular_at_ends());
   Solution solution = solve_typed(sphere, sphere.guess(), 1e-9);
   ASSERT_TRUE(solution.status.ok()) << solution.status.text();
-  for (const double t : {0.1, 0.7, 1.9}) EXPECT_NEAR(solution.at(t)[0], std::sin(t) / t, 1e-9) << t;
+  for (const double t : {0.1, 0.7, 1.9})
+    EXPECT_NEAR(sphere.components_at(solution, t)[0], std::sin(t) / t, 1e-9) << t;
+}
+
+// Legendre's equation: regular at both ends for k = l (l + 1).
+TEST(SolveTyped, SingularAtBothEnds) {
+  const ProblemText legendre{
+      .name = "--equation",
+      .equations = "(1 - t^2) x'' = 2 t x' - k x; x(1) = 1; 2 x'(1) = k x(1); 2 x'(-1) = -k x(-1)",
+      .unknowns = "k"};
+  TypedProblem problem = read_problem(legendre, "x = 1.4 t^2 - 0.4, k = 5.5");
+  const Solution solution = solve_typed(problem, problem.guess(), 1e-9);
+  ASSERT_TRUE(solution.status.ok()) << solution.status.text();
+  EXPECT_NEAR(solution.parameters()[0], 6, 1e-9);
+  for (const double t : {-0.9, 0., 0.4})
+    EXPECT_NEAR(problem.components_at(solution, t)[0], 1.5 * t * t - 0.5, 1e-9) << t;
+}
+
+// Ends at which solutions are series in sqrt(t): x'' = 3/(4 sqrt(t)) has t^1.5 and, mapped, a polynomial.
+// Thomas and Fermi's atom: x'(0) = -1.588071022611375312718684508 (Boyd 2013).
+TEST(SolveTyped, HalfPowersAtAnEnd) {
+  TypedProblem power =
+      read_problem({.name = "--equation", .equations = "x'' = 0.75/sqrt(t); x(0) = 0; x(1) = 1"});
+  const Solution half = solve_typed(power, power.guess(), 1e-9);
+  ASSERT_TRUE(half.status.ok()) << half.status.text();
+  for (const double t : {0.01, 0.5})
+    EXPECT_NEAR(power.components_at(half, t)[0], std::pow(t, 1.5), 1e-12) << t;
+  TypedProblem atom = read_problem({.name = "--equation",
+                                    .equations = "x'' = max(x, 0)^1.5/sqrt(t)",
+                                    .conditions = "x(0) = 1; x(inf) = 0",
+                                    .until = "inf"});
+  const Solution solution = solve_typed(atom, atom.guess(), 1e-9);
+  ASSERT_TRUE(solution.status.ok()) << solution.status.text();
+  EXPECT_NEAR(solution.first()[1], -1.5880710226113753, 1e-8);
+}
+
+// Sizes of 1 and 1e6 that are coupled: x = cos(t), y = 1e6 sin(t).
+TEST(SolveTyped, StatesOfDifferentSizes) {
+  for (const double size : {1., 1e6, 1e12}) {
+    TypedProblem problem = read_problem({.name = "--equation",
+                                         .equations = "x' = -y/s; y' = s x; x(0) = 1; y(1) = s sin(1); s = 1",
+                                         .settings = {{"s", size}}});
+    const Solution solution = solve_typed(problem, problem.guess(), 1e-11);
+    ASSERT_TRUE(solution.status.ok()) << size << " " << solution.status.text();
+    EXPECT_NEAR(solution.at(0.5)[0], std::cos(0.5), 1e-13);
+    EXPECT_NEAR(solution.at(0.5)[1] / size, std::sin(0.5), 1e-13);
+  }
 }
 
 // Regular solutions have x'(0) = 0.
@@ -169,26 +217,68 @@ TEST(SolveTyped, RefusesSingularSolutions) {
   }
 }
 
-// Troesch's problem; x'(0) by Jacobi's elliptic functions (mpmath). Bratu's branch turns back at 3.5138307.
-TEST(FollowParameter, ReachesTheEndOrTheFold) {
-  const auto troesch = [](double n) {
-    return read_problem(
-        {.name = "--equation", .equations = "x'' = n sinh(n x); x(0) = 0; x(1) = 1", .settings = {{"n", n}}});
-  };
-  TypedProblem easy = troesch(1);
-  Continuation found = follow_parameter(troesch, 1, 10, solve_typed(easy, easy.guess(), 1e-9), 1e-9);
-  ASSERT_TRUE(found.solution.status.ok()) << found.solution.status.text();
-  EXPECT_NEAR(found.solution.first()[1], 3.583377846308e-4, 148e-9);  // the tolerance times the largest x'
-  const auto bratu = [](double a) {
-    return read_problem({.name = "--equation",
-                         .equations = "x'' + a exp(x) = 0; x(0) = 0; x(1) = 0",
-                         .settings = {{"a", a}}});
-  };
-  TypedProblem low = bratu(1);
-  found = follow_parameter(bratu, 1, 4, solve_typed(low, low.guess(), 1e-9), 1e-9);
-  EXPECT_FALSE(found.solution.status.ok());
-  EXPECT_NEAR(found.reached, 3.5138307, 0.01);
-  EXPECT_LE(found.reached, 3.5138308);
+/// The solution of @p text at the first value of @p range, followed.
+Continuation followed(ProblemText text, const ParameterRange& range, const std::string& guess = "") {
+  text.settings = {{range.name, range.from}};
+  TypedProblem first = read_problem(text, guess);
+  const Solution solution = solve_typed(first, first.guess(), 1e-9);
+  EXPECT_TRUE(solution.status.ok()) << solution.status.text();
+  return follow_parameter(text, "", range, solution, 1e-9);
+}
+
+// Troesch's problem; x'(0) by Jacobi's elliptic functions (mpmath).
+TEST(FollowParameter, ReachesTheEnd) {
+  const Continuation found =
+      followed({.name = "--equation", .equations = "x'' = n sinh(n x); x(0) = 0; x(1) = 1"},
+               {.name = "n", .from = 1, .to = 10});
+  ASSERT_TRUE(found.status.ok()) << found.status.text();
+  ASSERT_EQ(found.solutions.size(), 1U);
+  EXPECT_NEAR(found.solutions[0].first()[1], 3.583377846308e-4, 148e-9);  // tolerance times the largest x'
+}
+
+// Bratu's branch turns back where theta tanh(theta/4)/4 = 1, at mu = theta^2/(2 cosh^2(theta/4)). Beyond it
+// there is no solution; below it there are two, in closed form. Errors: the tolerance times the condition,
+// 1/(1 - mu/fold) at most.
+TEST(FollowParameter, PassesTheFoldOfBratu) {
+  const ProblemText bratu{.name = "--equation", .equations = "x'' + a exp(x) = 0; a = 2; x(0) = 0; x(1) = 0"};
+  const double theta = 4.79871456103, fold = std::pow(theta / std::cosh(theta / 4), 2) / 2;
+  const Continuation beyond = followed(bratu, {.name = "a", .from = 1, .to = 4});
+  EXPECT_EQ(beyond.status.outcome(), Outcome::outside_validity) << beyond.status.text();
+  ASSERT_EQ(beyond.folds.size(), 1U);
+  EXPECT_NEAR(beyond.folds[0], fold, 1e-9);
+  for (const double a : {1., 3.51}) {
+    const Continuation both = followed(bratu, {.name = "a", .from = 0, .to = a, .all = true});
+    ASSERT_EQ(both.solutions.size(), 2U) << both.status.text();
+    for (const bool upper : {false, true})
+      EXPECT_NEAR(both.solutions[upper ? 1 : 0].at(0.3)[0],
+                  tests::bratu_exact(0.3, tests::bratu_theta(a, upper)), 1e-8 / (1 - a / fold));
+  }
+}
+
+// x = c cos(t) with c^3 - 3 c = a: folds at a = 2 and -2; three roots 2 cos((acos(a/2) + 2 pi k)/3)
+// between.
+TEST(FollowParameter, PassesBothFoldsOfACubic) {
+  const ProblemText cubic{
+      .name = "--equation", .equations = "x'' = -x; a = 0; x'(0) = 0; x(0)^3 - 3 x(0) = a", .until = "1"};
+  const Continuation all = followed(cubic, {.name = "a", .from = -4, .to = 1, .all = true}, "x = -2");
+  ASSERT_EQ(all.solutions.size(), 3U) << all.status.text();
+  ASSERT_EQ(all.folds.size(), 2U);
+  EXPECT_NEAR(all.folds[0], 2, 1e-9);
+  EXPECT_NEAR(all.folds[1], -2, 1e-9);
+  for (const int k : {0, 1, 2})
+    EXPECT_NEAR(all.solutions[static_cast<std::size_t>(k)].first()[0],
+                2 * std::cos((std::numbers::pi / 3 + 2 * std::numbers::pi * (k + 1)) / 3), 1e-9);
+}
+
+// A parameter in the time of a condition has to be known: its branch by values ends at the fold, x(L)' = 0 of
+// x'' = -exp(x).
+TEST(FollowParameter, EndsWhereTheParameterHasToBeKnown) {
+  const Continuation found =
+      followed({.name = "--equation", .equations = "x'' + exp(x) = 0; x(0) = 0; x(b) = 0; b = 1"},
+               {.name = "b", .from = 1, .to = 2});
+  EXPECT_TRUE(found.solutions.empty());
+  EXPECT_FALSE(found.status.ok());
+  EXPECT_NEAR(found.reached, std::sqrt(3.513830719125161), 0.001);  // x'' + b^2 exp(x) = 0 on [0, 1]
 }
 
 }  // namespace

@@ -76,6 +76,11 @@ by which an eigenfunction is normalised:
   $ bvp "x'' + k x = 0; x(0) = 0; x(1) = 0; integral(x^2) = 1" --unknown k --guess "x = t*(1 - t), k = 8" --every 0.5 |
   >   holds --each 'n = 3' 'k = pi^2 +- 1e-8' 'x = sqrt(2)*sin(pi*t) +- 1e-8'
 
+An integral may be long:
+
+  $ bvp "x'' + k x = 0; x(0) = 0; x(1) = 0; integral(x^2/4 + x^2/4 + x^2/8 + x^2/8 + x^2/8 + x^2/16 + x^2/16) = 1" --unknown k --guess "x = t*(1 - t), k = 8" \
+  >   --every 1 | holds 'k = pi^2 +- 1e-8'
+
 The size of a normalisation changes nothing: `x'' + k x + x/(1 + t) = 0` has the eigenvalue 9.1926669827908, from a root of the series solution by mpmath:
 
   $ for size in 1e-14 1e-9 1 1e9; do
@@ -99,6 +104,13 @@ Regular singular ends. Lane and Emden's equation of order 5 has 1/sqrt(1 + t^2/3
   $ bvp "x'' + 2 x'/t + x^5 = 0; x'(0) = 0; x(1) = sqrt(3)/2" --every 0.25 | holds --each 'n = 5' 'x = 1/sqrt(1 + t^2/3) +- 1e-9'
   $ bvp "x'' + x'/t = -1; x'(0) = 0; x(1) = 0" --every 0.25 | holds --each 'n = 5' 'x = (1 - t^2)/4 +- 1e-12'
 
+Legendre's equation is singular at both ends. Where solutions are series in sqrt(t), as t^1.5 or Thomas and Fermi's atom (-1.5880710226113753, Boyd 2013):
+
+  $ bvp "(1 - t^2) x'' = 2 t x' - k x; x(1) = 1; 2 x'(1) = k x(1); 2 x'(-1) = -k x(-1)" --unknown k --guess "x = 1.4 t^2 - 0.4, k = 5.5" --every 0.5 |
+  >   holds --each 'n = 5' 'k = 6 +- 1e-9' 'x = 1.5*t^2 - 0.5 +- 1e-9'
+  $ bvp "x'' = 0.75/sqrt(t); x(0) = 0; x(1) = 1" --every 0.25 | holds --each 'n = 5' 'x = t^1.5 +- 1e-12'
+  $ bvp "x'' = max(x, 0)^1.5/sqrt(t); x(0) = 1; x(inf) = 0" --until inf 2> said.txt | sed -n 1,2p | holds "x' = -1.5880710226113753 +- 1e-8"
+
 Infinite ends: Blasius' boundary layer (0.332057336215196, Boyd 1999), and a decay, x = exp(-2 t):
 
   $ bvp "f''' + f f''/2 = 0; f(0) = 0; f'(0) = 0; f'(inf) = 1" --until inf | sed -n 1,2p | holds "f'' = 0.332057336215196 +- 1e-9"
@@ -120,9 +132,19 @@ Several solutions, guesses from files, continuation
   $ bvp "x'' + exp(x) = 0; x(0) = 0; x(1) = 0" --guess upper.csv --every 0.5 | holds --each "$(root 6)" 'x = -2*log(cosh(c*(t - 0.5))/cosh(c/2)) +- 4e-8'
   $ bvp "x'' = n sinh(n x); n = 1; x(0) = 0; x(1) = 1" --from-parameter "n = 1 : 10" 2> said.txt > rows.csv
   $ sed -n 1,2p rows.csv | holds "x' = 3.583377846308e-4 +- 1e-9"
+
+Beyond the fold of Bratu's branch at 3.513830719125 (theta tanh(theta/4) = 4) there is no solution, and below it there are two, with the roots of
+theta/cosh(theta/4) = sqrt(2 a):
+
   $ bvp "x'' + a exp(x) = 0; x(0) = 0; x(1) = 0" --from-parameter "a = 1 : 4"
-  rbf_inverse: *: a = 3.51* was reached in * steps, and no solution near it was found beyond: the branch ends or turns back there, or needs another --guess (*) (glob)
+  rbf_inverse: outside_validity: a = * was reached in * steps; the branch turns back at 3.51383071*; the branch returns beyond 1 (glob)
   [1]
+  $ bvp "x'' + a exp(x) = 0; x(0) = 0; x(1) = 0" --from-parameter "a = 0 : 3" --all-solutions --every 0.5 > both.csv
+  rbf_inverse: 2 different solutions at a = 3 on the branch; a = * was reached in * steps; the branch turns back at 3.51383071*; * (glob)
+  $ theta() { echo "c := findroot(lambda c: c/cosh(c/4) - sqrt(6), $1)"; }
+  $ for n in 1 2; do grep "^solution\|^$n," both.csv > $n.csv; done
+  $ holds --each "$(theta 3)" 'n = 3' 'x = -2*log(cosh((t - 0.5)*c/2)/cosh(c/4)) +- 1e-8' < 1.csv
+  $ holds --each "$(theta 7)" 'n = 3' 'x = -2*log(cosh((t - 0.5)*c/2)/cosh(c/4)) +- 4e-8' < 2.csv
 
 Mistakes
 --------
@@ -183,6 +205,8 @@ Mistakes
   rbf_inverse: --tolerance 0: must be from 1e-13 to 0.1
   $ ends --set b=2
   rbf_inverse: --set b: the equation has no such definition; choose one of a
+  $ ends --all-solutions
+  rbf_inverse: --all-solutions: needs --from-parameter
   $ ends --from-parameter "a: 1"
   rbf_inverse: --from-parameter a: 1: must be NAME = FIRST : LAST
   $ printf 't,x\n0,1\n0,2\n' > rows.csv

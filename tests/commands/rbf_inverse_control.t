@@ -82,6 +82,14 @@ Mistakes
   rbf_inverse: --bounds x <= 1: must bound one control (u) by a number; bounds on states are --state-bounds
   $ point --minimise "integral(u^2)" --state-bounds "x = 1"
   rbf_inverse: --state-bounds x = 1: is no bound; give one such as -1 <= u <= 1
+  $ point --minimise "integral(u^2)" --state-bounds "x <= q"
+  rbf_inverse: --state-bounds:1:1: q is not defined: it has neither a derivative (q') nor a definition (q = ...)
+    q
+    ^
+  $ wrong --equation "x(0) = 0; x' = u q; x(1) = 1" --control u --minimise "integral(u^2)"
+  rbf_inverse: --equation:1:18: q is not defined: it has neither a derivative (q') nor a definition (q = ...)
+    x(0) = 0; x' = u q; x(1) = 1
+                     ^
   $ point --minimise "integral(u^2)" --conditions "u(0) = 1"
   rbf_inverse: --conditions: the control u can jump, so it cannot be prescribed at a time
   $ point --minimise "integral(u^2)" --unknown T --until 2

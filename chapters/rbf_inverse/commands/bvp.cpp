@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "chapters/rbf_inverse/commands/commands.hpp"
+#include "nlmech/bvp/typed/follow_parameter.hpp"
 #include "nlmech/bvp/typed/typed_solve.hpp"
 #include "nlmech/comparison/commands/run_figure.hpp"
 #include "nlmech/comparison/commands/user_problem.hpp"
@@ -34,6 +35,10 @@ struct BvpOptions {
   double tolerance = 1e-9;
   std::optional<int> starts;
   std::optional<double> every;
+  bool all_solutions = false;
+
+  /// Do rows have the number of their solution?
+  [[nodiscard]] bool has_several() const { return starts || all_solutions; }
 };
 
 void declare(scene::Options& options, BvpOptions& typed) {
@@ -61,8 +66,13 @@ void declare(scene::Options& options, BvpOptions& typed) {
            "different solution, with "
            "a column solution")
       .range(1, 10'000);
-  options.add("--from-parameter", typed.from_parameter,
-              "follow the solution in a parameter from one value to another: \"eps = 1 : 1e-4\"");
+  options.add(
+      "--from-parameter", typed.from_parameter,
+      "follow the solution in a parameter from one value to another, through folds: \"eps = 1 : 1e-4\"");
+  options.add(
+      "--all-solutions", typed.all_solutions,
+      "with --from-parameter: follow the branch beyond its first solution at the last value, and print "
+      "every one, with a column solution");
   options.add("--tolerance", typed.tolerance, "tolerance on x' - f, relative to the size of f and of x")
       .range(1e-13, 0.1);
   options.add("--every", typed.every, "time between rows (default: rows at the nodes of the collocation)")
@@ -73,20 +83,18 @@ void declare(scene::Options& options, BvpOptions& typed) {
 
 bool names_file(const std::string& guess) { return guess.ends_with(".csv"); }
 
-/// The problem as typed, with @p settings in addition.
-TypedProblem problem_of(const BvpOptions& typed, const program::Settings& settings) {
-  bvp::ProblemText text;
-  text.name = typed.file.empty() ? "--equation" : typed.file;
-  text.equations = typed.file.empty() ? typed.equation : comparison::read_equations(typed.file);
-  text.settings = comparison::settings_of(typed.set);
-  for (const auto& [name, value] : settings) {
-    if (!text.settings.emplace(name, value).second)
-      throw input_error("--from-parameter {}: --set gives it too", quoted_input(name));
-  }
-  text.conditions = typed.conditions;
-  text.unknowns = typed.unknown;
-  text.from = typed.from;
-  text.until = typed.until;
+/// The problem as typed.
+bvp::ProblemText text_of(const BvpOptions& typed) {
+  return {.name = typed.file.empty() ? "--equation" : typed.file,
+          .equations = typed.file.empty() ? typed.equation : comparison::read_equations(typed.file),
+          .settings = comparison::settings_of(typed.set),
+          .conditions = typed.conditions,
+          .unknowns = typed.unknown,
+          .from = typed.from,
+          .until = typed.until};
+}
+
+TypedProblem problem_of(const BvpOptions& typed, const bvp::ProblemText& text) {
   return bvp::read_problem(text, names_file(typed.guess) ? "" : typed.guess);
 }
 
@@ -121,19 +129,16 @@ bvp::Start guess_of_file(const TypedProblem& problem, const std::string& name) {
 }
 
 /// "eps = 1 : 1e-4"
-struct ParameterRange {
-  std::string name;
-  double from, to;
-};
-
-ParameterRange range_of(const std::string& text) {
+bvp::ParameterRange range_of(const BvpOptions& typed) {
+  const std::string& text = typed.from_parameter;
   const std::size_t equals = text.find('='), colon = text.find(':');
   if (equals == std::string::npos || colon == std::string::npos || colon < equals)
     throw input_error("--from-parameter {}: must be NAME = FIRST : LAST", quoted_input(text));
-  return {
-      scene::trimmed(text.substr(0, equals)),
-      scene::typed_number("--from-parameter", scene::trimmed(text.substr(equals + 1, colon - equals - 1))),
-      scene::typed_number("--from-parameter", scene::trimmed(text.substr(colon + 1)))};
+  const auto number = [&](std::size_t begin, std::size_t end) {
+    return scene::typed_number("--from-parameter", scene::trimmed(text.substr(begin, end - begin)));
+  };
+  return {scene::trimmed(text.substr(0, equals)), number(equals + 1, colon), number(colon + 1, text.size()),
+          typed.all_solutions};
 }
 
 /// A problem with its solutions.
@@ -174,40 +179,38 @@ Solved solve_from_guesses(TypedProblem problem, const BvpOptions& typed) {
 
 /// Solves with the first value of the parameter and follows that solution to the last one.
 Solved solve_by_continuation(const BvpOptions& typed) {
-  const ParameterRange range = range_of(typed.from_parameter);
+  const bvp::ParameterRange range = range_of(typed);
   if (typed.starts) throw InputError("--starts: cannot be combined with --from-parameter");
-  Solved first = solve_from_guesses(problem_of(typed, {{range.name, range.from}}), typed);
-  const double first_end = first.problem.points().back();
-  const auto make = [&](double value) {
-    TypedProblem problem = problem_of(typed, {{range.name, value}});
-    if (problem.is_infinite()) problem.truncate(first_end);
-    return problem;
-  };
-  bvp::Continuation followed =
-      bvp::follow_parameter(make, range.from, range.to, std::move(first.solutions.front()), typed.tolerance);
-  const Status& status = followed.solution.status;
-  if (!status.ok()) {
-    const std::string place =
-        fmt::format("{} = {:.9g} was reached in {} steps", range.name, followed.reached, followed.steps);
-    throw Failure(Status::failure(
-        status.outcome(),
-        followed.reached == range.to
-            ? fmt::format("{}, but {}", place, status.sentence())
-            : fmt::format(
-                  "{}, and no solution near it was found beyond: the branch ends or turns back there, "
-                  "or needs another --guess ({})",
-                  place, status.sentence())));
-  }
-  TypedProblem problem = make(range.to);
-  if (problem.is_infinite()) problem.truncate(followed.solution.end());
-  return {std::move(problem), {std::move(followed.solution)}, std::move(first.remarks)};
+  bvp::ProblemText text = text_of(typed);
+  if (!text.settings.emplace(range.name, range.from).second)
+    throw input_error("--from-parameter {}: --set gives it too", quoted_input(range.name));
+  Solved solved = solve_from_guesses(problem_of(typed, text), typed);
+  bvp::Continuation followed = follow_parameter(text, names_file(typed.guess) ? "" : typed.guess, range,
+                                                std::move(solved.solutions.front()), typed.tolerance);
+  const std::string turns = followed.folds.empty() ? ""
+                                                   : fmt::format("; the branch turns back at {:.10g}",
+                                                                 fmt::join(followed.folds, ", "));
+  const std::string place = fmt::format("{} = {:.9g} was reached in {} steps{}", range.name, followed.reached,
+                                        followed.steps, turns);
+  if (followed.solutions.empty())
+    throw Failure(
+        Status::failure(followed.status.outcome(), fmt::format("{}; {}", place, followed.status.sentence())));
+  if (range.all)
+    solved.remarks.push_back(fmt::format("{} different solutions at {} = {:.9g} on the branch; {}; {}",
+                                         followed.solutions.size(), range.name, range.to, place,
+                                         followed.status.sentence()));
+  else if (!turns.empty())
+    solved.remarks.push_back(place);
+  text.settings[range.name] = range.to;
+  return {problem_of(typed, text), std::move(followed.solutions), std::move(solved.remarks)};
 }
 
 Solved solve_as_typed(const BvpOptions& typed) {
   if (typed.equation.empty() == typed.file.empty())
     throw InputError("give one of --equation TEXT and --file NAME.ode");
   if (!typed.from_parameter.empty()) return solve_by_continuation(typed);
-  return solve_from_guesses(problem_of(typed, {}), typed);
+  if (typed.all_solutions) throw InputError("--all-solutions: needs --from-parameter");
+  return solve_from_guesses(problem_of(typed, text_of(typed)), typed);
 }
 
 /// Result of an integration from the initial values to the end: empty if it agrees with the solution, else a
@@ -277,7 +280,7 @@ std::string rows_of(const TypedProblem& problem, const BvpOptions& typed, const 
 void boundary_values(const BvpOptions& typed) {
   const scene::Picture picture(typed.plot);
   Solved solved = solve_as_typed(typed);
-  std::string text = typed.starts ? "solution,t" : "t";
+  std::string text = typed.has_several() ? "solution,t" : "t";
   for (const std::string& name : solved.problem.names()) text.append(",").append(scene::csv_field(name));
   text += "\n";
   for (std::size_t i = 0; i < solved.solutions.size(); ++i) {
@@ -285,7 +288,7 @@ void boundary_values(const BvpOptions& typed) {
     if (solved.problem.is_infinite()) solved.problem.truncate(solution.end());
     if (std::string said = check_whole_integration(solved.problem, typed, solution); !said.empty())
       solved.remarks.push_back(std::move(said));
-    text += rows_of(solved.problem, typed, solution, typed.starts ? fmt::format("{},", i + 1) : "");
+    text += rows_of(solved.problem, typed, solution, typed.has_several() ? fmt::format("{},", i + 1) : "");
   }
   for (const std::string& said : solved.remarks) scene::print_message("rbf_inverse: " + said);
   scene::print_result(text);

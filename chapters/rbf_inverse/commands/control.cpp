@@ -67,19 +67,6 @@ void declare_control(scene::Options& options, ControlOptions& typed) {
               "NAME.svg: plot of states and controls against time; replaces only an older such picture");
 }
 
-std::vector<std::string> names_of(const std::string& text) {
-  std::vector<std::string> names(1);
-  for (const char c : text) {
-    if (c == ',' || c == ';')
-      names.emplace_back();
-    else
-      names.back() += c;
-  }
-  for (std::string& name : names) name = scene::trimmed(name);
-  std::erase(names, std::string());
-  return names;
-}
-
 TypedControl problem_of_control(const ControlOptions& typed) {
   if (typed.equation.empty() == typed.file.empty())
     throw InputError("give one of --equation TEXT and --file NAME.ode");
@@ -90,7 +77,7 @@ TypedControl problem_of_control(const ControlOptions& typed) {
   text.name = typed.file.empty() ? "--equation" : typed.file;
   text.equations = typed.file.empty() ? typed.equation : comparison::read_equations(typed.file);
   text.settings = comparison::settings_of(typed.set);
-  text.controls = names_of(typed.control);
+  text.controls = bvp::names_in(typed.control);
   text.minimise = typed.minimise;
   text.conditions = typed.conditions;
   text.bounds = typed.bounds;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "nlmech/bvp/typed/follow_parameter.hpp"
 #include "nlmech/problems/texts.hpp"
 #include "nlmech/scene/program/csv.hpp"
 #include "nlmech/scene/program/files.hpp"
@@ -52,12 +53,19 @@ std::span<const TestProblem> test_problems() {
   return all;
 }
 
-bvp::TypedProblem typed(const TestProblem& test, double value) {
+namespace {
+
+bvp::ProblemText text_of(const TestProblem& test, double value) {
   const problems::ProblemText& text = problems::boundary_texts()[static_cast<std::size_t>(test.number - 1)];
-  return bvp::read_problem({.name = fmt::format("{}.ode", text.name),
-                            .equations = std::string(text.text),
-                            .settings = {{test.parameter, value}}},
-                           test.guess);
+  return {.name = fmt::format("{}.ode", text.name),
+          .equations = std::string(text.text),
+          .settings = {{test.parameter, value}}};
+}
+
+}  // namespace
+
+bvp::TypedProblem typed(const TestProblem& test, double value) {
+  return bvp::read_problem(text_of(test, value), test.guess);
 }
 
 bvp::Solution solve_test(const TestProblem& test, double value, double tolerance) {
@@ -67,9 +75,12 @@ bvp::Solution solve_test(const TestProblem& test, double value, double tolerance
   bvp::TypedProblem easy = typed(test, test.easy);
   bvp::Solution first = solve_typed(easy, easy.guess(), tolerance);
   if (!first.status.ok()) return direct;
-  return bvp::follow_parameter([&](double v) { return typed(test, v); }, test.easy, value, std::move(first),
-                               tolerance)
-      .solution;
+  bvp::Continuation found =
+      follow_parameter(text_of(test, test.easy), test.guess,
+                       {.name = test.parameter, .from = test.easy, .to = value}, std::move(first), tolerance);
+  if (!found.solutions.empty()) return std::move(found.solutions.front());
+  direct.status = found.status;
+  return direct;
 }
 
 std::vector<ReferenceValue> references(const TestProblem& test, double value) {

@@ -576,10 +576,6 @@ struct WithParameters {
   }
 };
 
-}  // namespace
-
-namespace {
-
 /// integrate_at() with states in units of @p scale.
 Integration integrate_scaled(const Problem& problem, const Eigen::VectorXd& x0, const Eigen::VectorXd& p,
                              std::span<const double> times, const Eigen::VectorXd& scale) {
@@ -743,21 +739,25 @@ void verify_by_integration(const Problem& problem, const Options& options, Solut
 }
 
 namespace {
-
 /// At a singular end the solution is not verified by integration. Beside it |f| (t - t_0) tends to 0 if the
 /// solution is regular, and not if f has a term x/(t - t_0) with another limit of x than 0.
 Status check_regular_ends(const Problem& problem, const Options& options, const Solution& solution) {
   const VectorXd sizes = largest_values(solution.unknowns);
   const double length = solution.end() - solution.begin();
-  VectorXd f(problem.states());
-  for (const bool at_start : {true, false}) {
-    const double end = at_start ? solution.begin() : solution.end();
-    const double beside =
-        std::max(1e-15 * length, 64 * std::numeric_limits<double>::epsilon() * std::abs(end));
-    const double t = at_start ? end + beside : end - beside;
+  const auto change = [&](double t, double beside) {
+    VectorXd f(problem.states());
     problem.rhs(t, solution.at(t), solution.parameters(), f);
-    for (Index i = 0; i < f.size(); ++i) {
-      if (std::abs(f[i]) * beside <= options.verification_tolerance * sizes[i]) continue;
+    return VectorXd(beside * f.cwiseAbs());
+  };
+  for (const double sign : {1., -1.}) {
+    const double end = sign > 0 ? solution.begin() : solution.end();
+    double beside = std::max(1e-15 * length, 128 * unit_roundoff * std::abs(end));
+    // The map of the time may round to the end.
+    while (beside < 1e-3 * length && !change(end + sign * beside, beside).allFinite()) beside *= 100;
+    const VectorXd near = change(end + sign * beside, beside),
+                   far = change(end + 4 * sign * beside, 4 * beside);
+    for (Index i = 0; i < near.size(); ++i) {
+      if (near[i] <= options.verification_tolerance * sizes[i] || near[i] <= 0.75 * far[i]) continue;
       return failed_with(Outcome::spurious_root,
                          "bvp: at the singular end t = {:.6g} the conditions leave {} without a finite "
                          "derivative; give the condition that makes the solution regular there",

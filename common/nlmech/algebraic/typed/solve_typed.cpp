@@ -177,7 +177,7 @@ std::vector<VectorXd> other_sizes(const TypedSystem& system, const VectorXd& sta
     system.residual(x, f);
     system.derivative(x, j);
     const VectorXd change = (j.leftCols(x.size()) * x.asDiagonal()).cwiseAbs().rowwise().sum();
-    return f.allFinite() && change.allFinite() && (f.cwiseAbs().array() <= change.array()).all();
+    return f.allFinite() && change.allFinite() && (f.cwiseAbs().array() <= 4 * change.array()).all();
   };
   std::vector<VectorXd> all;
   if (is_balanced(start)) return all;

@@ -62,6 +62,18 @@ bool NewtonSystem::residual(Unknowns& y) {
   return conditions_.allFinite();
 }
 
+void NewtonSystem::set_units(const Unknowns& y) {
+  VectorXd sizes = VectorXd::Zero(n_);
+  for (const Interval& interval : y.intervals)
+    sizes = sizes.cwiseMax(interval.values.cwiseAbs().rowwise().maxCoeff());
+  const double largest = sizes.maxCoeff();
+  units_ = VectorXd::Ones(n_);
+  // A state that is 0 so far has no size; one that is rounding has none either.
+  sizes = sizes.unaryExpr([largest](double s) { return s > 0 ? std::max(s, 1e-8 * largest) : largest; });
+  if (largest > 1e3 * sizes.minCoeff())
+    units_ = sizes.unaryExpr([](double s) { return std::exp2(std::round(std::log2(s))); });
+}
+
 void NewtonSystem::condense(const Interval& interval, Condensed& c) {
   const Index nodes = scheme_.nodes.size(), rows = (nodes - 1) * n_, inner = (nodes - 2) * n_;
   MatrixXd edges = MatrixXd::Zero(rows, 2 * n_ + m_), between = MatrixXd::Zero(rows, inner);
@@ -76,6 +88,12 @@ void NewtonSystem::condense(const Interval& interval, Condensed& c) {
     } else {
       problem_.jacobian(node_time(interval, j), x, parameters_, by_state, by_parameter);
     }
+    c.terms = c.terms.cwiseMax(by_state.cwiseAbs() * x.cwiseAbs() +
+                               by_parameter.cwiseAbs() * parameters_.cwiseAbs());
+    state_influence_ = state_influence_.cwiseMax(by_state.cwiseAbs());
+    influence_.topRows(n_) = influence_.topRows(n_).cwiseMax(by_parameter.cwiseAbs());
+    by_state = (units_.cwiseInverse().asDiagonal() * by_state * units_.asDiagonal()).eval();
+    by_parameter = (units_.cwiseInverse().asDiagonal() * by_parameter).eval();
     auto block = j == 0           ? edges.leftCols(n_)
                  : j == nodes - 1 ? edges.middleCols(n_, n_)
                                   : between.middleCols((j - 1) * n_, n_);
@@ -86,10 +104,6 @@ void NewtonSystem::condense(const Interval& interval, Condensed& c) {
         if (m_ > 0) edges.block(i * n_, 2L * n_, n_, m_) += by_slope * by_parameter;
       }
     }
-    c.terms = c.terms.cwiseMax(by_state.cwiseAbs() * x.cwiseAbs() +
-                               by_parameter.cwiseAbs() * parameters_.cwiseAbs());
-    state_influence_ = state_influence_.cwiseMax(by_state.cwiseAbs());
-    influence_.topRows(n_) = influence_.topRows(n_).cwiseMax(by_parameter.cwiseAbs());
     for (Index i = 0; j == 0 && i + 1 < nodes; ++i) block.middleRows(i * n_, n_).diagonal().array() -= 1;
     if (j > 0) block.middleRows((j - 1) * n_, n_).diagonal().array() += 1;
   }
@@ -142,10 +156,11 @@ void NewtonSystem::border(const Unknowns& y) {
   condition_terms_ = by_ends.cwiseAbs() * y.ends(phases_).cwiseAbs().reshaped() +
                      by_parameter.cwiseAbs() * parameters_.cwiseAbs();
   influence_.bottomRows(count) = by_parameter.cwiseAbs();
-  a.bottomLeftCorner(count, ends) = by_ends;
+  a.bottomLeftCorner(count, ends) = by_ends * units_.replicate(2L * phases_, 1).asDiagonal();
   a.bottomRightCorner(count, m_) = by_parameter;
 
-  MatrixXd only = a.bottomRows(count);
+  MatrixXd only(count, size);
+  only << by_ends, by_parameter;
   VectorXd r = conditions_;
   for (Index i = 0; i < count; ++i) {
     const double largest = only.row(i).lpNorm<Eigen::Infinity>();
@@ -193,7 +208,8 @@ Index NewtonSystem::loosest_unknown(const VectorXd& sizes) const {
   double most = -1;
   for (Index i = 0; i < size; ++i) {
     const Index unknown = i < ends ? i % n_ : n_ + i - ends;
-    const double change = sizes[unknown] > 0 ? std::abs(z[i]) / sizes[unknown] : std::abs(z[i]) / 1e-300;
+    const double unit = unknown < n_ ? units_[unknown] : 1;
+    const double change = unit * std::abs(z[i]) / (sizes[unknown] > 0 ? sizes[unknown] : 1e-300);
     if (change > most) {
       most = change;
       loosest = unknown;
@@ -206,6 +222,7 @@ bool NewtonSystem::factorise(const Unknowns& y) {
   terms_ = VectorXd::Zero(n_);
   influence_ = MatrixXd::Zero(n_ + conditions_.size(), m_);
   state_influence_ = MatrixXd::Zero(n_, n_);
+  set_units(y);
   for (std::size_t k = 0; k < parts_.size(); ++k) {
     condense(y.intervals[k], parts_[k]);
     if (!parts_[k].bottom.allFinite() || !parts_[k].top.allFinite()) return false;
@@ -220,7 +237,7 @@ void NewtonSystem::right_hand_sides() {
   VectorXd so_far(n_), both(2 * n_);
   for (std::size_t k = 0; k < parts_.size(); ++k) {
     Condensed& c = parts_[k];
-    VectorXd r = -c.r;
+    VectorXd r = -(c.r.reshaped(n_, c.r.size() / n_).array().colwise() / units_.array()).reshaped();
     if (c.has_inner) r.applyOnTheLeft(c.inner.householderQ().transpose());
     c.r_top = r.head(r.size() - n_);
     c.r_bottom = r.tail(n_);
@@ -262,6 +279,7 @@ void NewtonSystem::back_substitute(Unknowns& step) {
       c.inner.matrixQR().topRows(inner.size()).triangularView<Eigen::Upper>().solveInPlace(inner);
       dx.middleCols(1, nodes - 2) = inner.reshaped(n_, nodes - 2);
     }
+    dx = (units_.asDiagonal() * dx).eval();
     right = left;
   }
 }

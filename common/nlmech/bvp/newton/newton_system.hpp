@@ -34,7 +34,8 @@ struct Unknowns {
 /// of the mesh in sequence, also by orthogonal transformations (S. J. Wright, Stable parallel algorithms for
 /// two-point boundary value problems, SIAM J. Sci. Stat. Comput. 13 (1992) 742-764), which is stable for
 /// growing and decaying solutions. The reduced system of 2 n K + m equations for the phase ends and the
-/// parameters is solved by QR with column pivoting. Work: K_intervals (n N)^3.
+/// parameters is solved by QR with column pivoting. Work: K_intervals (n N)^3. If the sizes of the states differ
+/// by more than 1e3, the linear system is in units of their sizes, powers of two.
 class NewtonSystem {
  public:
   /// Stores references: both arguments must outlive the system.
@@ -89,6 +90,7 @@ class NewtonSystem {
   // Time at which f is evaluated. With several phases f may jump between them, and rhs() is then the limit
   // from the right; so at the end of an interval f is evaluated at the previous double.
   [[nodiscard]] double node_time(const Interval& interval, Eigen::Index node) const;
+  void set_units(const Unknowns& y);
   void condense(const Interval& interval, Condensed& c);
   void chain();
   void border(const Unknowns& y);
@@ -107,7 +109,7 @@ class NewtonSystem {
   double pivot_ratio_ = 0, contradiction_ = 0;
   Eigen::Index independent_ = 0;
   std::int64_t evaluations_ = 0;
-  Eigen::VectorXd parameters_, terms_, condition_terms_;
+  Eigen::VectorXd parameters_, terms_, condition_terms_, units_;  // units_: of the states
   Eigen::MatrixXd influence_, state_influence_;
 };
 

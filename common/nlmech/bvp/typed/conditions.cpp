@@ -98,15 +98,33 @@ bool is_condition(const SourceText& source, const Statement& tokens, const std::
   return !references.empty() && is_equation && !has_derivative && !defines;
 }
 
+bool defines(const SourceText& source, const Statement& tokens, const std::string& name) {
+  return tokens.size() > 1 && tokens[0].kind == TokenKind::name && tokens[0].primes == 0 &&
+         tokens[1].kind == TokenKind::equals && source.at(tokens[0].name) == name;
+}
+
 /// An unknown constant cannot be defined too.
 void check_definition(const SourceText& source, const Statement& tokens,
                       const std::vector<std::string>& constants) {
-  if (tokens.size() < 2 || tokens[0].kind != TokenKind::name || tokens[1].kind != TokenKind::equals) return;
-  if (tokens[0].primes == 0 && std::ranges::find(constants, source.at(tokens[0].name)) != constants.end())
+  const auto is_defined = [&](const std::string& name) { return defines(source, tokens, name); };
+  if (std::ranges::any_of(constants, is_defined))
     throw source.mistake(tokens[0].place, "defined here, and given by --unknown; remove one of both");
 }
 
 }  // namespace
+
+std::vector<std::string> names_in(const std::string& text) {
+  std::vector<std::string> names;
+  std::string name;
+  for (const char c : text + ",") {
+    if (c != ',' && c != ' ' && c != ';') {
+      name += c;
+    } else if (!name.empty()) {
+      names.push_back(std::exchange(name, {}));
+    }
+  }
+  return names;
+}
 
 std::vector<ConditionText> conditions_of(const std::string& name, const std::string& text) {
   std::string separated = text;
@@ -128,7 +146,7 @@ std::vector<ConditionText> conditions_of(const std::string& name, const std::str
 }
 
 DividedText divide(const std::string& name, const std::string& text,
-                   const std::vector<std::string>& constants) {
+                   const std::vector<std::string>& constants, const std::string& parameter) {
   const SourceText source(name, text);
   const std::vector<Statement> all = statements_of(source);
   std::set<std::string> unknowns(constants.begin(), constants.end());
@@ -139,17 +157,35 @@ DividedText divide(const std::string& name, const std::string& text,
   }
   DividedText result{std::string(source.text()), {}};
   for (const Statement& statement : all) {
-    if (!is_condition(source, statement, unknowns)) {
+    const Place place{statement.front().place.begin, statement.back().place.end};
+    if (is_condition(source, statement, unknowns)) {
+      result.conditions.push_back({name, std::string(source.at(place))});
+    } else if (!defines(source, statement, parameter)) {
       check_definition(source, statement, constants);
       continue;
     }
-    const Place place{statement.front().place.begin, statement.back().place.end};
-    result.conditions.push_back({name, std::string(source.at(place))});
     for (std::size_t i = place.begin; i < place.end; ++i) {
       if (result.equations[i] != '\n') result.equations[i] = ' ';
     }
   }
   return result;
+}
+
+program::Equations equations_of(const std::string& name, const std::string& text, const DividedText& divided,
+                                const program::Settings& settings) {
+  try {
+    return program::Equations(SourceText(name, divided.equations), settings);
+  } catch (const InputError& error) {
+    // The second line of a message quotes a part of the text.
+    std::string message = error.what();
+    const std::size_t first = message.find("\n  "), last = message.find('\n', first + 1);
+    if (first == std::string::npos || last == std::string::npos) throw;
+    const std::string quoted = message.substr(first + 3, last - first - 3);
+    const std::size_t at = divided.equations.find(quoted);
+    const SourceText before(name, text);
+    if (at == std::string::npos || at + quoted.size() > before.text().size()) throw;
+    throw InputError(message.replace(first + 3, quoted.size(), before.text().substr(at, quoted.size())));
+  }
 }
 
 void differentiate(const program::Program& program, double t, const Eigen::VectorXd& x, bool with_time,
@@ -178,7 +214,10 @@ class Conditions::Reader {
   Reader(Conditions& made, program::Equations& equations, std::string end_name)
       : made_(made), equations_(equations), end_name_(std::move(end_name)) {
     for (std::size_t i = 0; i < equations.state_names().size(); ++i) {
-      if (!equations.graph().is_number(equations.slopes()[i], 0)) continue;
+      // x' of x'' = 0 stays a state.
+      const bool is_constant = equations.graph().is_number(equations.slopes()[i], 0) &&
+                               !equations.state_names()[i].ends_with('\'');
+      if (!is_constant) continue;
       made.constants_.push_back(static_cast<int>(i));
       constants_.insert(equations.state_names()[i]);
     }
@@ -195,12 +234,14 @@ class Conditions::Reader {
         if (tokens[i].kind == TokenKind::name) known += check_name(source, tokens[i]);
       });
       for (const Reference& reference : references) {
-        const std::string name = new_name(reference.place.end - reference.place.begin);
+        constexpr std::size_t longest = 40;  // names have a limit; integrals may be long
+        const std::size_t length = reference.place.end - reference.place.begin;
+        const std::string name = new_name(std::min(length, longest));
         if (reference.is_integral)
           add_integral(source, condition.name, reference, name);
         else
           add_value(source, condition.name, reference, name);
-        text.replace(reference.place.begin, name.size(), name);
+        text.replace(reference.place.begin, length, name + std::string(length - name.size(), ' '));
       }
       known += references.size();
     }

@@ -18,6 +18,9 @@ struct ConditionText {
   std::string text;  ///< one equation
 };
 
+/// Names between commas, semicolons and blanks.
+[[nodiscard]] std::vector<std::string> names_in(const std::string& text);
+
 /// Divides the text of an option into conditions, at semicolons, at line ends and at commas outside brackets.
 [[nodiscard]] std::vector<ConditionText> conditions_of(const std::string& name, const std::string& text);
 
@@ -31,8 +34,15 @@ struct DividedText {
 /// integral, integral(x^2), and without a derivative for all times, x'. `r = x(1 + a)` is a definition, with
 /// a product, unless r is an unknown.
 /// @param constants names of unknown constants that are declared outside the text
+/// @param parameter one of them, whose definition in the text is blanked; empty: none
 [[nodiscard]] DividedText divide(const std::string& name, const std::string& text,
-                                 const std::vector<std::string>& constants);
+                                 const std::vector<std::string>& constants,
+                                 const std::string& parameter = {});
+
+/// Equations of a divided text, to which declarations may have been added. @param text before the division
+/// @throws InputError that quotes the text before the division
+[[nodiscard]] program::Equations equations_of(const std::string& name, const std::string& text,
+                                              const DividedText& divided, const program::Settings& settings);
 
 /// Derivatives of the outputs of a program by each component of the state and, with @p with_time, by the time
 /// as component x.size(). Calls put(output, component, value).

@@ -80,14 +80,14 @@ DividedText divided_text(const ControlText& text) {
   std::vector<std::string> constants = text.controls;
   if (!text.end.empty()) constants.push_back(text.end);
   DividedText divided = divide(text.name, text.equations, constants);
-  for (const std::string& name : constants) divided.equations += fmt::format("; {}' = 0", name);
+  for (const std::string& name : constants) divided.equations += fmt::format("\n{}' = 0", name);
   return divided;
 }
 
 }  // namespace
 
 TypedControl::TypedControl(const ControlText& text)
-    : text_(text), equations_(program::SourceText(text.name, divided_text(text).equations), text.settings) {
+    : text_(text), equations_(equations_of(text.name, text.equations, divided_text(text), text.settings)) {
   if (equations_.initial_time() || equations_.final_time() || !equations_.lower_bounds().empty())
     throw input_error("{}: give times and bounds by --conditions, --until, --bounds and --state-bounds",
                       text.name);
@@ -161,7 +161,7 @@ void TypedControl::set_expressions(const std::vector<NodeId>& state_bounds,
   for (const Integral& integral : integrals)
     cost = graph.sum(cost, graph.product(graph.number(integral.factor), *next++));
   problem_.running_cost = graph.product(rate, cost);
-  problem_.state_bounds.assign(next, made.end());
+  for (; next != made.end(); next += 2) problem_.state_bounds.push_back(graph.difference(next[0], next[1]));
 }
 
 void TypedControl::refuse_switches(const std::vector<NodeId>& ids) const {
@@ -178,6 +178,7 @@ void TypedControl::refuse_switches(const std::vector<NodeId>& ids) const {
   }
 }
 
+/// Sets the bounds of controls. @return both sides of each bound on states, the smaller one first
 std::vector<NodeId> TypedControl::read_bounds() {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   problem_.low.assign(text_.controls.size(), -infinity);
@@ -204,8 +205,8 @@ std::vector<NodeId> TypedControl::read_bounds() {
   }
   std::vector<NodeId> state_bounds;
   for (const Relation& relation : relations_of("--state-bounds", text_.state_bounds)) {
-    state_bounds.push_back(equations_.expression(
-        "--state-bounds", fmt::format("({}) - ({})", relation.smaller, relation.larger)));
+    state_bounds.push_back(equations_.expression("--state-bounds", relation.smaller));
+    state_bounds.push_back(equations_.expression("--state-bounds", relation.larger));
     bound_texts_.push_back(relation.text);
   }
   return state_bounds;

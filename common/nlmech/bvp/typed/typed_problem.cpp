@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <memory>
+#include <numbers>
 #include <utility>
 
 #include "nlmech/program/dual.hpp"
@@ -52,19 +52,6 @@ double value_of(const Program& program, double t, const VectorXd& x) {
   return value;
 }
 
-std::vector<std::string> names_in(const std::string& text) {
-  std::vector<std::string> names;
-  std::string name;
-  for (const char c : text + ",") {
-    if (c != ',' && c != ' ' && c != ';') {
-      name += c;
-    } else if (!name.empty()) {
-      names.push_back(std::exchange(name, {}));
-    }
-  }
-  return names;
-}
-
 /// The point of @p points next to @p t: equal but for rounding. The number of points if there is none.
 std::size_t point_at(const std::vector<double>& points, double t) {
   const double least = 1e-13 * std::max(std::abs(points.front()), std::abs(points.back()));
@@ -92,6 +79,7 @@ TypedProblem::TypedProblem(program::Equations equations, const std::vector<Condi
   set_points(interval);
   place_values();
   find_singular_ends();
+  map_singular_ends();
 }
 
 std::string TypedProblem::unknown_end(const std::string& until) const {
@@ -177,15 +165,28 @@ void TypedProblem::find_singular_ends() {
     return finite;
   };
   const double from = points_.front(), until = points_.back();
-  const bool known_end = end_ < 0 && !is_infinite_;
-  is_singular_ =
-      is_finite(from + 0.37 * (until - from)) && (!is_finite(from) || (known_end && !is_finite(until)));
+  if (!is_finite(from + 0.37 * (until - from))) return;
+  maps_start_ = !is_finite(from);
+  maps_end_ = end_ < 0 && !is_infinite_ && !is_finite(until);
+  is_singular_ = maps_start_ || maps_end_;
+}
+
+void TypedProblem::map_singular_ends() {
+  from_ = points_.front();
+  until_ = is_infinite_ ? from_ + 1 : points_.back();
+  if (end_ >= 0) maps_start_ = false;
+  if (!maps_start_ && !maps_end_) return;
+  for (double& point : points_) point = place(point, {});
 }
 
 std::vector<double> TypedProblem::mesh() const {
+  const double until = end_ < 0 ? time(points_.back(), {}) : points_.back();
   std::vector<double> mesh =
-      program::TimeFeatures(equations_.graph(), equations_.slopes()).between(points_.front(), points_.back());
+      program::TimeFeatures(equations_.graph(), equations_.slopes()).between(points_.front(), until);
   if (mesh.empty()) return mesh;
+  if (end_ < 0) {
+    for (double& t : mesh) t = place(t, {});
+  }
   constexpr int intervals = 10;  // additional equal intervals
   for (int k = 0; k <= intervals; ++k)
     mesh.push_back(points_.front() + (points_.back() - points_.front()) * k / intervals);
@@ -230,7 +231,11 @@ Start TypedProblem::guess() const {
     if (given) start.parameters[static_cast<Index>(k)] = value_of(*given, points_.front(), zero);
   }
   if (end_ >= 0) start.parameters[end_] = points_.back();
-  start.states = [guess = guess_, states = states_, integral, zero](double t, VectorXd& x) {
+  const auto time_of = [problem = *this](double s) {
+    return problem.maps_start_ || problem.maps_end_ ? problem.time(s, {}) : s;
+  };
+  start.states = [guess = guess_, states = states_, integral, zero, time_of](double s, VectorXd& x) {
+    const double t = time_of(s);
     x.setZero();
     for (std::size_t k = 0; k < states.size(); ++k) {
       const std::size_t i = index_of(states[k]);
@@ -311,20 +316,34 @@ std::optional<int> TypedProblem::parameter_of(int i) const {
   return component.is_parameter ? std::optional(component.index) : std::nullopt;
 }
 
-// dt/ds.
-double TypedProblem::stretch(double s, const VectorXd& p) const {
-  const double last = points_[points_.size() - 2];
+double TypedProblem::rate(double s, const VectorXd& p) const {
+  const double length = until_ - from_, u = (s - from_) / length, last = points_[points_.size() - 2];
+  if (maps_start_ && is_infinite_) return u * (u + 2) / ((1 + u) * (1 + u));
+  if (maps_start_ && maps_end_) return std::numbers::pi / 2 * std::sin(std::numbers::pi * u);
+  if (maps_start_) return 2 * u;
+  if (maps_end_) return 2 * (1 - u);
   return end_ < 0 || s < last ? 1 : (p[end_] - last) / (points_.back() - last);
 }
 
 double TypedProblem::time(double s, const VectorXd& p) const {
-  const double last = points_[points_.size() - 2];
-  return end_ < 0 || s < last ? s : last + stretch(s, p) * (s - last);
+  const double length = until_ - from_, u = (s - from_) / length, last = points_[points_.size() - 2];
+  const auto square = [](double x) { return x * x; };
+  if (maps_start_ && is_infinite_) return from_ + length * u * u / (1 + u);
+  if ((maps_start_ || maps_end_) && u >= 1) return until_;
+  if (maps_end_ && (!maps_start_ || u > 0.5))
+    return until_ - length * square(maps_start_ ? std::sin(std::numbers::pi / 2 * (1 - u)) : 1 - u);
+  if (maps_start_) return from_ + length * square(maps_end_ ? std::sin(std::numbers::pi / 2 * u) : u);
+  return end_ < 0 || s < last ? s : last + rate(s, p) * (s - last);
 }
 
 double TypedProblem::place(double t, const VectorXd& p) const {
-  const double last = points_[points_.size() - 2];
-  return end_ < 0 || t < last ? t : last + (t - last) / stretch(last, p);
+  const double length = until_ - from_, v = (t - from_) / length, last = points_[points_.size() - 2];
+  if (maps_start_ && is_infinite_) return from_ + length * (v + std::sqrt(v * (v + 4))) / 2;
+  if ((maps_start_ || maps_end_) && t >= until_) return until_;
+  if (maps_start_ && maps_end_) return from_ + length * 2 / std::numbers::pi * std::asin(std::sqrt(v));
+  if (maps_start_) return from_ + length * std::sqrt(v);
+  if (maps_end_) return until_ - length * std::sqrt((until_ - t) / length);
+  return end_ < 0 || t < last ? t : last + (t - last) / rate(last, p);
 }
 
 VectorXd TypedProblem::components(const VectorXd& x, const VectorXd& p) const {
@@ -351,7 +370,7 @@ std::string TypedProblem::unknown_name(int i) const {
 void TypedProblem::rhs(double s, const VectorXd& x, const VectorXd& p, VectorXd& dxds) const {
   slopes_.run(time(s, p), components(x, p), 0, slopes_.outputs(),
               [&](int i, double value) { dxds[i] = value; });
-  if (end_ >= 0) dxds *= stretch(s, p);
+  dxds *= rate(s, p);
 }
 
 void TypedProblem::jacobian(double s, const VectorXd& x, const VectorXd& p, MatrixXd& by_state,
@@ -360,7 +379,7 @@ void TypedProblem::jacobian(double s, const VectorXd& x, const VectorXd& p, Matr
   by_parameter.setZero();
   const double last = points_[points_.size() - 2];
   const bool is_stretched = end_ >= 0 && s >= last;
-  const double factor = stretch(s, p), length = points_.back() - last;
+  const double factor = rate(s, p), length = points_.back() - last;
   differentiate(slopes_, time(s, p), components(x, p), is_stretched, [&](int i, int j, double value) {
     if (j == equations_.size()) {
       by_parameter(i, end_) += factor * value * (s - last) / length;
@@ -445,14 +464,17 @@ void TypedProblem::condition_jacobian(const MatrixXd& ends, const VectorXd& p, M
 }
 
 TypedProblem read_problem(const ProblemText& text, const std::string& guess) {
-  const std::vector<std::string> unknowns = names_in(text.unknowns);
-  DividedText divided = divide(text.name, text.equations, unknowns);
+  std::vector<std::string> unknowns = names_in(text.unknowns);
+  if (!text.parameter.empty()) unknowns.push_back(text.parameter);
+  DividedText divided = divide(text.name, text.equations, unknowns, text.parameter);
   for (const std::string& name : unknowns) divided.equations += fmt::format("\n{}' = 0", name);
   std::vector<ConditionText> conditions = divided.conditions;
   const std::vector<ConditionText> further = conditions_of("--conditions", text.conditions);
   conditions.insert(conditions.end(), further.begin(), further.end());
-  program::Equations equations(program::SourceText(text.name, divided.equations), text.settings);
-  return {std::move(equations), conditions, {text.from, text.until}, guess};
+  return {equations_of(text.name, text.equations, divided, text.settings),
+          conditions,
+          {text.from, text.until},
+          guess};
 }
 
 }  // namespace nlmech::bvp

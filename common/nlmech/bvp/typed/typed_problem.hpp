@@ -21,7 +21,9 @@ struct ProblemText {
   program::Settings settings = {};  ///< values of definitions
   std::string conditions = {};      ///< further conditions
   std::string unknowns = {};        ///< names of unknown constants, separated by commas
-  std::string from = {};            ///< start of the interval, a number; empty: the first time of a condition
+  /// One more unknown constant, the last; a definition of it in the equations is left out.
+  std::string parameter = {};
+  std::string from = {};  ///< start of the interval, a number; empty: the first time of a condition
   /// End of the interval: a number, an unknown constant, or `inf`; empty: the last time of a condition.
   std::string until = {};
 };
@@ -33,8 +35,13 @@ struct ProblemText {
 /// unless there are no others. An integral is a further state. The points are the ends of the interval, the
 /// times in the conditions, and known times at which the equations jump, if these are at most `most_jumps`.
 ///
-/// Time s of the problem is the time t of the equations, except with an unknown end T: after the last known
-/// point t_l, t = t_l + (T - t_l) (s - t_l) / (T_0 - t_l), with the guess T_0 of T.
+/// Time s of the problem is the time t of the equations, except
+///  - with an unknown end T: after the last known point t_l, t = t_l + (T - t_l) (s - t_l) / (T_0 - t_l),
+///  with
+///    the guess T_0 of T;
+///  - at ends t_e of a known interval where the equations are singular: |t - t_e| grows like (s - t_e)^2,
+///  which
+///    makes solutions smooth that are series in the square root of t - t_e.
 class TypedProblem final : public Problem {
  public:
   /// Largest number of jumps that are points; each adds one condition per state.
@@ -87,6 +94,8 @@ class TypedProblem final : public Problem {
 
   /// Time of the equations at the time @p s of the problem.
   [[nodiscard]] double time(double s, const Eigen::VectorXd& p) const;
+  /// Derivative of time() by @p s.
+  [[nodiscard]] double rate(double s, const Eigen::VectorXd& p) const;
   /// Time of the problem at the time @p t of the equations.
   [[nodiscard]] double place(double t, const Eigen::VectorXd& p) const;
   /// All components of the equations from states and parameters.
@@ -131,9 +140,9 @@ class TypedProblem final : public Problem {
   void set_points(const Interval& interval);
   void place_values();
   void find_singular_ends();
+  void map_singular_ends();
   void read_guess(const std::string& text);
   [[nodiscard]] std::string unknown_end(const std::string& until) const;
-  [[nodiscard]] double stretch(double s, const Eigen::VectorXd& p) const;
   [[nodiscard]] Eigen::VectorXd arguments(const Eigen::MatrixXd& ends, const Eigen::VectorXd& p) const;
 
   program::Equations equations_;
@@ -146,6 +155,8 @@ class TypedProblem final : public Problem {
   program::Program slopes_;                             // states, then integrals
   int end_ = -1;                                        // parameter that is the end
   bool is_infinite_ = false, is_singular_ = false;
+  bool maps_start_ = false, maps_end_ = false;  // ends at which t is quadratic in s
+  double from_ = 0, until_ = 1;                 // of t, if an end is mapped; until_ = from_ + 1 if infinite
 };
 
 /// Reads a problem. @param guess see TypedProblem

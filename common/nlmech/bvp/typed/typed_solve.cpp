@@ -70,13 +70,18 @@ Solution solve_finite(const TypedProblem& problem, Start start, double tolerance
   return solution;
 }
 
-/// The solution up to its end, continued linearly to @p end.
+/// The solution up to its end, continued linearly to @p end. Values that are rounding are 0: a negative one
+/// may have no root.
 Start extended(const Solution& solution, double end) {
   const auto copy = std::make_shared<const Solution>(solution);
   const double last = copy->end();
+  const VectorXd least = 1e-14 * copy->node_values().cwiseAbs().rowwise().maxCoeff();
   Start start = start_from(solution);
-  start.states = [copy, last](double t, VectorXd& x) {
+  start.states = [copy, last, least](double t, VectorXd& x) {
     x = copy->at(std::clamp(t, copy->begin(), last));
+    for (Index i = 0; i < x.size(); ++i) {
+      if (std::abs(x[i]) <= least[i]) x[i] = 0;
+    }
     if (t > last) x += (t - last) * copy->unknowns.intervals.back().slopes.rightCols(1);
   };
   constexpr int parts = 8;
@@ -98,14 +103,14 @@ double difference(const Solution& a, const Solution& b, double end) {
   return worst;
 }
 
-/// Largest change after @p t of the components with a condition at infinity, relative to their sizes.
-double change_after(const TypedProblem& problem, const Solution& solution, double t) {
-  const VectorXd a = problem.components_at(solution, t), b = problem.components_at(solution, solution.end());
+/// Largest change after @p s of the components with a condition at infinity, relative to their sizes.
+double change_after(const TypedProblem& problem, const Solution& solution, double s) {
+  const auto at = [&](double place) { return problem.components(solution.at(place), solution.parameters()); };
+  const VectorXd a = at(s), b = at(solution.end());
   double worst = 0;
   for (const int i : problem.components_at_infinity()) {
     double size = 0;
-    for (const double at : solution.node_times())
-      size = std::max(size, std::abs(problem.components_at(solution, at)[i]));
+    for (const double node : solution.node_times()) size = std::max(size, std::abs(at(node)[i]));
     if (size > 0) worst = std::max(worst, std::abs(a[i] - b[i]) / size);
   }
   return worst;
@@ -134,7 +139,7 @@ Solution solve_infinite(TypedProblem& problem, const Start& start, double tolera
   before.status = failed_with(Outcome::not_converged,
                               "the solution does not approach its values at infinity: up to t = {:.3g} they "
                               "still change by {:.2g} of their size over the last half",
-                              end, change);
+                              problem.time(end, before.parameters()), change);
   return before;
 }
 
@@ -146,17 +151,6 @@ Start scaled(const Solution& solution, double factor) {
     x *= factor;
   };
   return start;
-}
-
-bool is_known(const std::vector<FoundSolution>& known, const Solution& solution) {
-  constexpr double same = 1e-5;
-  return std::ranges::any_of(known, [&](const FoundSolution& other) {
-    const VectorXd &p = other.solution.parameters(), &q = solution.parameters();
-    for (Index i = 0; i < p.size(); ++i) {
-      if (!(std::abs(p[i] - q[i]) <= same * std::max(std::abs(p[i]), std::abs(q[i])))) return false;
-    }
-    return difference(other.solution, solution, solution.end()) <= same;
-  });
 }
 
 }  // namespace
@@ -180,48 +174,20 @@ Search find_solutions(TypedProblem& problem, const Start& guess, int starts, std
                                  : problem.random_guess(size, static_cast<unsigned>(k));
     Solution solution = solve_typed(problem, start, tolerance);
     if (k == 0) search.first = solution.status;
-    if (solution.status.ok() && !is_known(search.found, solution))
+    const auto is_it = [&](const FoundSolution& other) { return are_same(other.solution, solution); };
+    if (solution.status.ok() && std::ranges::none_of(search.found, is_it))
       search.found.push_back({std::move(solution), k, size});
   }
   return search;
 }
 
-Continuation follow_parameter(const std::function<TypedProblem(double)>& make, double from, double to,
-                              Solution solution, double tolerance) {
-  constexpr double least_step = 1e-4, first_step = 0.1, growth = 1.7;
-  constexpr int most_rejected = 4;  // damped Newton steps: more may lead to another branch
-  Continuation result{std::move(solution), from, 0};
-  Options options = options_for(std::max(tolerance, 1e-6));
-  options.verification = Verification::none;
-  const auto value = [&](double share) {
-    if (share >= 1) return to;
-    return from * to > 0 ? from * std::pow(to / from, share) : from + (to - from) * share;
-  };
-  double share = 0, step = first_step;
-  while (share < 1) {
-    if (1 - share < 1.5 * step) step = 1 - share;
-    TypedProblem problem = make(value(share + step));
-    Solution next = solve(problem, start_from(result.solution), options);
-    const bool is_close = next.status.ok() && next.statistics.rejected <= most_rejected;
-    if (!is_close && step <= least_step) {
-      if (next.status.ok())
-        next.status = Status::failure(Outcome::newton_diverged, "the steps are too short");
-      result.solution.status = next.status;
-      return result;
-    }
-    if (!is_close) {
-      step = std::max(step / 3, least_step);
-      continue;
-    }
-    share += step;
-    step *= growth;
-    ++result.steps;
-    result.reached = value(share);
-    result.solution = std::move(next);
+bool are_same(const Solution& a, const Solution& b) {
+  constexpr double same = 1e-5;
+  const VectorXd &p = a.parameters(), &q = b.parameters();
+  for (Index i = 0; i < p.size(); ++i) {
+    if (!(std::abs(p[i] - q[i]) <= same * std::max(std::abs(p[i]), std::abs(q[i])))) return false;
   }
-  TypedProblem problem = make(to);
-  result.solution = solve_typed(problem, start_from(result.solution), tolerance);
-  return result;
+  return difference(a, b, b.end()) <= same;
 }
 
 }  // namespace nlmech::bvp

@@ -1,8 +1,7 @@
 /// @file
-/// Solutions of typed boundary value problems: fine meshes, infinite ends, several solutions, continuation.
+/// Solutions of typed boundary value problems: fine meshes, infinite ends, several solutions.
 #pragma once
 
-#include <functional>
 #include <vector>
 
 #include "nlmech/bvp/solve.hpp"
@@ -44,19 +43,7 @@ struct Search {
 [[nodiscard]] Search find_solutions(TypedProblem& problem, const Start& guess, int starts, std::size_t most,
                                     double tolerance);
 
-/// Result of follow_parameter().
-struct Continuation {
-  Solution solution;   ///< solution at the end value, or the failure there
-  double reached = 0;  ///< last value with a solution
-  int steps = 0;       ///< values with a solution
-};
-
-/// Follows a solution in a parameter from @p from to @p to. Steps are geometric if both have one sign, chosen
-/// by the success of Newton's iteration; the last solution is that of solve_typed(). Ends where the branch
-/// turns back or ends.
-/// @param make problem with a value of the parameter
-/// @param solution solution at @p from
-[[nodiscard]] Continuation follow_parameter(const std::function<TypedProblem(double)>& make, double from,
-                                            double to, Solution solution, double tolerance);
+/// Are two solutions of a problem equal to 1e-5 of the size of each component?
+[[nodiscard]] bool are_same(const Solution& a, const Solution& b);
 
 }  // namespace nlmech::bvp
