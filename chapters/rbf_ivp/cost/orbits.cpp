@@ -12,7 +12,7 @@
 
 #include "chapters/rbf_ivp/cost/sweeps.hpp"
 #include "nlmech/comparison/commands/example_of.hpp"
-#include "nlmech/comparison/cost/cost_curves.hpp"
+#include "nlmech/comparison/cost/cost_scene.hpp"
 #include "nlmech/orbit/kepler.hpp"
 #include "nlmech/program/equations.hpp"
 #include "nlmech/program/problem.hpp"
