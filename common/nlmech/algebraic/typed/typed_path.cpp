@@ -132,10 +132,11 @@ class BranchTracer {
     is_at_end_ = false;
     met_.clear();
     first_ = path_->now();
-    steps_ = taken_ = 0;
+    taken_ = next_resize_ = 0;
     Status status;
     do {
       if (has_outgrown()) resize();
+      has_no_step_ = true;
       status = follow(
           *path_, [this](const Path&) { return list() || is_late() || has_outgrown(); }, options_.steps + 1,
           met_);
@@ -154,19 +155,20 @@ class BranchTracer {
     return std::make_unique<Path>(path_method(options_, x), equations_, x, load);
   }
   /// Is an unknown ten times as large as its size? Lengths would measure it alone, and no longer the
-  /// parameter. Not beside a limit point, where the direction of a new start is not that of the path.
+  /// parameter.
   [[nodiscard]] bool has_outgrown() const {
-    const PathPoint& now = path_->now();
-    return std::abs(now.slope) > 0.1 && now.x.cwiseAbs().cwiseProduct(scale_).maxCoeff() > 10;
+    return taken_ >= next_resize_ && path_->now().x.cwiseAbs().cwiseProduct(scale_).maxCoeff() > 10;
   }
-  /// Continues with the sizes of the last point.
+  /// Continues with the sizes of the last point; some steps later, if that is beside a limit point, where the
+  /// direction of a new start is not known.
   void resize() {
+    next_resize_ = taken_ + 5;
     const PathPoint now = path_->now();
     std::unique_ptr<Path> next = path_from(now.x, now.load);
+    if (!next->start(now.slope > 0).ok() || std::abs(next->now().slope) < 0.1) return;
     const VectorXd change = path_method(options_, now.x).scale.cwiseQuotient(scale_);
-    scale_ = scale_.cwiseProduct(change);
-    if (!next->start(now.slope > 0).ok()) return;
     const double load_change = next->system().load_scale() / path_->system().load_scale();
+    scale_ = scale_.cwiseProduct(change);
     path_ = std::move(next);
     first_.at = path_->system().scaled(first_.x, first_.load);
     for (Crossing& k : crossings_) {
@@ -175,13 +177,12 @@ class BranchTracer {
       if (d.y.size() > 0) d.y = d.y.cwiseProduct(change).eval(), d.m *= load_change;
       if (const double length = d.norm(); length > 0) d.y /= length, d.m /= length;
     }
-    steps_ = 0;
   }
 
   /// Adds the points of the last step. @return true at the end of the branch
   bool list() { return is_at_end_ = add_points(); }
   bool add_points() {
-    if (steps_++ == 0) return false;  // no step yet
+    if (std::exchange(has_no_step_, false)) return false;
     ++taken_;
     PathPoint before = path_->before();
     for (; listed_ < met_.size(); ++listed_) {
@@ -242,7 +243,7 @@ class BranchTracer {
 
   // A closed branch comes back to its first point.
   [[nodiscard]] bool has_returned() const {
-    if (steps_ < 5) return false;
+    if (taken_ < 4) return false;
     const PathVector first = difference(path_->before().at, first_.at),
                      last = difference(path_->now().at, first_.at);
     const PathVector chord = difference(path_->now().at, path_->before().at);
@@ -285,8 +286,8 @@ class BranchTracer {
   std::size_t listed_ = 0;
   PathPoint first_;
   Status lost_;
-  bool is_at_end_ = false;
-  int branch_ = 0, steps_ = 0, taken_ = 0;
+  bool is_at_end_ = false, has_no_step_ = true;
+  int branch_ = 0, taken_ = 0, next_resize_ = 0;
 };
 
 }  // namespace
