@@ -42,6 +42,15 @@ class LoadedSystem final : public Loaded {
     system_.derivative(with(x, load), j_);
     j_ = (rows_.cwiseInverse().asDiagonal() * j_).eval();
   }
+  /// Is F rounding at a point, beside the sum of the terms of its differential, or the size of its rows at
+  /// the start?
+  [[nodiscard]] bool is_root(const VectorXd& x, double load) {
+    VectorXd f;
+    residual(x, load, f);
+    linearise(x, load);
+    const VectorXd terms = (j_ * with(x, load).asDiagonal()).cwiseAbs().rowwise().sum();
+    return (f.array().abs() <= 1e-6 * terms.array() + 1e-9).all();
+  }
   void load_vector(VectorXd& q) const override { q = j_.col(size()); }
   void matrix(MatrixXd& k) const override { k = j_.leftCols(size()); }
   [[nodiscard]] bool is_symmetric() const override { return system_.has_energy(); }
@@ -159,14 +168,16 @@ class BranchTracer {
   [[nodiscard]] bool has_outgrown() const {
     return taken_ >= next_resize_ && path_->now().x.cwiseAbs().cwiseProduct(scale_).maxCoeff() > 10;
   }
-  /// Continues with the sizes of the last point; some steps later, if that is beside a limit point, where the
-  /// direction of a new start is not known.
+  /// Continues with the sizes of the last point; some steps later, if a new start has another direction, as
+  /// beside a limit point.
   void resize() {
     next_resize_ = taken_ + 5;
     const PathPoint now = path_->now();
     std::unique_ptr<Path> next = path_from(now.x, now.load);
-    if (!next->start(now.slope > 0).ok() || std::abs(next->now().slope) < 0.1) return;
     const VectorXd change = path_method(options_, now.x).scale.cwiseQuotient(scale_);
+    if (!next->start(now.slope > 0).ok() ||
+        !(next->now().tangent.y.dot(now.tangent.y.cwiseProduct(change)) > 0))
+      return;
     const double load_change = next->system().load_scale() / path_->system().load_scale();
     scale_ = scale_.cwiseProduct(change);
     path_ = std::move(next);
@@ -232,10 +243,10 @@ class BranchTracer {
     if ((from.load - end) * (to.load - end) > 0) return true;
     PathPoint last;
     const Outcome outcome = path_->crossing(end, from, to, last);
-    if (outcome == Outcome::success)
+    if (outcome == Outcome::success && equations_.is_root(last.x, last.load))
       add(TypedPathPoint::Kind::step, last);
     else
-      lost_ = failed_with(outcome,
+      lost_ = failed_with(outcome == Outcome::success ? Outcome::not_converged : outcome,
                           "path: between {:.10g} and {:.10g} no point at {:.10g}; take shorter steps (turn)",
                           from.load, to.load, end);
     return true;
