@@ -1,7 +1,6 @@
 /// @file
 /// `integrators_sensitivities_bench`: sensitivities at equal error by the variational equations, with Taylor
-/// series or, where the problem is stiff, collocation, against CVODES; by Google Benchmark. Exit code 1 if a
-/// claim does not hold.
+/// series, against CVODES; by Google Benchmark. Exit code 1 if a claim does not hold.
 #include <map>
 #include <memory>
 
@@ -36,8 +35,7 @@ void rows(chapters::Speed& all) {
       std::string own;
       for (const SensitivityMethod& method : c.methods()) {
         const std::string name = at + method.name;
-        if (c.stiff && !method.suits_stiff) continue;
-        if (method.name == (c.stiff ? "adaptive-collocation" : "series")) {
+        if (method.name == "series") {
           all.add(fastest(c, method, wanted, own = name));
         } else if (method.name.starts_with("cvodes")) {
           auto found = fastest(c, method, wanted, name);

@@ -33,8 +33,8 @@ ivp::State initial_state(program::Equations equations) {
   return Eigen::Map<const Eigen::VectorXd>(x.data(), std::ssize(x));
 }
 
-ivp::Settings settings_of(const SensitivityCase& c, double tolerance) {
-  return {.tolerance = tolerance, .absolute_tolerance = tolerance * c.absolute};
+ivp::Settings settings_of(double tolerance) {
+  return {.tolerance = tolerance, .absolute_tolerance = tolerance};
 }
 
 SensitivityMethod by_variational_equations(const SensitivityCase& c, const std::string& method) {
@@ -42,7 +42,7 @@ SensitivityMethod by_variational_equations(const SensitivityCase& c, const std::
       program::Problem(c.equations.with_sensitivities("sensitivities", c.of, ivp::unseen_scale)));
   return {method, [&c, method, scaled](double tolerance) -> Run {
             const auto run =
-                ivp::controlled_by_solution(ivp::named_integrator(method, settings_of(c, tolerance)), scaled);
+                ivp::controlled_by_solution(ivp::named_integrator(method, settings_of(tolerance)), scaled);
             return [&c, run](double t1) -> std::optional<ivp::State> {
               const ivp::Solution end = run(c.all, c.x0, 0, t1, {}, enough);
               return end.status.ok() ? std::optional(end.x) : std::nullopt;
@@ -53,7 +53,7 @@ SensitivityMethod by_variational_equations(const SensitivityCase& c, const std::
 SensitivityMethod by_cvodes(const SensitivityCase& c, peers::Cvode::Formula formula) {
   const bool adams = formula == peers::Cvode::Formula::adams;
   return {adams ? "cvodes-adams" : "cvodes-bdf", [&c, formula](double tolerance) -> Run {
-            return [&c, method = peers::Cvode{formula, tolerance, tolerance * c.absolute}](
+            return [&c, method = peers::Cvode{formula, tolerance, tolerance}](
                        double t1) -> std::optional<ivp::State> {
               ivp::State x = c.x0;
               if (!peers::cvodes_natively(method, c.system, c.all, c.sizes, 0, t1, x)) return std::nullopt;
@@ -63,13 +63,13 @@ SensitivityMethod by_cvodes(const SensitivityCase& c, peers::Cvode::Formula form
 }
 
 /// The change of the central differences for errors of the runs of one tolerance: its cube root.
-SensitivityMethod by_differences(const SensitivityCase& c, const std::string& method) {
+SensitivityMethod by_differences(const SensitivityCase& c) {
   struct Pair {
     ivp::System system[2];
     ivp::State x0[2];
     double change;
   };
-  return {"differences", [&c, method](double tolerance) -> Run {
+  return {"differences", [&c](double tolerance) -> Run {
             std::vector<Pair> pairs;
             const program::VariationalLayout layout = c.extended.layout();
             for (std::size_t k = 0; k < c.of.size(); ++k) {
@@ -91,7 +91,7 @@ SensitivityMethod by_differences(const SensitivityCase& c, const std::string& me
               }
               pairs.push_back(std::move(pair));
             }
-            return [&c, pairs, layout, run = ivp::named_integrator(method, settings_of(c, tolerance))](
+            return [&c, pairs, layout, run = ivp::named_integrator("dop853", settings_of(tolerance))](
                        double t1) -> std::optional<ivp::State> {
               ivp::State all = c.x0;
               for (int k = 1; k <= layout.columns; ++k) {
@@ -109,14 +109,11 @@ SensitivityMethod by_differences(const SensitivityCase& c, const std::string& me
 
 }  // namespace
 
-SensitivityCase::SensitivityCase(std::string called, const program::Settings& settings,
-                                 std::vector<std::string> by, double t1, bool is_stiff, double smallest)
+SensitivityCase::SensitivityCase(std::string called, std::vector<std::string> by, double t1)
     : name(std::move(called)),
       of(std::move(by)),
       end(t1),
-      stiff(is_stiff),
-      absolute(smallest),
-      equations(text_of(name, settings)),
+      equations(text_of(name, {})),
       extended(equations.with_sensitivities("sensitivities", of)),
       system(program::Problem(equations)),
       all(program::Problem(extended)),
@@ -161,30 +158,22 @@ std::optional<double> SensitivityCase::error(const Run& run) const {
 
 std::vector<SensitivityMethod> SensitivityCase::methods() const {
   std::vector<SensitivityMethod> methods;
-  const auto add = [&methods](SensitivityMethod method, bool suits_stiff) {
-    method.suits_stiff = suits_stiff;
-    methods.push_back(std::move(method));
-  };
-  add(by_variational_equations(*this, "series"), false);
-  add(by_variational_equations(*this, "dop853"), false);
-  add(by_variational_equations(*this, "adaptive-collocation"), true);
+  for (const char* const method : {"series", "dop853", "adaptive-collocation"})
+    methods.push_back(by_variational_equations(*this, method));
   if (peers::cvodes_available()) {
-    add(by_cvodes(*this, peers::Cvode::Formula::adams), false);
-    add(by_cvodes(*this, peers::Cvode::Formula::bdf), true);
+    methods.push_back(by_cvodes(*this, peers::Cvode::Formula::adams));
+    methods.push_back(by_cvodes(*this, peers::Cvode::Formula::bdf));
   }
-  add(by_differences(*this, stiff ? "adaptive-collocation" : "dop853"), true);
+  methods.push_back(by_differences(*this));
   return methods;
 }
 
 std::vector<SensitivityCase> sensitivity_cases() {
   std::vector<SensitivityCase> cases;
   using Names = std::vector<std::string>;
-  using Set = program::Settings;
-  cases.emplace_back("duffing", Set{}, Names{"x", "x'", "hardening"}, 50);
-  cases.emplace_back("lorenz", Set{}, Names{"u", "v", "w", "r"}, 5);
-  cases.emplace_back("arenstorf", Set{}, Names{"x", "y", "x'", "y'"}, 10);
-  cases.emplace_back("van-der-pol", Set{{"mu", 100}}, Names{"x", "mu"}, 160, true, 1e-3);
-  cases.emplace_back("robertson", Set{}, Names{"k1", "k2", "k3"}, 40, true, 1e-6);
+  cases.emplace_back("duffing", Names{"x", "x'", "hardening"}, 50);
+  cases.emplace_back("lorenz", Names{"u", "v", "w", "r"}, 5);
+  cases.emplace_back("arenstorf", Names{"x", "y", "x'", "y'"}, 10);
   return cases;
 }
 

@@ -13,28 +13,24 @@
 namespace nlmech::chapters::integrators {
 
 /// A way to compute sensitivities: its run to a time gives the extended state, or nothing if it fails. Made
-/// for a tolerance, which is relative; the absolute one is that of the problem.
+/// for a tolerance, which is relative and absolute.
 struct SensitivityMethod {
   /// Runs to a time.
   using Run = std::function<std::optional<ivp::State>(double t1)>;
   std::string name;                           ///< "series", "cvodes-bdf", "differences"
   std::function<Run(double tolerance)> make;  ///< prepares a run, which is timed without the preparation
-  bool suits_stiff = false;                   ///< is it for stiff problems too?
 };
 
 /// Typed equations with their sensitivities.
 struct SensitivityCase {
   /// @param name of a problem of the library, and in tables
   /// @param of names of the initial values and parameters
-  /// @param end end time @param absolute absolute over relative tolerance
-  SensitivityCase(std::string name, const program::Settings& settings, std::vector<std::string> of,
-                  double end, bool stiff = false, double absolute = 1);
+  /// @param end end time
+  SensitivityCase(std::string name, std::vector<std::string> of, double end);
 
   std::string name;                    ///< name of the problem
   std::vector<std::string> of;         ///< what the columns are the derivatives by
   double end;                          ///< end time; the start is 0
-  bool stiff;                          ///< are explicit methods slow?
-  double absolute;                     ///< absolute over relative tolerance
   program::Equations equations;        ///< without sensitivities
   program::Equations extended;         ///< with sensitivities
   ivp::System system;                  ///< of `equations`
@@ -51,8 +47,7 @@ struct SensitivityCase {
   [[nodiscard]] double error(const ivp::State& x, int k) const;
   /// Median of error() of runs to all judged times; nothing if one fails.
   [[nodiscard]] std::optional<double> error(const SensitivityMethod::Run& run) const;
-  /// nlmech methods, CVODES, and central differences of runs of `dop853` (`adaptive-collocation` where the
-  /// problem is stiff). They refer to this case.
+  /// nlmech methods, CVODES, and central differences of runs of `dop853`. They refer to this case.
   [[nodiscard]] std::vector<SensitivityMethod> methods() const;
 };
 

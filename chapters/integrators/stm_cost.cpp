@@ -27,7 +27,6 @@ Kind kind_of(const std::string& method) {
 scene::MethodLine line_of(const SensitivityCase& c, const SensitivityMethod& method, bool quick) {
   scene::MethodLine line = comparison::line_of(method.name, kind_of(method.name));
   if (method.name.starts_with("cvodes")) line.side = scene::Side::peer;
-  if (c.stiff && !method.suits_stiff) return line;
   for (int digits = 4; digits <= (quick ? 8 : 13); digits += quick ? 4 : 1) {
     const double tolerance = std::pow(10, -digits);
     const SensitivityMethod::Run run = method.make(tolerance);
@@ -56,7 +55,7 @@ void put(const std::vector<scene::ProblemLines>& all, scene::Show& show) {
   auto groups = comparison::method_groups();
   groups[static_cast<std::size_t>(Kind::classical)].name = "differences of runs";
   scene::show_work_precision(
-      {.heading = "Sensitivities of five problems: digits and run time", .groups = groups}, all, show);
+      {.heading = "Sensitivities of three problems: digits and run time", .groups = groups}, all, show);
   for (const scene::ProblemLines& problem : all) {
     double best = 1;
     for (const scene::MethodLine& line : problem.lines) {
