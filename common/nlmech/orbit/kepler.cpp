@@ -51,7 +51,8 @@ KeplerCondition condition_of(const Scaled& s) {
       const double unit = size[j] / length;
       sum += std::hypot(partials(row, j) * unit, partials(row + 1, j) * unit, partials(row + 2, j) * unit);
     }
-    return sum < infinity ? sum : infinity;
+    if (!(sum < infinity)) sum = infinity;
+    return sum;
   };
   return {sum_of_effects(k.state.position, 0), sum_of_effects(k.state.velocity, 3)};
 }
