@@ -1,4 +1,4 @@
-#include <cvodes/cvodes.h>  // CVODE and its sensitivities: one library has both
+#include <cvode/cvode.h>
 #include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
 
 #include <optional>
