@@ -167,7 +167,7 @@ class Branch {
  private:
   /// All components of the equations and, in its place among them, the parameter.
   [[nodiscard]] VectorXd components(const BranchPoint& point, double t) const {
-    const VectorXd x = point.problem->components_at(*point.solution, t);
+    VectorXd x = point.problem->components_at(*point.solution, t);
     if (x.size() == static_cast<Index>(unknown_.names().size())) return x;
     VectorXd all(x.size() + 1);
     all << x.head(row_), point.value, x.tail(x.size() - row_);
