@@ -34,8 +34,8 @@ struct Unknowns {
 /// of the mesh in sequence, also by orthogonal transformations (S. J. Wright, Stable parallel algorithms for
 /// two-point boundary value problems, SIAM J. Sci. Stat. Comput. 13 (1992) 742-764), which is stable for
 /// growing and decaying solutions. The reduced system of 2 n K + m equations for the phase ends and the
-/// parameters is solved by QR with column pivoting. Work: K_intervals (n N)^3. If the sizes of the states differ
-/// by more than 1e3, the linear system is in units of their sizes, powers of two.
+/// parameters is solved by QR with column pivoting. Work: K_intervals (n N)^3. If the sizes of the states
+/// differ by more than 1e3, the linear system is in units of their sizes, powers of two.
 class NewtonSystem {
  public:
   /// Stores references: both arguments must outlive the system.
