@@ -141,8 +141,7 @@ constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();
 
 /// Angular momentum of the short way, up to a positive factor; 0 to within rounding if there is no plane.
 orbit::Vector3<double> short_way_normal(const orbit::TransferProblem& p) {
-  const orbit::Vector3<double> h =
-      orbit::accurate_cross(p.from / p.from.stableNorm(), p.to / p.to.stableNorm());
+  orbit::Vector3<double> h = orbit::accurate_cross(p.from / p.from.stableNorm(), p.to / p.to.stableNorm());
   if (!p.normal) return h;
   return h.norm() > rounding && h.dot(*p.normal) < 0 ? orbit::Vector3<double>(-*p.normal) : *p.normal;
 }
