@@ -11,8 +11,9 @@ namespace nlmech::orbit {
 
 /// Entry of a matrix that is no covariance.
 struct CovarianceFault {
-  int row = 0, column = 0;  ///< of the entry, from 0
-  std::string why;          ///< what is wrong, with the value
+  int row = 0;      ///< of the entry, from 0
+  int column = 0;   ///< of the entry, from 0
+  std::string why;  ///< what is wrong, with the value
 };
 
 /// Cholesky's factor: lower triangular @p root with root root^T = @p covariance. A covariance is propagated
