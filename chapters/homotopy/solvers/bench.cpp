@@ -1,17 +1,21 @@
 /// @file
 /// `homotopy_bench`: energy trust region against KINSOL's line search and against path following on toggles
-/// of many elements, and a path of 1000 elements through its limit points, by Google Benchmark. Exit code 1
-/// if a claim does not hold.
+/// of many elements, a path of 1000 elements through its limit points, and the default of `homotopy solve`
+/// against KINSOL and GSL, by Google Benchmark. Exit code 1 if a claim does not hold.
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "chapters/homotopy/commands/commands_typed.hpp"
+#include "chapters/homotopy/solvers/test_systems.hpp"
 #include "chapters/speed.hpp"
 #include "nlmech/algebraic/newton/energy_trust_region.hpp"
 #include "nlmech/algebraic/paths/path_solvers.hpp"
 #include "nlmech/frames/equilibrium.hpp"
 #include "nlmech/frames/loaded_frame.hpp"
 #include "nlmech/frames/toggle.hpp"
+#include "nlmech/peers/algebraic/gsl_hybrid.hpp"
 #include "nlmech/peers/algebraic/kinsol.hpp"
 
 namespace {
@@ -57,7 +61,48 @@ void add_path(chapters::Speed& all, int elements) {
   });
 }
 
+struct Start {
+  algebraic::TypedSystem system;
+  VectorXd at;
+};
+
+/// Adds the default of `homotopy solve` and the peers on those classical systems that all of them solve from
+/// the standard start; every solver's end is checked alike.
+void add_test_set(chapters::Speed& all) {
+  const double tolerance = 1e-10;
+  const int iterations = 300;
+  const std::string by_default = "classical systems, automatic";
+  const std::vector<std::pair<std::string, double>> peers = {{"kinsol", 1}, {"gsl-hybrid", 1.5}};
+  const auto solves = [=](const Start& start, const std::string& name) {
+    const auto solver = chapters::homotopy::solvers_of(start.system, "--method", {name}).front();
+    return solve_by(solver, start.system, start.at, tolerance, iterations).status.ok();
+  };
+  std::vector<Start> starts;
+  for (const chapters::homotopy::TestSystem& test : chapters::homotopy::test_systems()) {
+    const algebraic::TypedSystem system(program::SourceText(test.name, test.text));
+    Start start{system, system.start("--start", "")};
+    if (std::ranges::all_of(peers, [&](const auto& peer) { return solves(start, peer.first); }))
+      starts.push_back(std::move(start));
+  }
+  all.add(by_default, [=] {
+    return std::ranges::all_of(starts, [&](const Start& start) {
+      int tried = 0;
+      return solve_by_several(start.system, start.at, tolerance, iterations, tried).status.ok();
+    });
+  });
+  for (const auto& [name, least] : peers) {
+    const std::string row = "classical systems, " + name;
+    all.add(row, [=, peer = name] {
+      return std::ranges::all_of(starts, [&](const Start& start) { return solves(start, peer); });
+    });
+    all.claim(
+        by_default, row, least,
+        fmt::format("solve by default against {}, {} classical systems that all solve", name, starts.size()));
+  }
+}
+
 void rows(chapters::Speed& all) {
+  if (peers::kinsol_available() && peers::gsl_hybrid_available()) add_test_set(all);
   const algebraic::EnergyTrustRegion energy;
   const char *const method = "energy-trust-region", *const seconds = "two seconds";
   for (const int elements : {10, 100, 1000}) add_path(all, elements);
