@@ -69,7 +69,7 @@ TEST(Control, HasTheMultipliersOfItsConditions) {
 // T + 6/T^3 is least for T^4 = 18.
 TEST(Control, WithAFreeEndBalancesTimeAndForce) {
   ControlText text = mass("T + integral(u^2/2)", "x(0) = 0; x'(0) = 0; x(T) = 1; x'(T) = 0");
-  text.end = "T";
+  text.until = "T";
   const Solved s = solved(text);
   ASSERT_TRUE(s.found.status.ok()) << s.found.status.text();
   EXPECT_NEAR(s.end(), std::pow(18, 0.25), accuracy * 10);
@@ -126,7 +126,7 @@ TEST(Control, BetweenBoundsHasThreeArcs) {
 TEST(Control, OfLeastTimeSwitchesOnce) {
   ControlText text = mass("T", "x(0) = 1; x'(0) = 1; x(T) = 0; x'(T) = 0");
   text.bounds = "-1 <= u <= 1";
-  text.end = "T";
+  text.until = "T";
   const Solved s = solved(text);
   ASSERT_TRUE(s.found.status.ok()) << s.found.status.text();
   const double T = 1 + 2 * std::sqrt(1.5);
@@ -140,7 +140,7 @@ TEST(Control, OfLeastTimeStaysOnABoundOfSpeed) {
   ControlText text = mass("T", "x(0) = 0; x'(0) = 0; x(T) = 2; x'(T) = 0");
   text.bounds = "-1 <= u <= 1";
   text.state_bounds = "x' <= 1";
-  text.end = "T";
+  text.until = "T";
   const Solved s = solved(text);
   ASSERT_TRUE(s.found.status.ok()) << s.found.status.text();
   EXPECT_NEAR(s.end(), 3, accuracy * 10);
@@ -165,7 +165,7 @@ TEST(Control, OfSteepestDescentIsACycloid) {
   ControlText text = mass("T", "x(0) = 0; y(0) = 0; v(0) = 0; x(T) = pi/2; y(T) = 1");
   text.equations = "x' = v sin(a); y' = v cos(a); v' = cos(a)";
   text.controls = {"a"};
-  text.end = "T";
+  text.until = "T";
   const Solved s = solved(text, "a = t/2, T = 2");
   ASSERT_TRUE(s.found.status.ok()) << s.found.status.text();
   EXPECT_NEAR(s.end(), std::numbers::pi / std::sqrt(2), accuracy * 10);
@@ -216,7 +216,7 @@ TEST(Control, OfGoddardsRocketHasASingularArc) {
   text.minimise = "-h(T)";
   text.conditions = "h(0) = 1; v(0) = 0; m(0) = 1; m(T) = 0.6";
   text.bounds = "0 <= u <= 3.5";
-  text.end = "T";
+  text.until = "T";
   const Solved s = solved(text, "u = 1.7, T = 0.2");
   ASSERT_TRUE(s.found.status.ok()) << s.found.status.text();
   EXPECT_NEAR(-s.found.cost, 1.01283, 1e-5);

@@ -90,7 +90,7 @@ The size of a normalisation changes nothing: `x'' + k x + x/(1 + t) = 0` has the
 The period T of van der Pol's oscillator is unknown, and known to 20 digits (mu = 1, Andersen and Geer 1982). From a small guess it comes to rest, where T is
 anything:
 
-  $ period() { bvp "x'' - mu (1 - x^2) x' + x = 0" --set "mu=$1" --conditions "x(0) = x(T), x'(0) = x'(T), x'(0) = 0" --unknown T --until T --guess "$2" --every 10; }
+  $ period() { bvp "x'' - mu (1 - x^2) x' + x = 0" --set "mu=$1" --conditions "x(0) = x(T), x'(0) = x'(T), x'(0) = 0" --until T --guess "$2" --every 10; }
   $ period 1 "x = 2 cos(t), T = 6.3" | holds 'T = 6.6632868593231301 +- 1e-8' 't = T +- 1e-14'
   $ period 5 "x = 0.1 cos(t), T = 9"
   rbf_inverse: singular_matrix: bvp: nothing determines T: at the result, where all states are 0, neither the equations nor the conditions depend on it; change the conditions, or start elsewhere; give another --guess
@@ -191,6 +191,8 @@ Mistakes
   rbf_inverse: --equation:1:12: defined here, and given by --unknown; remove one of both
     x'' = a x; a = 1
                ^
+  $ ends --unknown k=6
+  rbf_inverse: --unknown k=6: is no name, such as k
   $ ends --guess y=1
   rbf_inverse: --guess y=1: must begin with a component and =; the components are x, x'
   $ ends --guess x=x+1

@@ -28,7 +28,7 @@ With a bound it is at the bound until 1/2 - sqrt(3/20), and after 1/2 + sqrt(3/2
 
 In least time it switches once. The end is free:
 
-  $ mass --minimise T --unknown T --conditions "x(T) = 1; x'(T) = 0" --bounds "-1 <= u <= 1" 2>&1 >least.csv | grep -v multiplier
+  $ mass --minimise T --until T --conditions "x(T) = 1; x'(T) = 0" --bounds "-1 <= u <= 1" 2>&1 >least.csv | grep -v multiplier
   rbf_inverse: cost 2, T = 2; Hamiltonian from * to *; deviation of an integration * (glob)
   rbf_inverse: from 0 to 1: u = 1
   rbf_inverse: from 1 to 2: u = -1
@@ -92,8 +92,6 @@ Mistakes
                      ^
   $ point --minimise "integral(u^2)" --conditions "u(0) = 1"
   rbf_inverse: --conditions: the control u can jump, so it cannot be prescribed at a time
-  $ point --minimise "integral(u^2)" --unknown T --until 2
-  rbf_inverse: --unknown T: must be the end of the interval, but --until is 2
   $ rbf_inverse control --equation "x' = u; x(0) = 0; x(1) = 2" --control u --minimise "integral(u^2)" --bounds "-1 <= u <= 1"
   rbf_inverse: infeasible: no control was found that leads to the prescribed values: the nearest is 1 off; loosen bounds or conditions, or give a --guess
   [1]

@@ -89,7 +89,7 @@ def collocated_transfers(radius, angle, time, revolutions):
             half = (swept + direction * 2 * math.pi * k) / 2
             end = math.sqrt(radius) * math.cos(half), math.sqrt(radius) * math.sin(half)
             for share in (0.1, 0.25, 0.4, 0.6, 0.75, 0.9):
-                done = run(program("rbf_inverse"), "bvp", "--equation", "u'' = h u/2; v'' = h v/2; clock' = u^2 + v^2", "--unknown", "h, S",
+                done = run(program("rbf_inverse"), "bvp", "--equation", "u'' = h u/2; v'' = h v/2; clock' = u^2 + v^2", "--unknown", "h",
                            "--until", "S", "--guess", transfer_guess(end, k, share, time), "--conditions",
                            f"u(0) = 1; v(0) = 0; clock(0) = 0; u(S) = {end[0]!r}; v(S) = {end[1]!r}; clock(S) = {time!r}; "
                            "h (u(0)^2 + v(0)^2) = 2 (u'(0)^2 + v'(0)^2) - 1", code=None)

@@ -54,7 +54,7 @@ void declare(scene::Options& options, BvpOptions& typed) {
   options.add("--unknown", typed.unknown, "names of unknown constants, separated by commas: \"k, T\"");
   options.add("--from", typed.from, "start of the interval (default: the first time of a condition)");
   options.add("--until", typed.until,
-              "end of the interval: a number, an unknown constant, or inf (default: the last time of a "
+              "end of the interval: a number, a name for an unknown end, or inf (default: the last time of a "
               "condition)");
   options.add("--guess", typed.guess,
               "initial guess as functions of t: \"x = sin(pi t), k = 10\". A component without a function is "

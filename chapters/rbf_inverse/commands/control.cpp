@@ -26,8 +26,7 @@ using bvp::ControlSolution;
 using bvp::TypedControl;
 
 struct ControlOptions {
-  std::string equation, file, control, minimise, conditions, bounds, state_bounds, unknown, from, until,
-      guess, plot;
+  std::string equation, file, control, minimise, conditions, bounds, state_bounds, from, until, guess, plot;
   std::vector<std::string> set;
   double tolerance = 1e-9;
   std::optional<double> every;
@@ -50,11 +49,10 @@ void declare_control(scene::Options& options, ControlOptions& typed) {
   options.add("--bounds", typed.bounds, "bounds of controls: \"-1 <= u <= 1; 0 <= v\"");
   options.add("--state-bounds", typed.state_bounds,
               "bounds of states at all times: \"x <= 1.2; x^2 + y^2 <= 4\"");
-  options.add("--unknown", typed.unknown, "name of the end of the interval, if it is free: \"T\"");
   options.add("--from", typed.from, "start of the interval (default: the first time of a condition)");
-  options.add(
-      "--until", typed.until,
-      "end of the interval: a number, or the name of --unknown (default: the last time of a condition)");
+  options.add("--until", typed.until,
+              "end of the interval: a number, or a name for a free end: \"T\" (default: the last time of a "
+              "condition)");
   options.add(
       "--guess", typed.guess,
       "functions of t for the controls, initial values of states, the free end: \"u = sin(t), x = 1, T "
@@ -70,21 +68,17 @@ void declare_control(scene::Options& options, ControlOptions& typed) {
 TypedControl problem_of_control(const ControlOptions& typed) {
   if (typed.equation.empty() == typed.file.empty())
     throw InputError("give one of --equation TEXT and --file NAME.ode");
-  if (!typed.unknown.empty() && !typed.until.empty() && typed.until != typed.unknown)
-    throw input_error("--unknown {}: must be the end of the interval, but --until is {}",
-                      quoted_input(typed.unknown), quoted_input(typed.until));
   bvp::ControlText text;
   text.name = typed.file.empty() ? "--equation" : typed.file;
   text.equations = typed.file.empty() ? typed.equation : comparison::read_equations(typed.file);
   text.settings = comparison::settings_of(typed.set);
-  text.controls = bvp::names_in(typed.control);
+  text.controls = bvp::names_in("--control", typed.control);
   text.minimise = typed.minimise;
   text.conditions = typed.conditions;
   text.bounds = typed.bounds;
   text.state_bounds = typed.state_bounds;
   text.from = typed.from;
-  text.until = typed.unknown.empty() ? typed.until : "";
-  text.end = typed.unknown;
+  text.until = typed.until;
   return TypedControl(text);
 }
 

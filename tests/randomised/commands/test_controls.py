@@ -46,7 +46,7 @@ def fast_mass(draw):
     x, v, m = draw.signed_log(0.01, 10), draw.signed_log(0.01, 10), draw.log_uniform(0.1, 10)
     side = 1 if x + mpf(v) * abs(v) / (2 * m) > 0 else -1
     time = side * mpf(v) / m + 2 * sqrt(mpf(v)**2 / (2 * mpf(m)**2) + side * mpf(x) / m)
-    return (["--equation", "x'' = u", "--bounds", f"{-m!r} <= u <= {m!r}", "--unknown", "T", "--conditions",
+    return (["--equation", "x'' = u", "--bounds", f"{-m!r} <= u <= {m!r}", "--until", "T", "--conditions",
              f"x(0) = {x!r}; x'(0) = {v!r}; x(T) = 0; x'(T) = 0", "--minimise", "T"], time, time)
 
 

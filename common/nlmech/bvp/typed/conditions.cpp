@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 #include <limits>
 #include <set>
 #include <utility>
@@ -111,19 +112,39 @@ void check_definition(const SourceText& source, const Statement& tokens,
     throw source.mistake(tokens[0].place, "defined here, and given by --unknown; remove one of both");
 }
 
+bool is_name(const std::string& text) {
+  return std::ranges::all_of(text, [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; }) &&
+         std::isalpha(static_cast<unsigned char>(text[0])) != 0;
+}
+
 }  // namespace
 
-std::vector<std::string> names_in(const std::string& text) {
+std::vector<std::string> names_in(const std::string& option, const std::string& text) {
   std::vector<std::string> names;
   std::string name;
   for (const char c : text + ",") {
     if (c != ',' && c != ' ' && c != ';') {
       name += c;
     } else if (!name.empty()) {
+      if (!is_name(name)) throw input_error("{} {}: is no name, such as k", option, quoted_input(name));
       names.push_back(std::exchange(name, {}));
     }
   }
   return names;
+}
+
+std::string free_end_name(const std::string& equations, const program::Settings& settings,
+                          const std::string& until) {
+  if (until.empty() || !is_name(until) || settings.contains(until)) return {};
+  if (until == "inf" || until == "pi" || until == "t") return {};
+  const SourceText source("--equation", equations);
+  const std::vector<Statement> all = statements_of(source);
+  const bool is_known = std::ranges::any_of(all, [&](const Statement& tokens) {
+    return defines(source, tokens, until) || std::ranges::any_of(tokens, [&](const Token& token) {
+             return token.kind == TokenKind::name && token.primes > 0 && source.at(token.name) == until;
+           });
+  });
+  return is_known ? std::string() : until;
 }
 
 std::vector<ConditionText> conditions_of(const std::string& name, const std::string& text) {

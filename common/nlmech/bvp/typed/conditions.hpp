@@ -18,8 +18,14 @@ struct ConditionText {
   std::string text;  ///< one equation
 };
 
-/// Names between commas, semicolons and blanks.
-[[nodiscard]] std::vector<std::string> names_in(const std::string& text);
+/// Names between commas, semicolons and blanks in the text of an option.
+/// @throws InputError naming @p option for what is no name
+[[nodiscard]] std::vector<std::string> names_in(const std::string& option, const std::string& text);
+
+/// The name of a free end of the interval: @p until if it is a name that neither the equations nor the
+/// settings define, and not "inf", "pi" or "t"; else empty.
+[[nodiscard]] std::string free_end_name(const std::string& equations, const program::Settings& settings,
+                                        const std::string& until);
 
 /// Divides the text of an option into conditions, at semicolons, at line ends and at commas outside brackets.
 [[nodiscard]] std::vector<ConditionText> conditions_of(const std::string& name, const std::string& text);

@@ -75,10 +75,10 @@ std::vector<Relation> relations_of(const char* option, const std::string& text) 
 }
 
 /// The equations, with u' = 0 for each control, and the conditions among them.
-DividedText divided_text(const ControlText& text) {
+DividedText divided_text(const ControlText& text, const std::string& end_name) {
   if (text.controls.empty()) throw InputError("--control: give the name of a control");
   std::vector<std::string> constants = text.controls;
-  if (!text.end.empty()) constants.push_back(text.end);
+  if (!end_name.empty()) constants.push_back(end_name);
   DividedText divided = divide(text.name, text.equations, constants);
   for (const std::string& name : constants) divided.equations += fmt::format("\n{}' = 0", name);
   return divided;
@@ -87,14 +87,16 @@ DividedText divided_text(const ControlText& text) {
 }  // namespace
 
 TypedControl::TypedControl(const ControlText& text)
-    : text_(text), equations_(equations_of(text.name, text.equations, divided_text(text), text.settings)) {
+    : text_(text),
+      end_name_(free_end_name(text.equations, text.settings, text.until)),
+      equations_(equations_of(text.name, text.equations, divided_text(text, end_name_), text.settings)) {
   if (equations_.initial_time() || equations_.final_time() || !equations_.lower_bounds().empty())
     throw input_error("{}: give times and bounds by --conditions, --until, --bounds and --state-bounds",
                       text.name);
   const auto& names = equations_.state_names();
   for (std::size_t i = 0; i < names.size(); ++i) {
     const auto component = static_cast<int>(i);
-    if (names[i] == text.end) {
+    if (names[i] == end_name_) {
       end_component_ = component;
     } else if (std::ranges::find(text.controls, names[i]) == text.controls.end()) {
       states_.push_back(component);
@@ -105,7 +107,7 @@ TypedControl::TypedControl(const ControlText& text)
     controls_.push_back(static_cast<int>(std::ranges::find(names, name) - names.begin()));
   problem_.states = static_cast<int>(states_.size()) + (has_free_end() ? 1 : 0);
   const std::vector<NodeId> state_bounds = read_bounds();
-  std::vector<ConditionText> conditions = divided_text(text).conditions;
+  std::vector<ConditionText> conditions = divided_text(text, end_name_).conditions;
   for (const ConditionText& condition : conditions_of("--conditions", text.conditions))
     conditions.push_back(condition);
   const std::vector<Integral> integrals = read_ends(conditions);
@@ -248,7 +250,7 @@ std::vector<TypedControl::Integral> TypedControl::read_ends(const std::vector<Co
   std::vector<ConditionText> all = conditions;
   for (const ConditionText& condition : conditions) condition_texts_.push_back(condition.text);
   all.push_back({"--minimise", text_.minimise});
-  const Conditions read(equations_, all, text_.end);
+  const Conditions read(equations_, all, end_name_);
   set_interval(read);
   std::set<double> points{from_, until_};
   if (has_free_end()) points = {0, 1};
@@ -262,7 +264,7 @@ std::vector<TypedControl::Integral> TypedControl::read_ends(const std::vector<Co
     if (is_inside) points.insert(time);
     if (!is_inside && !points.contains(time))
       throw input_error("--conditions: the time {:.6g} of a value is not {}", value.time,
-                        has_free_end() ? fmt::format("the start {:.6g} or the free end {}", from_, text_.end)
+                        has_free_end() ? fmt::format("the start {:.6g} or the free end {}", from_, end_name_)
                                        : fmt::format("from {:.6g} to {:.6g}", from_, until_));
   }
   problem_.points.assign(points.begin(), points.end());
@@ -344,7 +346,7 @@ std::vector<ControlGuess> TypedControl::guesses(const std::string& guess) const 
     const auto state = std::ranges::find(state_names_, name);
     const auto control = std::ranges::find(text_.controls, name);
     if (equals == std::string::npos || (state == state_names_.end() && control == text_.controls.end() &&
-                                        (name != text_.end || !has_free_end())))
+                                        (name != end_name_ || !has_free_end())))
       throw input_error("--guess {}: must begin with a control, a state or the free end, and =",
                         quoted_input(part));
     const std::string value = part.substr(equals + 1);
@@ -363,7 +365,7 @@ std::vector<ControlGuess> TypedControl::guesses(const std::string& guess) const 
     }
   }
   if (!(length > 0))
-    throw input_error("--guess: the end {} must be later than the start {:.6g}", text_.end, from_);
+    throw input_error("--guess: the end {} must be later than the start {:.6g}", end_name_, from_);
   std::vector<double> lengths{length};
   if (has_free_end() && !gives_end) lengths = {1, 3, 10, 0.3, 30};
   if (functions.empty()) {

@@ -21,9 +21,10 @@ struct ControlText {
   std::string conditions = {};        ///< "x(0) = 0; x(T) = 1"
   std::string bounds = {};            ///< bounds of controls: "-1 <= u <= 1"
   std::string state_bounds = {};      ///< bounds of states: "x <= 1.2; x + y <= 2"
-  std::string from = {};   ///< start of the interval, a number; empty: the first time of a condition
-  std::string until = {};  ///< end of the interval, a number; empty: the last time of a condition
-  std::string end = {};    ///< name of a free end; empty: the end is known
+  std::string from = {};  ///< start of the interval, a number; empty: the first time of a condition
+  /// End of the interval: a number; a name that nothing defines, for a free end; empty: the last time of a
+  /// condition.
+  std::string until = {};
 };
 
 /// Optimal control problem made from texts. With a free end T the time of the problem is (t - from)/(T -
@@ -40,9 +41,9 @@ class TypedControl {
   /// Names of the controls.
   [[nodiscard]] const std::vector<std::string>& control_names() const { return text_.controls; }
   /// Is the end free?
-  [[nodiscard]] bool has_free_end() const { return !text_.end.empty(); }
+  [[nodiscard]] bool has_free_end() const { return !end_name_.empty(); }
   /// Name of the free end; empty if the end is known.
-  [[nodiscard]] const std::string& end_name() const { return text_.end; }
+  [[nodiscard]] const std::string& end_name() const { return end_name_; }
   /// Texts of the conditions, in the order of their multipliers.
   [[nodiscard]] const std::vector<std::string>& condition_texts() const { return condition_texts_; }
   /// Texts of the bounds on states, in the order of the problem.
@@ -72,6 +73,7 @@ class TypedControl {
                        const std::vector<Integral>& integrals);
 
   ControlText text_;
+  std::string end_name_;  // of a free end, or empty
   program::Equations equations_;
   ControlProblem problem_;
   std::vector<std::string> state_names_, condition_texts_, bound_texts_;

@@ -464,7 +464,9 @@ void TypedProblem::condition_jacobian(const MatrixXd& ends, const VectorXd& p, M
 }
 
 TypedProblem read_problem(const ProblemText& text, const std::string& guess) {
-  std::vector<std::string> unknowns = names_in(text.unknowns);
+  std::vector<std::string> unknowns = names_in("--unknown", text.unknowns);
+  const std::string end = free_end_name(text.equations, text.settings, text.until);
+  if (!end.empty() && std::ranges::find(unknowns, end) == unknowns.end()) unknowns.push_back(end);
   if (!text.parameter.empty()) unknowns.push_back(text.parameter);
   DividedText divided = divide(text.name, text.equations, unknowns, text.parameter);
   for (const std::string& name : unknowns) divided.equations += fmt::format("\n{}' = 0", name);
