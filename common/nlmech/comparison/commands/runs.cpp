@@ -546,11 +546,14 @@ Trajectory default_trajectory(const UserProblem& problem, const RunOptions& opti
     return trajectory(problem, options, first_method);
   } catch (const Failure& first) {
     if (!options.verify) throw;
-    // Where two methods end the equations do: a third that goes on has stepped over the end.
-    const auto is_outside = [](const Failure& f) {
-      return f.status().outcome() == Outcome::outside_validity;
+    // Where two methods end the equations do: a third that goes on has stepped over the end. Where two
+    // overflow the solution does.
+    int outside = 0, overflows = 0;
+    const auto count = [&](const Failure& f) {
+      outside += f.status().outcome() == Outcome::outside_validity ? 1 : 0;
+      overflows += f.status().outcome() == Outcome::non_finite ? 1 : 0;
     };
-    int outside = is_outside(first) ? 1 : 0;
+    count(first);
     for (const std::string_view name :
          {"dop853", "series", "adaptive-collocation", "odeint-rosenbrock4", "cvode-bdf"}) {
       const ivp::MethodInfo& other = any_method(name);
@@ -558,11 +561,11 @@ Trajectory default_trajectory(const UserProblem& problem, const RunOptions& opti
       rest.limits.seconds -= watch.seconds();
       rest.limits.largest_step = reference_step_limit(options.t0, options.t1, options.limits.largest_step);
       if (!other.is_available() || !has_settings(other, options.settings)) continue;
-      if (rest.limits.seconds <= 0 || outside > 1) break;
+      if (rest.limits.seconds <= 0 || outside > 1 || overflows > 1) break;
       try {
         if (Trajectory found = trajectory(problem, rest, other); !found.is_open) return found;
       } catch (const Failure& failure) {  // the failure of the usual method is more informative
-        if (is_outside(failure)) ++outside;
+        count(failure);
       }
     }
     throw;
