@@ -383,6 +383,7 @@ TEST(Typed, StepsOfNumbers) {
   EXPECT_EQ(value("floor(-1.5)"), -2);
   EXPECT_EQ(value("ceil(-1.5)"), -1);
   EXPECT_EQ(value("floor(2) + ceil(2)"), 4);
+  EXPECT_EQ(value("round(2.5) + 10 round(-2.5) + 100 round(0.4)"), 3 - 20);
   EXPECT_EQ(value("frac(-0.25)"), 0.75);
   EXPECT_EQ(value("mod(-1, 3)"), 2);
   EXPECT_EQ(value("mod(5, -3)"), -1);

@@ -13,7 +13,7 @@ namespace nlmech::program {
 namespace {
 
 /// Names of functions in other programs, and the nlmech name if there is one.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 52> elsewhere = {{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 51> elsewhere = {{
     {"arcsin", "asin"},   {"arccos", "acos"},   {"arctan", "atan"},  {"arctg", "atan"},
     {"arctan2", "atan2"}, {"arcsinh", "asinh"}, {"arsinh", "asinh"}, {"arccosh", "acosh"},
     {"arcosh", "acosh"},  {"arctanh", "atanh"}, {"artanh", "atanh"}, {"tg", "tan"},
@@ -25,8 +25,8 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 52> elsewher
     {"maximum", "max"},   {"pow", "^"},         {"power", "^"},      {"cbrt", ""},
     {"hypot", ""},        {"log1p", ""},        {"expm1", ""},       {"exp2", ""},
     {"erfc", ""},         {"sinc", ""},         {"gamma", ""},       {"lgamma", ""},
-    {"besselj", ""},      {"bessely", ""},      {"airy", ""},        {"round", ""},
-    {"trunc", ""},        {"rand", ""},         {"random", ""},      {"delta", ""},
+    {"besselj", ""},      {"bessely", ""},      {"airy", ""},        {"trunc", ""},
+    {"rand", ""},         {"random", ""},       {"delta", ""},
 }};
 
 /// Levenshtein distance: number of letters to change, add or omit.

@@ -39,6 +39,7 @@ enum class Function : std::uint8_t {
   heaviside,
   floor,
   ceil,
+  round,
   frac,
   atan2,
   min,
@@ -73,9 +74,9 @@ inline constexpr std::array functions = {
     FunctionInfo{Function::sign, "sign", 1},      FunctionInfo{Function::heaviside, "heaviside", 1},
     FunctionInfo{Function::heaviside, "step", 1}, FunctionInfo{Function::min, "min", 2},
     FunctionInfo{Function::max, "max", 2},        FunctionInfo{Function::floor, "floor", 1},
-    FunctionInfo{Function::ceil, "ceil", 1},      FunctionInfo{Function::frac, "frac", 1},
-    FunctionInfo{Function::mod, "mod", 2},        FunctionInfo{Function::choose, "if", 3},
-    FunctionInfo{Function::table, "table", 1}};
+    FunctionInfo{Function::ceil, "ceil", 1},      FunctionInfo{Function::round, "round", 1},
+    FunctionInfo{Function::frac, "frac", 1},      FunctionInfo{Function::mod, "mod", 2},
+    FunctionInfo{Function::choose, "if", 3},      FunctionInfo{Function::table, "table", 1}};
 
 /// The function with the name @p name, if there is one.
 [[nodiscard]] constexpr std::optional<FunctionInfo> function_by_name(std::string_view name) {

@@ -208,6 +208,7 @@ NodeId Graph::call(Function function, NodeId a, NodeId b) {
     case Function::min: return by_sign(difference(a, b), b, a);
     case Function::floor: return rounded_down(a);
     case Function::ceil: return rounded_up(a);
+    case Function::round: return rounded_down(sum(a, number(0.5)));
     case Function::frac: return difference(a, rounded_down(a));
     case Function::mod: return difference(a, product(b, rounded_down(quotient(a, b))));
     case Function::atan2: return add(Operation::atan2, a, b);
