@@ -245,6 +245,8 @@ Estimated estimated(const FrameFile& file, const FrameOptions& typed, const fram
   e.paths = equilibrium_paths(frame, options);
   e.errors.resize(e.paths.points.size());
   e.second = frames::second_mesh(typed.elements, frame.members.size());
+  e.status = e.paths.status;
+  if (e.status.outcome() == Outcome::time_limit) return e;  // nor is there time for a second mesh
   const frames::Imperfect second = frame_of(file, typed, e.second);
   e.status = second.status;
   if (!e.status.ok()) return e;
@@ -265,10 +267,11 @@ void print_mesh_error(const Estimated& e, const FrameOptions& typed) {
     worst = std::max(worst, e.errors[i].value_or(0));
     if (e.errors[i] == 1 && e.paths.points[i].kind != frames::FramePoint::Kind::step) ++alone;
   }
-  scene::print_message(
-      fmt::format("frame: mesh errors up to {:.2g}, relative, estimated from {} and {} elements a member; "
-                  "column mesh_error{}",
-                  worst, typed.elements, e.second, worst > 0.01 ? "; more --elements reduce them" : ""));
+  if (std::ranges::any_of(e.errors, [](const auto& error) { return error.has_value(); }))
+    scene::print_message(
+        fmt::format("frame: mesh errors up to {:.2g}, relative, estimated from {} and {} elements a member; "
+                    "column mesh_error{}",
+                    worst, typed.elements, e.second, worst > 0.01 ? "; more --elements reduce them" : ""));
   if (alone > 0)
     scene::print_message(
         fmt::format("frame: limit and branch points that were not found with {} elements a member: {}; take "

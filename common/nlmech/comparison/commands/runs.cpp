@@ -438,7 +438,8 @@ Trajectory Run::finish(ivp::Solution end) {
   found_.method = method_.name;
   if (!end.status.ok()) {
     if (!options_.section && end.t != options_.t0) print(end.t, end.x, "");
-    throw RunFailure(Failure(with_turns(end.status)), std::move(found_.rows));
+    throw RunFailure(Failure(with_turns(end.status)), std::move(found_.rows),
+                     end.x.lpNorm<Eigen::Infinity>());
   }
   if (rests_ && problem_.text.layout().columns > 0)
     throw Failure(failed_with(Outcome::outside_validity,
@@ -455,7 +456,7 @@ Trajectory Run::finish(ivp::Solution end) {
   try {
     if (options_.verify && options_.t0 != options_.t1) verify_by_integration(end);
   } catch (const Failure& failure) {
-    throw RunFailure(failure, std::move(found_.rows));
+    throw RunFailure(failure, std::move(found_.rows), end.x.lpNorm<Eigen::Infinity>());
   }
   if (const std::string events = remark_on_events(); !events.empty())
     found_.remark += (found_.remark.empty() ? "" : "; ") + events;
@@ -547,11 +548,13 @@ Trajectory default_trajectory(const UserProblem& problem, const RunOptions& opti
   } catch (const Failure& first) {
     if (!options.verify) throw;
     // Where two methods end the equations do: a third that goes on has stepped over the end. Where two
-    // overflow the solution does.
+    // leave the range of numbers the solution does.
     int outside = 0, overflows = 0;
     const auto count = [&](const Failure& f) {
       outside += f.status().outcome() == Outcome::outside_validity ? 1 : 0;
-      overflows += f.status().outcome() == Outcome::non_finite ? 1 : 0;
+      const auto* run = dynamic_cast<const RunFailure*>(&f);
+      const bool is_huge = run != nullptr && run->size() > 1e290;
+      overflows += is_huge && f.status().outcome() == Outcome::non_finite ? 1 : 0;
     };
     count(first);
     for (const std::string_view name :

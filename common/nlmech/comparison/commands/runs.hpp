@@ -30,13 +30,17 @@ struct Trajectory {
 /// Failure of a run, with the rows that it computed.
 class RunFailure : public Failure {
  public:
-  /// @param why the failure @param rows see rows()
-  RunFailure(const Failure& why, std::string rows) : Failure(why), rows_(std::move(rows)) {}
+  /// @param why the failure @param rows see rows() @param size see size()
+  RunFailure(const Failure& why, std::string rows, double size)
+      : Failure(why), rows_(std::move(rows)), size_(size) {}
   /// CSV as Trajectory::rows: up to the last good step, or all rows of a run whose verification failed.
   [[nodiscard]] const std::string& rows() const noexcept { return rows_; }
+  /// Largest absolute value of the last good state.
+  [[nodiscard]] double size() const noexcept { return size_; }
 
  private:
   std::string rows_;
+  double size_;
 };
 
 /// Input of one of many runs.
