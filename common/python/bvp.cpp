@@ -1,8 +1,10 @@
 #include <Eigen/Core>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 #include "common/python/module.hpp"
+#include "nlmech/bvp/typed/follow_parameter.hpp"
 #include "nlmech/bvp/typed/typed_solve.hpp"
 #include "nlmech/support/errors.hpp"
 #include "nlmech/support/sentences.hpp"
@@ -44,25 +46,41 @@ struct Guess {
   RowMajor values;  ///< one row for each component
 };
 
-bvp::Start start_of(const TypedProblem& problem, const Guess& guess) {
-  if (guess.times.empty()) return problem.guess();
-  return problem.guess_from(guess.times, guess.values);
-}
+/// A parameter with its first and last value.
+using Range = std::tuple<std::string, double, double>;
 
-/// Solutions from @p starts starts, or without a number the first one found as the command does.
-std::vector<Solved> solve(TypedProblem problem, const Guess& guess, std::optional<int> starts,
-                          double tolerance) {
+/// Solutions from @p starts starts, or without a number the first one found as the command does; with @p
+/// range that at the last value of the parameter.
+std::vector<Solved> solve(bvp::ProblemText text, const Guess& guess, std::optional<int> starts,
+                          const std::optional<Range>& range, double tolerance) {
+  if (range && !text.settings.emplace(std::get<0>(*range), std::get<1>(*range)).second)
+    throw input_error("from_parameter: set gives {} too", std::get<0>(*range));
+  TypedProblem problem = bvp::read_problem(text, guess.text);
   constexpr int random_starts = 20;
   const bool is_guessed = !guess.times.empty() || problem.has_guess_of_states();
   const int count = starts.value_or(is_guessed ? 1 : 1 + random_starts);
-  bvp::Search search = find_solutions(problem, start_of(problem, guess), count,
-                                      starts ? static_cast<std::size_t>(count) : 1, tolerance);
+  bvp::Search search = find_solutions(
+      problem, guess.times.empty() ? problem.guess() : problem.guess_from(guess.times, guess.values), count,
+      starts ? static_cast<std::size_t>(count) : 1, tolerance);
   if (search.found.empty())
     throw Failure(failed_with(search.first.outcome(), "{}; give another guess", search.first.sentence()));
+  std::vector<bvp::Solution> solutions;
+  for (bvp::FoundSolution& found : search.found) solutions.push_back(std::move(found.solution));
+  if (range) {
+    const auto& [name, from, to] = *range;
+    bvp::Continuation followed =
+        follow_parameter(text, guess.text, {name, from, to}, std::move(solutions.front()), tolerance);
+    if (followed.solutions.empty())
+      throw Failure(failed_with(followed.status.outcome(), "{} = {:.9g} was reached in {} steps; {}", name,
+                                followed.reached, followed.steps, followed.status.sentence()));
+    solutions = std::move(followed.solutions);
+    text.settings[name] = to;
+    problem = bvp::read_problem(text, guess.text);
+  }
   std::vector<Solved> all;
-  for (bvp::FoundSolution& found : search.found) {
-    if (problem.is_infinite()) problem.truncate(found.solution.end());
-    all.push_back({problem, std::move(found.solution)});
+  for (bvp::Solution& solution : solutions) {
+    if (problem.is_infinite()) problem.truncate(solution.end());
+    all.push_back({problem, std::move(solution)});
   }
   return all;
 }
@@ -76,15 +94,14 @@ void add_bvp(py::module_& module) {
       .def_property_readonly("names", [](const Solved& s) { return s.problem.names(); })
       .def_property_readonly("residual", [](const Solved& s) { return s.solution.residual; });
   module.def("bvp_names", [](const bvp::ProblemText& text) { return bvp::read_problem(text).names(); });
-  module.def("bvp",
-             [](const bvp::ProblemText& text, const std::string& guess, const std::vector<double>& times,
-                const Doubles& values, std::optional<int> starts, double tolerance) {
-               Guess from{guess, times, {}};
-               if (!times.empty())
-                 from.values = Eigen::Map<const RowMajor>(values.data(), values.shape(0), values.shape(1));
-               TypedProblem problem = bvp::read_problem(text, guess);
-               return unlocked([&] { return solve(std::move(problem), from, starts, tolerance); });
-             });
+  module.def("bvp", [](const bvp::ProblemText& text, const std::string& guess,
+                       const std::vector<double>& times, const Doubles& values, std::optional<int> starts,
+                       const std::optional<Range>& range, double tolerance) {
+    Guess from{guess, times, {}};
+    if (!times.empty())
+      from.values = Eigen::Map<const RowMajor>(values.data(), values.shape(0), values.shape(1));
+    return unlocked([&] { return solve(text, from, starts, range, tolerance); });
+  });
   py::class_<bvp::ProblemText>(module, "BoundaryText")
       .def(py::init<>())
       .def_readwrite("name", &bvp::ProblemText::name)

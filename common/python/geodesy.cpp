@@ -2,7 +2,6 @@
 #include <array>
 #include <atomic>
 #include <cmath>
-#include <limits>
 #include <span>
 
 #include "common/python/module.hpp"
@@ -17,94 +16,94 @@ namespace {
 using geodesy::Ellipsoid;
 using geodesy::ReverseTransform;
 
-/// Points for one call of the library, whose coordinates stay in the nearest cache, and for one thread at a
-/// time.
-constexpr std::size_t block = 512, portion = 16 * block;
+/// Points of one call of the library, and of one thread at a time. The coordinates of 512 points would lie a
+/// page apart, where loads wait for stores of the same offset.
+constexpr std::size_t block = 128, portion = 64 * block;
 
-/// Points without a finite result.
-struct Lost {
-  std::atomic<std::size_t> count = 0, first = std::numeric_limits<std::size_t>::max();
-  void add(std::size_t some, std::size_t at) {
-    if (some == 0) return;
-    count += some;
-    for (std::size_t now = first; at < now && !first.compare_exchange_weak(now, at);) {
-    }
-  }
-};
-
+/// Rows of three numbers in any order.
+using Rows = py::array_t<double, py::array::forcecast>;
 /// Rows of three numbers by columns: NumPy takes a column as a vector without gaps.
 using Columns = py::array_t<double, py::array::f_style>;
 
-/// Runs `work(begin, end, to, lost)` for portions of the rows of @p points; @p to has the columns of the
-/// result.
+/// Coordinates of the points of a block, each without gaps.
+using Block = std::array<std::array<double, block>, 3>;
+
+/// Runs `work(count, from, to)` for blocks of @p points: it reads @p from, writes columns of the result and
+/// returns the number of points without a finite result.
 template <class Work>
-Columns in_portions(const char* name, const Doubles& points, int threads, const Work& work) {
+Columns in_blocks(const char* name, const Rows& points, int threads, const Work& work) {
   const auto count = static_cast<std::size_t>(points.shape(0));
+  const auto value = points.unchecked<2>();
   Columns result({points.shape(0), py::ssize_t{3}});
   double* const data = result.mutable_data();
-  const std::array<double*, 3> to = {data, data + count, data + 2 * count};
-  Lost lost;
+  const std::array<double*, 3> columns = {data, data + count, data + 2 * count};
+  std::atomic<std::size_t> lost = 0;
   unlocked([&] {
-    share_out(count, portion, count > portion ? threads : 1,
-              [&](std::size_t begin, std::size_t end) { work(begin, end, to, lost); });
+    share_out(count, portion, count > portion ? threads : 1, [&](std::size_t begin, std::size_t end) {
+      Block from;
+      for (std::size_t i = begin; i < end; i += block) {
+        const std::size_t n = std::min(block, end - i);
+        for (std::size_t k = 0; k < n; ++k)
+          for (std::size_t c = 0; c < 3; ++c) from[c][k] = value(i + k, c);
+        const std::size_t none = work(n, from, std::array{columns[0] + i, columns[1] + i, columns[2] + i});
+        if (none > 0) lost += none;
+      }
+    });
     return true;
   });
-  if (lost.count > 0)
-    raise(failed_with(Outcome::non_finite,
-                      "{}: {} of {} points have no finite result, the first at index {}: a number is NaN or "
-                      "infinite, or the distance from the centre overflows",
-                      name, lost.count.load(), count, lost.first.load()),
-          result);
-  return result;
+  if (lost == 0) return result;
+  const auto is_lost = [](double x) { return !std::isfinite(x); };
+  std::size_t first = count;
+  for (const double* column : columns)
+    first = std::min(first, static_cast<std::size_t>(std::find_if(column, column + count, is_lost) - column));
+  raise(failed_with(Outcome::non_finite,
+                    "{}: {} of {} points have no finite result, the first at index {}: a number is NaN or "
+                    "infinite, or the distance from the centre overflows",
+                    name, lost.load(), count, first),
+        result);
+}
+
+/// Turns radians into degrees, with the same bits for each instruction set.
+#if defined(__x86_64__)
+__attribute__((target_clones("avx512f", "avx2", "default")))
+#endif
+void to_degrees(std::span<double> angles) {
+  for (double& angle : angles) angle /= degree;
 }
 
 /// Degrees of latitude and longitude, and height, for rows x, y, z.
-Columns reverse(const Doubles& points, const Ellipsoid& ellipsoid, int threads) {
+Columns reverse(const Rows& points, const Ellipsoid& ellipsoid, int threads) {
   const ReverseTransform transform(ellipsoid);
-  const double* const from = points.data();
-  return in_portions("geodesy.reverse", points, threads,
-                     [&](std::size_t begin, std::size_t end, const auto& to, Lost& lost) {
-                       std::array<double, block> x, y, z;
-                       for (std::size_t i = begin; i < end; i += block) {
-                         const std::size_t n = std::min(block, end - i);
-                         for (std::size_t k = 0; k < n; ++k) {
-                           const double* const p = from + 3 * (i + k);
-                           x[k] = p[0];
-                           y[k] = p[1];
-                           z[k] = p[2];
-                         }
-                         const std::span latitude(to[0] + i, n), longitude(to[1] + i, n),
-                             height(to[2] + i, n);
-                         const auto report = transform({x.data(), n}, {y.data(), n}, {z.data(), n}, latitude,
-                                                       longitude, height);
-                         lost.add(report.non_finite, i + report.first_non_finite);
-                         for (double& angle : latitude) angle /= degree;
-                         for (double& angle : longitude) angle /= degree;
-                       }
-                     });
+  return in_blocks("geodesy.reverse", points, threads, [&](std::size_t n, const Block& from, const auto& to) {
+    const std::span latitude(to[0], n), longitude(to[1], n);
+    const auto report = transform({from[0].data(), n}, {from[1].data(), n}, {from[2].data(), n}, latitude,
+                                  longitude, {to[2], n});
+    to_degrees(latitude);
+    to_degrees(longitude);
+    return report.non_finite;
+  });
 }
 
 /// x, y, z for rows of degrees of latitude and longitude, and height.
-Columns forward(const Doubles& points, const Ellipsoid& ellipsoid, int threads) {
-  const double* const from = points.data();
-  for (py::ssize_t i = 0; i < points.shape(0); ++i) {
-    if (std::abs(from[3 * i]) > 90)
+Columns forward(const Rows& points, const Ellipsoid& ellipsoid, int threads) {
+  const auto value = points.unchecked<2>();
+  for (py::ssize_t i = 0; i < value.shape(0); ++i) {
+    if (std::abs(value(i, 0)) > 90)
       throw invalid_argument("geodesy.forward: the latitude {} at index {} is not between -90 and 90",
-                             from[3 * i], i);
+                             value(i, 0), i);
   }
-  return in_portions(
-      "geodesy.forward", points, threads,
-      [&](std::size_t begin, std::size_t end, const auto& to, Lost& lost) {
-        for (std::size_t i = begin; i < end; ++i) {
-          const double* const p = from + 3 * i;
-          const SineCosine lat = sine_cosine_of_degrees(p[0]), lon = sine_cosine_of_degrees(p[1]);
-          const auto r = geodesy::forward(lat.sine, lat.cosine, lon.sine, lon.cosine, p[2], ellipsoid);
-          lost.add(std::isfinite(r.x) && std::isfinite(r.y) && std::isfinite(r.z) ? 0 : 1, i);
-          to[0][i] = r.x;
-          to[1][i] = r.y;
-          to[2][i] = r.z;
-        }
-      });
+  return in_blocks("geodesy.forward", points, threads, [&](std::size_t n, const Block& from, const auto& to) {
+    std::size_t lost = 0;
+    for (std::size_t k = 0; k < n; ++k) {
+      const SineCosine lat = sine_cosine_of_degrees(from[0][k]), lon = sine_cosine_of_degrees(from[1][k]);
+      const auto r = geodesy::forward(lat.sine, lat.cosine, lon.sine, lon.cosine, from[2][k], ellipsoid);
+      if (!(std::isfinite(r.x) && std::isfinite(r.y) && std::isfinite(r.z))) ++lost;
+      to[0][k] = r.x;
+      to[1][k] = r.y;
+      to[2][k] = r.z;
+    }
+    return lost;
+  });
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 """The Python package: the bits that the commands print, errors, interruption, threads, documentation."""
+import concurrent.futures
 import csv
 import inspect
 import io
@@ -18,6 +19,7 @@ LOW = [1702547.136867679, 6353992.417071098, 0.0, -7886.014053829254, 2113.05109
 EARTH = [-2.5e10, 1.45e11, 0, -2.98e4, -5.0e3, 0.0]  # in m and m/s about the Sun, roughly
 MARS = [2.08e11, -2.0e9, -5.1e9, 1.2e3, 2.6e4, 5.2e2]
 SUN = 1.32712440018e20
+ZONAL, FIELD = ["--zonal", "1.08262668e-3,-2.5e-6", "--radius", "6378137"], {"zonal": [1.08262668e-3, -2.5e-6], "radius": 6378137}
 
 
 def command(name, *words, **options):
@@ -158,6 +160,16 @@ def test_ctrl_c_ends_a_run():
     timer.join()
 
 
+def test_a_verification_can_be_interrupted():
+    """A third of a second in extended precision after a run of milliseconds; the share stays at 1."""
+    def watch(share):
+        if share == 1:
+            raise LookupError("enough")
+
+    with pytest.raises(LookupError, match="enough"):
+        nlmech.integrate("x'' + sin(x) = 0", "x=3, x'=0", until=300, progress=watch)
+
+
 def test_progress_grows_and_its_exception_ends_a_run():
     shares = []
 
@@ -192,18 +204,10 @@ def test_other_threads_run_during_a_call():
 
 
 def test_threads_give_the_same_bits():
-    results = [None] * 4
-
-    def work(i):
-        results[i] = nlmech.integrate(DUFFING, START, until=20, every=1)["x"]
-
-    threads = [threading.Thread(target=work, args=(i,)) for i in range(4)]
-    for thread in threads:
-        thread.start()
-    for thread in threads:
-        thread.join()
-    for other in results[1:]:
-        same(results[0], other)
+    with concurrent.futures.ThreadPoolExecutor(4) as pool:
+        first, *others = pool.map(lambda _: nlmech.integrate(DUFFING, START, until=20, every=1)["x"], range(4))
+    for other in others:
+        same(first, other)
 
 
 # Boundary values
@@ -232,11 +236,16 @@ def test_bvp_with_an_unknown_constant_and_in_a_parameter():
     """x'' + k^2 x = 0 with x(0) = x(1) = 0 and x'(0) = 1: k = pi from a guess near it."""
     found = nlmech.bvp("x'' + k^2 x = 0", "x(0) = 0; x(1) = 0; x'(0) = 1", unknown="k", guess="x = sin(3 t), k = 3")
     assert found["k"][0] == pytest.approx(math.pi, rel=1e-9)
-    followed = None
-    for eps in (1, 0.1, 0.01):
-        followed = nlmech.bvp("eps x'' = x; x(0) = 1; x(1) = 0", guess=followed or "", set={"eps": eps})
+    printed = command("rbf_inverse", "bvp", "--equation", "eps x'' = x; x(0) = 1; x(1) = 0", "--from-parameter", "eps = 1 : 0.01")
+    followed = nlmech.bvp("eps x'' = x; x(0) = 1; x(1) = 0", from_parameter=("eps", 1, 0.01))
+    same(followed.t, printed["t"])
+    np.testing.assert_allclose(followed["x"], printed["x"], rtol=0, atol=1e-18)
     t = np.array([0.05, 0.3])
     np.testing.assert_allclose(followed(t)["x"], np.sinh((1 - t) / 0.1) / math.sinh(10), atol=1e-9)
+    with pytest.raises(ValueError, match="set gives eps too"):
+        nlmech.bvp("eps x'' = x; x(0) = 1; x(1) = 0", from_parameter=("eps", 1, 0.01), set={"eps": 1})
+    with pytest.raises(nlmech.Failure, match="a = [0-9.]+ was reached"):  # the branch turns back at 3.51
+        nlmech.bvp("x'' + a exp(x) = 0", "x(0) = 0; x(1) = 0", from_parameter=("a", 1, 4))
     with pytest.raises(nlmech.Failure):
         nlmech.bvp("x'' + 4 exp(x) = 0", "x(0) = 0; x(1) = 0", guess="x = 0")  # beyond the fold at 3.51
     with pytest.raises(ValueError, match="condition"):
@@ -258,7 +267,9 @@ def test_geodesy_has_the_bits_of_the_command(folder):
     same(nlmech.geodesy.reverse(points[7]), found[7])
     many = np.tile(points, (150, 1))  # more than one portion
     same(nlmech.geodesy.reverse(many)[-2000:], found)
-    same(nlmech.geodesy.reverse(np.asfortranarray(points)), found)
+    for view in (np.asfortranarray(points), np.repeat(points, 2, axis=1)[:, ::2]):  # other orders in memory
+        same(nlmech.geodesy.reverse(view), found)
+        same(nlmech.geodesy.reverse(view[::-1]), found[::-1])
     with pytest.raises(nlmech.Failure, match="index 1") as raised:
         nlmech.geodesy.reverse([points[0], [math.nan, 0, 0], points[2]])
     same(raised.value.partial[[0, 2]], found[[0, 2]])
@@ -267,8 +278,8 @@ def test_geodesy_has_the_bits_of_the_command(folder):
 # Orbits
 
 @pytest.mark.parametrize("words, arguments", [
-    ([], {}), (["--every", "700"], {"every": 700}),
-    (["--zonal", "1.08262668e-3,-2.5e-6", "--radius", "6378137"], {"zonal": [1.08262668e-3, -2.5e-6], "radius": 6378137})])
+    ([], {}), (["--every", "700"], {"every": 700}), (["--stm"], {"stm": True}), (["--every", "700", *ZONAL], {"every": 700, **FIELD}),
+    (["--every", "700", "--stm", *ZONAL], {"every": 700, "stm": True, **FIELD})])
 def test_orbits_have_the_bits_of_the_command(folder, words, arguments):
     states = np.array(LOW) * np.linspace(1, 1.1, 50)[:, None]
     write(folder / "states.csv", csv_of(["x", "y", "z", "vx", "vy", "vz"], states))
@@ -279,15 +290,21 @@ def test_orbits_have_the_bits_of_the_command(folder, words, arguments):
     same(np.broadcast_to(found.t, found.x.shape[:-1]), printed["t"].reshape(found.x.shape[:-1]))
     single = nlmech.orbit.propagate(states[3], 5000, threads=1, **arguments)
     same(single.x, found.x[3])
+    if "stm" in arguments:
+        phi = np.column_stack([printed[f"phi_{i}{j}"] for i in range(1, 7) for j in range(1, 7)])
+        same(found.stm, phi.reshape(found.stm.shape))
+        same(single.stm, found.stm[3])
 
 
 def test_an_orbit_that_fails():
     with pytest.raises(nlmech.Failure) as raised:
         nlmech.orbit.propagate([1, 0, 0, 0, 0, 0.0], 3, mu=1)  # falls into the centre at pi/sqrt(8)
     assert raised.value.status == "collision" and 1 < float(raised.value.partial.t) < 1.2
-    found = nlmech.orbit.propagate([[1, 0, 0, 0, 0, 0.0], [1, 0, 0, 0, 1, 0]], [3, 2 * math.pi], mu=1)
-    assert found.status == ["collision", "success"]
-    np.testing.assert_allclose(found.x[1], [1, 0, 0, 0, 1, 0], atol=1e-13)  # a circle
+    states = [[1, 0, 0, 0, 0, 0.0], [1, 0, 0, 0, 1, 0], [1, math.nan, 0, 0, 1, 0]]
+    for stm in (False, True):
+        found = nlmech.orbit.propagate(states, [3, 2 * math.pi, 1], mu=1, stm=stm)
+        assert found.status == ["collision", "success", "non_finite"] and found.sentence[1] == ""
+        np.testing.assert_allclose(found.x[1], [1, 0, 0, 0, 1, 0], atol=1e-13)  # a circle
     with pytest.raises(ValueError, match="kilometres"):
         nlmech.orbit.propagate([7000, 0, 0, 0, 7.5, 0.0], 100)
 

@@ -44,7 +44,7 @@ class BoundarySolution:
 
 def bvp(equation: str | None = None, conditions: str = "", *, unknown: str = "", start: Number | None = None,
         until: Number | None = None, guess: str | Mapping[str, np.ndarray] | BoundarySolution = "", starts: int | None = None,
-        tolerance: float = 1e-9, set: Mapping[str, float] | None = None,
+        from_parameter: tuple[str, float, float] | None = None, tolerance: float = 1e-9, set: Mapping[str, float] | None = None,
         file: str | os.PathLike | None = None) -> BoundarySolution | list[BoundarySolution]:
     """Solves a boundary value problem: bvp("x'' + exp(x) = 0", "x(0) = 0; x(1) = 0").
 
@@ -55,6 +55,7 @@ def bvp(equation: str | None = None, conditions: str = "", *, unknown: str = "",
     guess: functions of t, "x = sin(pi t), k = 10"; or arrays {"t": ..., "x": ...}; or another solution, to follow it in a
         parameter. Default: zeros, then random cubics.
     starts: solve from so many starts; the result is then a list of all different solutions.
+    from_parameter: follow the solution in a parameter from one value to another, through folds: ("eps", 1, 1e-4).
     tolerance: of the residual x' - f, relative, from 1e-13 to 0.1. set: values of parameters.
     Raises Failure if there is no solution from these starts, ValueError for wrong arguments. Ctrl-C takes effect at the end.
     """
@@ -64,6 +65,8 @@ def bvp(equation: str | None = None, conditions: str = "", *, unknown: str = "",
         raise ValueError("give one of equation and file")
     if starts is not None and not 1 <= starts <= 10_000:
         raise ValueError(f"starts {starts}: must be from 1 to 10000")
+    if starts is not None and from_parameter is not None:
+        raise ValueError("starts: cannot be combined with from_parameter")
     text = _core.BoundaryText()
     if file is not None:
         text.name = file_of(file)
@@ -83,5 +86,5 @@ def bvp(equation: str | None = None, conditions: str = "", *, unknown: str = "",
             raise ValueError('guess: "t" needs two times or more, ascending')
         rows = [np.broadcast_to(np.asarray(guess.get(name, 0.0), dtype=float), (len(times),)) for name in _core.bvp_names(text)]
         values, guess = np.array(rows), ""
-    found = [BoundarySolution(solved) for solved in _core.bvp(text, guess, times, values, starts, tolerance)]
+    found = [BoundarySolution(solved) for solved in _core.bvp(text, guess, times, values, starts, from_parameter, tolerance)]
     return found if starts is not None else found[0]

@@ -37,7 +37,7 @@ def rows_of(name: str, values, columns: int) -> tuple[np.ndarray, bool]:
     array = np.asarray(values, dtype=float)
     if array.ndim not in (1, 2) or array.shape[-1] != columns:
         raise ValueError(f"{name}: an array of shape {array.shape}; needs ({columns},) or (n, {columns})")
-    return np.ascontiguousarray(np.atleast_2d(array)), array.ndim == 1
+    return np.atleast_2d(array), array.ndim == 1
 
 
 def each(name: str, value, count: int) -> np.ndarray:
@@ -45,4 +45,4 @@ def each(name: str, value, count: int) -> np.ndarray:
     array = np.asarray(value, dtype=float)
     if array.shape not in ((), (count,)):
         raise ValueError(f"{name}: an array of shape {array.shape}; needs one number, or one for each of {count} rows")
-    return np.ascontiguousarray(np.broadcast_to(array, (count,)))
+    return np.broadcast_to(array, (count,))

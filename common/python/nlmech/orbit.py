@@ -21,6 +21,7 @@ class Orbits(NamedTuple):
     x: np.ndarray  # x, y, z, vx, vy, vz: (n, rows, 6); without `every` the last state, (n, 6)
     status: list[str]  # "success", "low_accuracy" (less than six digits), or the outcome of a failure
     sentence: list[str]  # what is wrong; "" after success
+    stm: np.ndarray | None  # d x[..., i]/d(initial state)[j] as [..., i, j], (n, rows, 6, 6) or (n, 6, 6); None without stm=True
 
 
 class Transfer(NamedTuple):
@@ -55,8 +56,16 @@ def _field(zonal: Sequence[float], radius: float | None) -> tuple[float, list[fl
     return (1.0 if radius is None else _positive("radius", radius)), [float(j) for j in zonal]
 
 
+def _texts(count: int, faults: dict[int, tuple[str, str]]) -> tuple[list[str], list[str]]:
+    """Statuses and sentences of so many orbits."""
+    status, sentence = ["success"] * count, [""] * count
+    for i, (status[i], sentence[i]) in faults.items():
+        pass
+    return status, sentence
+
+
 def propagate(states, until, *, mu=None, zonal: Sequence[float] = (), radius: float | None = None, every: float | None = None,
-              tolerance: float = 1e-15, threads: int = 0, limit: float = math.inf, verify: bool = True,
+              stm: bool = False, tolerance: float = 1e-15, threads: int = 0, limit: float = math.inf, verify: bool = True,
               progress: Callable[[float], object] | None = None) -> Orbits:
     """Propagates orbits from t = 0: propagate([7e6, 0, 0, 0, 4700, 5900], until=86400).
 
@@ -64,6 +73,8 @@ def propagate(states, until, *, mu=None, zonal: Sequence[float] = (), radius: fl
     mu: gravitational parameter, one or n numbers (default the Earth's, in metres and seconds).
     zonal, radius: coefficients J2 to J6, the axis along z, and their reference radius.
     every: time between rows (default: only the last state); then `until` is one number.
+    stm: add state-transition matrices, in closed form about a point mass, with zonal terms by Taylor series; orbits then run one by
+        one, with the bits of `--stm`. After a failure about a point mass the last one is 1.
     tolerance: of a step, relative, from 1e-18 to 0.1. threads: 0: one for each processor. limit: wall time of all orbits, s.
     verify: compare states about a point mass with Kepler's solution, which takes about a microsecond for each.
     progress: called with the share of the orbits that is done, about every 50 ms.
@@ -71,28 +82,30 @@ def propagate(states, until, *, mu=None, zonal: Sequence[float] = (), radius: fl
     many, each has a status, and the last row of a failed one is its last good state.
     """
     x0, single = rows_of("states", states, 6)
-    if np.any(np.all(x0[:, :3] == 0, axis=1)):
+    if not x0[:, :3].any(axis=1).all():
         raise ValueError("states: a position is 0, the centre of attraction")
     n = len(x0)
-    ends, rows, times = each("until", until, n), 2, np.empty(0)
+    ends, times = each("until", until, n), np.empty(0)
     if every is not None:
         span, every = abs(float(until)), _positive("every", every)
         if not span / every <= 1e7:
             raise ValueError(f"every {every}: more than 10 million rows")
-        inner = max(0, math.ceil(span / every - 1e-9) - 1)
-        times = np.append(math.copysign(every, float(until)) * np.arange(inner + 1), float(until))
-        rows = inner + 2
+        inner = every * np.arange(1, span / every + 1)
+        inner = inner[span - inner > 1e-9 * every]  # rounding adds no row next to the end
+        times = np.concatenate([[0.0] if span else [], np.copysign(inner, until), [float(until)]])
     mus = np.full(n, np.nan) if mu is None else each("mu", mu, n)
-    if mu is not None and not np.all(mus > 0):
-        raise ValueError(f"mu {mu}: must be positive")
-    x, reached, status, sentence = _core.propagate(x0, ends, mus, *_field(zonal, radius), every or math.inf, rows, tolerance,
-                                                   threads, float(limit), verify, progress)
-    found = Orbits(reached if every is None else times, x[:, -1] if every is None else x, status, sentence)
+    if mu is not None and not np.all((mus > 0) & np.isfinite(mus)):
+        raise ValueError(f"mu {mu}: must be positive and finite")
+    x, reached, phi, faults = _core.propagate(x0, ends, mus, *_field(zonal, radius), every or math.inf, times, tolerance, threads,
+                                              float(limit), verify, stm, progress)
+    if every is None:
+        x, phi = x[:, 0], phi[:, 0] if stm else None
+    status, sentence = _texts(n, faults)
     if not single:
-        return found
-    found = Orbits(found.t[0] if every is None else times, found.x[0], found.status, sentence)
-    if found.status[0] not in ("success", "low_accuracy"):
-        raise Failure(sentence[0], found.status[0], found)
+        return Orbits(reached if every is None else times, x, status, sentence, phi)
+    found = Orbits(reached[0] if every is None else times, x[0], status, sentence, phi[0] if stm else None)
+    if status[0] not in ("success", "low_accuracy"):
+        raise Failure(sentence[0], status[0], found)
     return found
 
 
@@ -112,14 +125,14 @@ def lambert(r1, r2, time, *, mu: float = EARTH_MU, long_way: bool = False, revol
         raise ValueError(f"r1 and r2: shapes {start.shape} and {end.shape} differ")
     if (revolutions > 0) != (branch is not None) or branch not in (None, "low", "high"):
         raise ValueError(f'revolutions {revolutions}, branch {branch}: branch "low" or "high" is for one revolution or more')
-    found = Transfer(*_core.lambert(start, end, each("time", time, len(start)), _positive("mu", mu), *_field(zonal, radius),
-                                    long_way, revolutions, branch == "high",
-                                    None if normal is None else [float(c) for c in normal], threads))
+    *found, faults = _core.lambert(start, end, each("time", time, len(start)), _positive("mu", mu), *_field(zonal, radius), long_way,
+                                   revolutions, branch == "high", None if normal is None else [float(c) for c in normal], threads)
+    status, sentence = _texts(len(start), faults)
     if not single:
-        return found
-    if found.status[0] != "success":
-        raise Failure(found.sentence[0], found.status[0])
-    return Transfer(found.v1[0], found.v2[0], found.miss[0], found.status, found.sentence)
+        return Transfer(*found, status, sentence)
+    if faults:
+        raise Failure(sentence[0], status[0])
+    return Transfer(*(array[0] for array in found), status, sentence)
 
 
 def porkchop(departure, arrival, departures: tuple[float, float, int], arrivals: tuple[float, float, int], *, mu: float,

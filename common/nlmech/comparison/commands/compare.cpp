@@ -299,8 +299,9 @@ Comparison comparison(const UserProblem& problem, const RunOptions& r, const std
   const auto left = [&] { return r.limits.seconds - watch.seconds(); };
   constexpr double work = 6;  // about 6 s
   std::optional<scene::ProgressScope> doing("computing a reference");
-  const WorkLimit effort{
+  WorkLimit effort{
       work, left() / 3, reference_step_limit(r.t0, r.t1, r.limits.largest_step), {}, problem.domain};
+  if (r.reached) effort.continues = [&r] { return r.reached(r.t0); };
   const Reference reference = reference_of(extended_candidates(problem, r, effort), problem.system, r.x0,
                                            r.t0, times_to_check(r.t0, r.t1, 64), {1e-13, 1e-30}, effort);
   ivp::Observer observer;

@@ -65,8 +65,8 @@ struct RunOptions {
   bool section = false;                  ///< print only the rows of events
   bool verify = false;                   ///< compare the run with a reference: for runs by a tolerance
   bool draw = false;                     ///< keep samples for a figure
-  /// Called with the time after each step, by the thread of the run; false ends the run: interrupted. May be
-  /// empty.
+  /// Called with the time after each step, by the thread of the run, and with the end (a comparison: with the
+  /// start) during the computation of a reference; false ends both: interrupted. May be empty.
   std::function<bool(double t)> reached = {};
   /// Common deadline of many runs and their verifications.
   std::chrono::steady_clock::time_point deadline = std::chrono::steady_clock::time_point::max();

@@ -380,7 +380,7 @@ bool Run::agrees_with(const ivp::NamedIntegrator& other, const Verified& run, co
                       const ivp::Limits& limits) const {
   const auto within = ivp::within_domain(other, effort.domain, accuracy_);
   return agrees(problem_.system, options_.x0, options_.t0, run,
-                ivp::with_changes(within, effort.changes, accuracy_), limits);
+                ivp::with_changes(within, effort.changes, accuracy_), limits, effort.observer());
 }
 
 void Run::verify_by_integration(const ivp::Solution& end) {
@@ -388,6 +388,7 @@ void Run::verify_by_integration(const ivp::Solution& end) {
   const scene::ProgressScope doing("verifying the run by integration");
   WorkLimit effort = effort_after(end.statistics, problem_.system.size(), left_after(end));
   effort.largest_step = reference_step_limit(options_.t0, t1_, options_.limits.largest_step);
+  if (options_.reached) effort.continues = [this] { return options_.reached(t1_); };
   for (const WantedEvent& e : options_.events) {
     if (e.event.change) effort.changes.push_back(e.event);
   }

@@ -119,8 +119,8 @@ Status by_reference_method(const ReferenceMethod& by, const ivp::System& system,
   for (const double absolute : {std::min(relative, loose) * 1e-6, loose}) {
     try {
       const ivp::Settings settings{.tolerance = relative, .absolute_tolerance = absolute};
-      StepBudget budget(request.t0, request.times.back(), static_cast<double>(steps));
-      ivp::Observer observer;  // empty for implicit methods: their steps may grow late, after a transient
+      StepBudget budget(request.t0, request.times.back(), static_cast<double>(steps), effort.continues);
+      ivp::Observer observer = effort.observer();  // implicit methods: their steps may grow late
       if (method.family == ivp::Family::series || method.family == ivp::Family::runge_kutta)
         observer = [&budget](const ivp::Step& step) { return budget.suffices(step.t1); };
       const ivp::Limits limits{

@@ -14,6 +14,7 @@
 #include <limits>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "nlmech/ivp/domain.hpp"
@@ -48,6 +49,13 @@ struct WorkLimit {
   double largest_step = std::numeric_limits<double>::infinity();
   std::vector<ivp::Event> changes = {};            ///< events that change the state of the verified run
   std::shared_ptr<const ivp::Domain> domain = {};  ///< domain of the equations; may be null
+  std::function<bool()> continues = {};            ///< called after each step; false ends it; may be empty
+
+  /// Observer that calls `continues`; empty without one.
+  [[nodiscard]] ivp::Observer observer() const {
+    if (!continues) return {};
+    return [this](const ivp::Step& /*step*/) { return continues(); };
+  }
 };
 
 /// Greatest step size of reference computations from @p t0 to @p t1: that of the verified run, but at most
@@ -60,16 +68,19 @@ struct WorkLimit {
 /// steps on, it has covered at least 1/20 of the interval that uniform progress would have covered.
 class StepBudget {
  public:
-  /// @param most number of steps allowed from t0 to t1
-  StepBudget(double t0, double t1, double most) : t0_(t0), way_(t1 - t0), most_(most) {}
-  /// Counts a step to @p t; false if the computation is too slow.
+  /// @param most number of steps allowed from t0 to t1 @param continues see WorkLimit
+  StepBudget(double t0, double t1, double most, std::function<bool()> continues)
+      : t0_(t0), way_(t1 - t0), most_(most), continues_(std::move(continues)) {}
+  /// Counts a step to @p t; false if the computation is too slow or must end.
   [[nodiscard]] bool suffices(double t) {
+    if (continues_ && !continues_()) return false;
     ++steps_;
     return steps_ < most_ / 20 || 20 * std::abs(t - t0_) >= std::abs(way_) * steps_ / most_;
   }
 
  private:
   double t0_, way_, most_, steps_ = 0;
+  std::function<bool()> continues_;
 };
 
 /// A state in extended precision.

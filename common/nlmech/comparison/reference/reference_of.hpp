@@ -44,10 +44,15 @@ struct Backwards {
   }
 };
 
+/// A step takes 15 microseconds for 2 components, 600 microseconds for the 24 of a four-body problem.
+[[nodiscard]] inline double most_taylor_steps(const WorkLimit& effort, Eigen::Index size) {
+  return effort.work * 1e5 / static_cast<double>(size);
+}
+
 /// States at ascending times by one Taylor series.
 template <class Problem>
 Status taylor_states(const Problem& problem, const ReferenceRequest& request,
-                     const problems::ReferenceOptions& options, double most_steps, double seconds,
+                     const problems::ReferenceOptions& options, const WorkLimit& effort, double seconds,
                      StatesAt& states) {
   constexpr int n = Problem::dimension;
   using Exact = Vector<long double, n>;
@@ -57,7 +62,7 @@ Status taylor_states(const Problem& problem, const ReferenceRequest& request,
   for (; next < times.size() && times[next] == request.t0; ++next)
     states.col(static_cast<Eigen::Index>(next)) = request.x0;
   if (next == times.size()) return {};
-  StepBudget budget(request.t0, times.back(), most_steps);
+  StepBudget budget(request.t0, times.back(), most_taylor_steps(effort, request.x0.size()), effort.continues);
   const Stopwatch watch;
   const auto visit_step = [&](const problems::TaylorStep<long double, n>& step, const Exact& x) {
     const long double end = step.start + step.length;
@@ -82,13 +87,13 @@ Status taylor_states(const Problem& problem, const ReferenceRequest& request,
 /// taylor_states() forwards or backwards in time.
 template <class Problem>
 Status taylor_both_directions(const Problem& problem, const ReferenceRequest& request,
-                              const problems::ReferenceOptions& options, double most_steps, double seconds,
-                              StatesAt& states) {
+                              const problems::ReferenceOptions& options, const WorkLimit& effort,
+                              double seconds, StatesAt& states) {
   if (request.times.back() >= request.t0)
-    return taylor_states(problem, request, options, most_steps, seconds, states);
+    return taylor_states(problem, request, options, effort, seconds, states);
   ReferenceRequest mirrored{request.x0, -request.t0, request.times};
   for (double& t : mirrored.times) t = -t;
-  return taylor_states(Backwards<Problem>{problem}, mirrored, options, most_steps, seconds, states);
+  return taylor_states(Backwards<Problem>{problem}, mirrored, options, effort, seconds, states);
 }
 
 }  // namespace detail
@@ -98,17 +103,15 @@ Status taylor_both_directions(const Problem& problem, const ReferenceRequest& re
 template <class Problem>
 [[nodiscard]] std::vector<Candidate> taylor_candidates(const Problem& problem, int size,
                                                        const WorkLimit& effort) {
-  // A step takes 15 microseconds for 2 components, 600 microseconds for the 24 of a four-body problem.
-  const double most_steps = effort.work * 1e5 / size;
   std::vector<Candidate> all;
   for (const int order : {22, 28}) {
     problems::ReferenceOptions options;
     options.order = order;
     options.largest_step = effort.largest_step;
-    options.most_steps = static_cast<std::size_t>(std::ceil(most_steps));
+    options.most_steps = static_cast<std::size_t>(std::ceil(detail::most_taylor_steps(effort, size)));
     all.push_back({"Taylor series of order " + std::to_string(order), true,
                    [=](const ReferenceRequest& request, double seconds, StatesAt& states) {
-                     return detail::taylor_both_directions(problem, request, options, most_steps, seconds,
+                     return detail::taylor_both_directions(problem, request, options, effort, seconds,
                                                            states);
                    }});
   }

@@ -242,7 +242,7 @@ Verification verify(const ivp::System& system, const ivp::State& x0, double t0, 
 }
 
 bool agrees(const ivp::System& system, const ivp::State& x0, double t0, const Verified& run,
-            const ivp::NamedIntegrator& other, const ivp::Limits& limits) {
+            const ivp::NamedIntegrator& other, const ivp::Limits& limits, const ivp::Observer& observer) {
   ReferenceRequest request{x0.cast<long double>(), t0, {}};
   Eigen::MatrixXd states(x0.size(), 0);
   for (Eigen::Index k = 0; k < run.states.cols(); ++k) {
@@ -252,7 +252,7 @@ bool agrees(const ivp::System& system, const ivp::State& x0, double t0, const Ve
     states.rightCols(1) = run.states.col(k);
   }
   StatesAt found;
-  if (!states_by(other, system, request, {}, limits, found).ok()) return false;
+  if (!states_by(other, system, request, observer, limits, found).ok()) return false;
   const Eigen::MatrixXd other_states = found.cast<double>();
   const Eigen::VectorXd size = other_states.cwiseAbs().rowwise().maxCoeff().cwiseMax(x0.cwiseAbs());
   const Eigen::MatrixXd weight = weights(system, request.times, found, size, run.tolerance);
