@@ -14,10 +14,10 @@ namespace nlmech::algebraic {
 /// A point of a path.
 struct TypedPathPoint {
   using Kind = PointKind;  ///< kinds of points: maxima and minima of the parameter are folds
-  int branch;             ///< 0: from the start; others in the order in which they are followed
-  Kind kind;              ///< kind of the point
-  double parameter;       ///< value of the parameter
-  Eigen::VectorXd x;      ///< the solution
+  int branch;              ///< 0: from the start; others in the order in which they are followed
+  Kind kind;               ///< kind of the point
+  double parameter;        ///< value of the parameter
+  Eigen::VectorXd x;       ///< the solution
   Eigen::Index negative;  ///< with an energy: negative eigenvalues of its Hessian, without one that vanishes;
                           ///< 0: a minimum
 };
