@@ -269,11 +269,12 @@ scene::Answer propagate(const Propagation& p) {
   check_method(p);
   refuse_other_units("--position " + text_of(start.position), start, p.mu);
   r.tolerance = p.tolerance.value_or(r.tolerance);
-  if (const Sensitivities columns = sensitivities_of(p); columns.any()) {
+  r.columns = sensitivities_of(p);
+  if (r.columns.any()) {
     if (!p.events.empty())
       throw input_error("--events {}: rows at events have no matrix; leave out {}", quoted_input(p.events),
                         p.stm ? "--stm" : "--covariance");
-    return rows_with(columns, r, p.method);
+    return rows_with_columns(r, p.method);
   }
   if (p.method == "series") return rows_of_series(r);
   return p.method == "rkn1210" ? rows_of_rkn1210(r) : rows_of_kepler(r);

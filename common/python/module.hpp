@@ -23,11 +23,6 @@ namespace py = pybind11;
 /// Argument of doubles in C order; other types and orders are converted.
 using Doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
-/// The numbers of an array, in C order.
-[[nodiscard]] inline std::vector<double> numbers_of(const Doubles& a) {
-  return {a.data(), a.data() + a.size()};
-}
-
 /// A message of the library with arguments of Python in place of options: "--largest-step 1" becomes
 /// "largest_step 1".
 [[nodiscard]] std::string in_python(std::string_view message);

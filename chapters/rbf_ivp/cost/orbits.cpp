@@ -7,7 +7,6 @@
 #include <limits>
 #include <numbers>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "chapters/rbf_ivp/cost/sweeps.hpp"
@@ -72,7 +71,8 @@ double period() {
 }
 
 /// Methods of the chapter with the steps and shapes, in periods, that the dissertation has for the free
-/// oscillator; MCPI with 41 nodes in steps of half a revolution; and methods made for orbits.
+/// oscillator; MCPI with 41 nodes in steps of half a revolution; and methods made for orbits. Without
+/// implicit methods, which an orbit does not need, and the classical ones of fixed step, which are slower.
 std::vector<comparison::MethodSweep> methods(bool quick) {
   const double revolution = period();
   constexpr std::array halves = {2.0, 1.0, 0.5, 0.25};
@@ -81,6 +81,9 @@ std::vector<comparison::MethodSweep> methods(bool quick) {
                      .few_shape = free_duffing_steps().few_shape,
                      .many_shape = free_duffing_steps().many_shape},
                     quick);
+  std::erase_if(all, [](const comparison::MethodSweep& method) {
+    return method.kind == Kind::classical || method.kind == Kind::implicit;
+  });
   all.push_back(comparison::by_steps("mcpi", 41, Kind::polynomial, revolution / 4, halves, quick));
   all.push_back(by_tolerances("series", Kind::series, quick));
   all.push_back(by_tolerances("rkn1210", Kind::explicit_, quick));
@@ -163,7 +166,7 @@ std::vector<scene::Scene> scenes() {
       "a day, fourteen revolutions, of the orbit of Eq. 3.71 turned by 60 degrees; units of the Earth's "
       "radius "
       "with mu = 1; steps and shapes in revolutions as the dissertation's in periods of the oscillator; one "
-      "sweep of tolerances",
+      "sweep of tolerances; without implicit and classical methods",
       all_orbits);
   return {{.name = "error-vs-time-orbits",
            .title = "A day on a low orbit, point mass and J2: achieved digits and cost",

@@ -74,8 +74,8 @@ class OrbitCatalogue {
                                                   catalogue_.columns().rest_names(own_names())),
                             .portion = scene::portion_for(lines_at_a_time, request_.threads),
                             .work = [this](const scene::CatalogueRows& rows) {
-                              if (request_.columns.any()) return with_columns(rows);
-                              return request_.method == "kepler" ? by_kepler(rows) : by_series(rows);
+                              const bool together = request_.method == "series" && !request_.columns.any();
+                              return together ? by_series(rows) : orbit_by_orbit(rows);
                             }});
     if (low_ > 0)
       scene::print_message(
@@ -122,34 +122,19 @@ class OrbitCatalogue {
   /// Adds an output line; t + 0 avoids a time of -0.
   static void add_line(std::string& lines, std::int64_t row, double t, const orbit::State& s,
                        const std::string& rest, std::string_view status) {
-    const auto &p = s.position, &v = s.velocity;
-    fmt::format_to(std::back_inserter(lines),
-                   "{},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g}{},{}\n", row, t + 0., p[0],
-                   p[1], p[2], v[0], v[1], v[2], rest, status);
+    fmt::format_to(std::back_inserter(lines), "{},", row);
+    append_state(lines, t + 0., s);
+    fmt::format_to(std::back_inserter(lines), "{},{}\n", rest, status);
   }
 
-  /// Result of an orbit: status and worst accuracy of its rows.
-  struct EnsembleResult {
-    Status status;
-    Accuracy worst;
-  };
-
-  /// Adds the line of a computed state and updates the result of the orbit with its accuracy.
+  /// Adds the line of a computed state and its accuracy to that of the orbit.
   void add_computed(std::string& lines, std::int64_t row, double t, const orbit::State& s,
-                    const std::string& rest, const orbit::PropagationRequest& f,
-                    EnsembleResult& ended) const {
-    const bool by_steps = request_.method != "kepler";
-    Accuracy a = accuracy_of(s, f.start, t, f.gravity,
-                             {request_.method, by_steps ? std::optional(request_.tolerance) : std::nullopt});
-    add_line(lines, row, t, s, rest,
-             !a.status.ok() ? to_string(a.status.outcome())
-             : a.off > 0    ? low_accuracy
-                            : to_string(Outcome::success));
-    if (ended.status.ok()) ended.status = a.status;
-    if (a.off > ended.worst.off) ended.worst = std::move(a);
+                    const std::string& rest, const orbit::PropagationRequest& f, OrbitAccuracy& ended) const {
+    const ComputedBy by = computed_by(request_.method, request_.tolerance);
+    add_line(lines, row, t, s, rest, ended.add(accuracy_of(s, f.start, t, f.gravity, by)));
   }
 
-  void note(std::int64_t row, const EnsembleResult& ended) {
+  void note(std::int64_t row, const OrbitAccuracy& ended) {
     if (!ended.status.ok() && failed_++ == 0) {
       first_failed_ = row;
       first_sentence_ = ended.status.text();
@@ -165,7 +150,7 @@ class OrbitCatalogue {
     for (const auto& row : rows.numbers) flights.push_back(flight(row));
     const auto row_of = [&rows](std::size_t i) { return rows.first + static_cast<std::int64_t>(i); };
     std::vector<std::string> between(request_.every ? flights.size() : 0);
-    std::vector<EnsembleResult> ended(flights.size());
+    std::vector<OrbitAccuracy> ended(flights.size());
     orbit::InnerRows inner;
     if (request_.every) {
       inner.every = *request_.every;
@@ -195,51 +180,9 @@ class OrbitCatalogue {
     return text;
   }
 
-  [[nodiscard]] orbit::KeplerSolution moved(const orbit::PropagationRequest& f, double time) const {
-    if (watch_.seconds() > request_.seconds)
-      return {f.start, failed_with(Outcome::time_limit, "kepler: {} seconds were used up; allow more",
-                                   request_.seconds)};
-    return orbit::propagate_kepler(f.start, time, f.gravity.mu);
-  }
-
-  [[nodiscard]] std::string by_kepler(const scene::CatalogueRows& rows) {
-    std::vector<EnsembleResult> ended(rows.numbers.size());
-    std::string text = scene::lines_in_threads(
-        rows.numbers.size(), request_.threads, [&](std::size_t i, std::string& lines) {
-          const orbit::PropagationRequest f = flight(rows.numbers[i]);
-          const double end = std::abs(f.until), sign = f.until < 0 ? -1 : 1;
-          // The row of a failed orbit has the time reached and the state there.
-          double reached = 0;
-          orbit::State state = f.start;
-          const auto add = [&](double t) {
-            const auto there = moved(f, t);
-            const std::int64_t row = rows.first + static_cast<std::int64_t>(i);
-            if (there.status.ok()) {
-              reached = t;
-              state = there.state;
-              add_computed(lines, row, t, state, rows.rest[i], f, ended[i]);
-              return true;
-            }
-            ended[i].status = there.status;
-            add_line(lines, row, reached, state, rows.rest[i], to_string(there.status.outcome()));
-            return false;
-          };
-          if (request_.every && f.until != 0) {
-            // The final time has its own row; k DT equal to it up to rounding has no second one.
-            for (std::int64_t k = 0; end - static_cast<double>(k) * *request_.every > 1e-9 * *request_.every;
-                 ++k) {
-              if (!add(sign * static_cast<double>(k) * *request_.every)) return;
-            }
-          }
-          (void)add(f.until);
-        });
-    for (std::size_t i = 0; i < ended.size(); ++i) note(rows.first + static_cast<std::int64_t>(i), ended[i]);
-    return text;
-  }
-
-  /// Rows with transition matrices or covariances.
-  [[nodiscard]] std::string with_columns(const scene::CatalogueRows& rows) {
-    std::vector<EnsembleResult> ended(rows.numbers.size());
+  /// Rows by Kepler's solution, or with transition matrices or covariances.
+  [[nodiscard]] std::string orbit_by_orbit(const scene::CatalogueRows& rows) {
+    std::vector<OrbitAccuracy> ended(rows.numbers.size());
     std::string text = scene::lines_in_threads(
         rows.numbers.size(), request_.threads, [&](std::size_t i, std::string& lines) {
           const orbit::PropagationRequest f = flight(rows.numbers[i]);
@@ -253,9 +196,11 @@ class OrbitCatalogue {
                                .every = request_.every,
                                .gravity = f.gravity,
                                .tolerance = request_.tolerance,
-                               .seconds = std::max(0.0, request_.seconds - watch_.seconds())};
+                               .seconds = request_.seconds,
+                               .columns = request_.columns,
+                               .watch = watch_};
           if (r.every && r.time != 0) (void)add(0, r.start, orbit::TransitionMatrix::Identity());
-          const auto run = propagate_with_transition(r, request_.method, inner_times(r.time, r.every), add);
+          const auto run = propagate_with_transition(r, request_.method, r.inner_times(), add);
           if (!ended[i].status.ok()) return;
           if (run.end.status.ok()) {
             (void)add(r.time, run.end.x, run.transition);

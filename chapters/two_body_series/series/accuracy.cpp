@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
+#include <utility>
 
 #include "chapters/two_body_series/orbits/orbits.hpp"
 #include "nlmech/orbit/kepler.hpp"
@@ -46,6 +48,21 @@ Accuracy accuracy_of(const orbit::State& state, const orbit::State& start, doubl
       time, off, *by.tolerance);
   if (off < none) return {off, place, {}};
   return {off, place, failed_with(Outcome::outside_validity, "{}: {}", by.method, place)};
+}
+
+std::string_view OrbitAccuracy::add(Accuracy row) {
+  const std::string_view name = !row.status.ok() ? to_string(row.status.outcome())
+                                : row.off > 0    ? low_accuracy
+                                                 : to_string(Outcome::success);
+  if (status.ok()) status = row.status;
+  if (row.off > worst.off) worst = std::move(row);
+  return name;
+}
+
+void append_state(std::string& text, double t, const orbit::State& state) {
+  const auto &p = state.position, &v = state.velocity;
+  fmt::format_to(std::back_inserter(text), "{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g}", t, p[0],
+                 p[1], p[2], v[0], v[1], v[2]);
 }
 
 std::string inside_the_earth(const orbit::State& start) {

@@ -1,5 +1,5 @@
 /// @file
-/// Accuracy of a printed position: effect of rounding of the data, and of the errors of the steps.
+/// Rows of an orbit: printed states, and their accuracy from rounding of the data and errors of the steps.
 #pragma once
 
 #include <optional>
@@ -20,6 +20,11 @@ struct ComputedBy {
   std::optional<double> tolerance;  ///< tolerance of a step; nothing for kepler
 };
 
+/// Method with the tolerance @p tolerance if it has one.
+[[nodiscard]] inline ComputedBy computed_by(std::string_view method, double tolerance) {
+  return {method, method == "kepler" ? std::nullopt : std::optional(tolerance)};
+}
+
 /// Accuracy of one position.
 struct Accuracy {
   double off = 0;        ///< uncertainty relative to the distance if at least 1e-6; else 0
@@ -35,6 +40,18 @@ struct Accuracy {
 /// status is success.
 [[nodiscard]] Accuracy accuracy_of(const orbit::State& state, const orbit::State& start, double time,
                                    const orbit::Gravity& gravity, const ComputedBy& by);
+
+/// Status and worst accuracy of the rows of an orbit.
+struct OrbitAccuracy {
+  Status status;   ///< success, or the first failure
+  Accuracy worst;  ///< of the row with the largest uncertainty
+
+  /// Takes in the accuracy of a row. @returns the status of that row as text, or low_accuracy
+  std::string_view add(Accuracy row);
+};
+
+/// Appends t,x,y,z,vx,vy,vz with 17 digits.
+void append_state(std::string& text, double t, const orbit::State& state);
 
 /// Error message if the whole orbit from @p start, in metres with the Earth's mu, lies deep inside the Earth
 /// (wrong units); otherwise empty.

@@ -5,21 +5,19 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <iterator>
 #include <limits>
 #include <optional>
 #include <span>
 #include <utility>
 
+#include "chapters/two_body_series/orbits/propagators.hpp"
 #include "chapters/two_body_series/series/accuracy.hpp"
+#include "chapters/two_body_series/stm/sensitivities.hpp"
 #include "nlmech/ivp/runge_kutta/rkn1210.hpp"
 #include "nlmech/orbit/continuation.hpp"
-#include "nlmech/orbit/gravity.hpp"
-#include "nlmech/orbit/kepler.hpp"
 #include "nlmech/problems/problem.hpp"
 #include "nlmech/scene/program/this_process.hpp"
 #include "nlmech/support/sentences.hpp"
-#include "nlmech/support/stopwatch.hpp"
 
 namespace nlmech::chapters::two_body_series {
 namespace {
@@ -83,18 +81,17 @@ std::string undetermined(const NamedEvent& event, const ivp::OpenEvent& part) {
 /// Collects the rows of a run and the worst accuracy.
 class Rows {
  public:
-  Rows(const OrbitRequest& request, const ComputedBy& by) : request_(request), by_(by) {
-    text_ = request.events.empty() ? "t,x,y,z,vx,vy,vz\n" : "t,x,y,z,vx,vy,vz,event\n";
+  Rows(const OrbitRequest& request, std::string_view method)
+      : request_(request), by_(computed_by(method, request.tolerance)), inner_(request.inner_times()) {
+    text_ = "t,x,y,z,vx,vy,vz" + request.columns.names() + (request.events.empty() ? "\n" : ",event\n");
     if (!request.events.empty()) {
       std::vector<orbit::Event> events;
       for (const NamedEvent& event : request.events) events.push_back(event.event);
       // Steps round too, however small their tolerance is.
-      finder_.emplace(std::move(events), request.gravity, std::max(by.tolerance.value_or(0), 1e-15));
+      finder_.emplace(std::move(events), request.gravity, std::max(by_.tolerance.value_or(0), 1e-15));
     }
-    if (!request.at.empty() && request.at.front() != 0)
-      count_ = 0;
-    else
-      print(0, request.start);
+    if (request.at.empty() || request.at.front() == 0)
+      print(0, request.start, request.columns.cells(orbit::TransitionMatrix::Identity()));
   }
 
   /// Adds the rows of a step: requested times and events, in order. @returns false if a row has no digit, or
@@ -103,8 +100,8 @@ class Rows {
     const auto inside = [&step](double t) { return step.at(t); };
     if (finder_) {
       const std::size_t known = finder_->hits().size();
-      if (!finder_->see(step) && status_.ok()) status_ = finder_->status();
-      for (std::size_t i = known; i < finder_->hits().size() && status_.ok(); ++i) {
+      if (!finder_->see(step) && status().ok()) accuracy_.status = finder_->status();
+      for (std::size_t i = known; i < finder_->hits().size() && status().ok(); ++i) {
         const orbit::Hit& hit = finder_->hits()[i];
         add_up_to(hit.t, inside);
         add(hit.t, hit.state, label_of(request_.events[hit.event], hit.direction));
@@ -116,67 +113,50 @@ class Rows {
   /// @returns false if a row has no digit
   template <class StateAt>
   bool add_up_to(double t1, const StateAt& state_at) {
-    if (!request_.every && request_.at.empty()) return status_.ok();
-    double t = next();
-    while (status_.ok() && is_inner(t) && std::abs(t) <= std::abs(t1)) {
-      add(t, state_at(t));
-      ++count_;
-      t = next();
-    }
-    return status_.ok();
+    for (; status().ok() && next_ < inner_.size() && std::abs(inner_[next_]) <= std::abs(t1); ++next_)
+      add(inner_[next_], state_at(inner_[next_]));
+    return status().ok();
+  }
+  /// Adds a row. @param more its event or cells of further columns @returns false if it has no digit
+  bool add(double t, const orbit::State& s, const std::string& more = {}) {
+    accuracy_.add(accuracy_of(s, request_.start, t, request_.gravity, by_));
+    print(t, s, more);
+    return status().ok();
   }
   /// Adds the last row @p s, prints low accuracy to standard error and returns all rows.
   /// @throws Failure if a row has no digit
-  [[nodiscard]] std::string finish(const orbit::State& s) {
-    if (request_.time != 0 && last_ != request_.time) add(request_.time, s);  // an event may be there
-    if (!status_.ok()) throw Failure(status_);
+  [[nodiscard]] std::string finish(const orbit::State& s, const std::string& more = {}) {
+    if (request_.time != 0 && last_ != request_.time) add(request_.time, s, more);  // an event may be there
+    if (!status().ok()) throw Failure(status());
     if (finder_) {
       for (const ivp::OpenEvent& part : finder_->open())
         scene::print_message(undetermined(request_.events[part.event], part));
     }
-    if (!worst_.sentence.empty()) scene::print_message(fmt::format("two_body_series: {}", worst_.sentence));
+    if (const std::string& low = accuracy_.worst.sentence; !low.empty())
+      scene::print_message(fmt::format("two_body_series: {}", low));
     return std::move(text_);
   }
   /// A failure if a row has no digit.
-  [[nodiscard]] const Status& status() const { return status_; }
+  [[nodiscard]] const Status& status() const { return accuracy_.status; }
+  /// The inner times.
+  [[nodiscard]] const std::vector<double>& inner() const { return inner_; }
 
  private:
-  void add(double t, const orbit::State& s, const std::string& event = {}) {
-    Accuracy accuracy = accuracy_of(s, request_.start, t, request_.gravity, by_);
-    if (!accuracy.status.ok() && status_.ok()) status_ = accuracy.status;
-    if (accuracy.off > worst_.off) worst_ = std::move(accuracy);
-    print(t, s, event);
-  }
-  void print(double t, const orbit::State& s, const std::string& event = {}) {
+  void print(double t, const orbit::State& s, const std::string& more) {
     last_ = t;
-    auto out = std::back_inserter(text_);
-    fmt::format_to(out, "{:.17g}", t);
-    for (int i = 0; i < 3; ++i) fmt::format_to(out, ",{:.17g}", s.position[i]);
-    for (int i = 0; i < 3; ++i) fmt::format_to(out, ",{:.17g}", s.velocity[i]);
-    if (finder_) text_.append(",").append(event);
-    text_ += '\n';
-  }
-  [[nodiscard]] double next() const {
-    if (!request_.at.empty()) {
-      const auto i = static_cast<std::size_t>(count_);
-      return i < request_.at.size() ? request_.at[i] : request_.time;
-    }
-    return std::copysign(static_cast<double>(count_) * *request_.every, request_.time);
-  }
-  // The final time has its own row; k DT equal to it up to rounding has no second one.
-  [[nodiscard]] bool is_inner(double t) const {
-    if (!request_.at.empty()) return t != request_.time;
-    return std::abs(request_.time) - std::abs(t) > 1e-9 * *request_.every;
+    append_state(text_, t, s);
+    if (finder_) text_ += ',';
+    text_.append(more) += '\n';
   }
 
   const OrbitRequest& request_;
   ComputedBy by_;
   std::string text_;
-  std::int64_t count_ = 1;                                  // of requested times, that at 0 included
+  std::vector<double> inner_;
+  std::size_t next_ = 0;                                    // of inner_
   double last_ = std::numeric_limits<double>::quiet_NaN();  // time of the last row
   std::optional<orbit::EventFinder> finder_;
-  Accuracy worst_;
-  Status status_;
+  OrbitAccuracy accuracy_;
 };
 
 /// Advice for long runs about a point mass.
@@ -188,53 +168,31 @@ void say_steps_are_needless(const OrbitRequest& request, std::int64_t steps) {
     scene::print_message(fmt::format("two_body_series: {} steps; {}", steps, without_steps));
 }
 
-/// Units of length and time for initial distance and circular speed near 1. They are powers of two, so that
-/// scaling causes no rounding.
-struct Units {
-  explicit Units(const OrbitRequest& r) {
-    const int a = std::ilogb(r.start.position.stableNorm());
-    const int b = (3 * a - std::ilogb(r.gravity.mu)) / 2;
-    length = std::ldexp(1.0, a);
-    time = std::ldexp(1.0, b);
-    if (!std::isnormal(length) || !std::isnormal(time) || !std::isnormal(length / time))
-      throw Failure(
-          failed_with(Outcome::outside_validity,
-                      "rkn1210: the distance {:g} and mu = {:g} give units of length and time beyond the "
-                      "range of doubles; give the data in other units, or use --method kepler",
-                      r.start.position.stableNorm(), r.gravity.mu));
-    gravity = r.gravity;
-    gravity.radius = std::ldexp(r.gravity.radius, -a);
-    gravity.mu = std::ldexp(r.gravity.mu, 2 * b - 3 * a);
-  }
-  [[nodiscard]] ivp::State own(const orbit::State& s) const {
-    ivp::State x(6);
-    x << s.position / length, s.velocity * (time / length);
-    return x;
-  }
-  [[nodiscard]] orbit::State users(const ivp::State& x) const {
-    return {x.head<3>() * length, x.tail<3>() * (length / time)};
-  }
-  double length, time;
-  orbit::Gravity gravity;
-};
+/// A state of an integration in own units, in those of the user.
+orbit::State in_units_of_user(const ivp::State& x, const orbit::detail::PowerUnits& units) {
+  return units.users(parted(x));
+}
 
 /// A step of an integration in own units, as one in those of the user.
 class StepInUnits : public BasicDenseOutput<orbit::State> {
  public:
-  StepInUnits(const Units& units, const ivp::Step& step)
+  StepInUnits(const orbit::detail::PowerUnits& units, const ivp::Step& step)
       : units_(units),
         step_(step),
-        t1_(step.t1 * units.time),
-        x0_(units.users(step.x0)),
-        x1_(units.users(step.x1)) {}
+        t1_(std::ldexp(step.t1, units.time)),
+        x0_(in_units_of_user(step.x0, units)),
+        x1_(in_units_of_user(step.x1, units)) {}
   /// Refers to this object.
   [[nodiscard]] orbit::Step users() const {
-    return {step_.index, step_.t0 * units_.time, t1_, x0_, x1_, std::span(&t1_, 1), states_, *this};
+    return {step_.index, std::ldexp(step_.t0, units_.time), t1_, x0_, x1_, std::span(&t1_, 1), states_,
+            *this};
   }
-  void at(double t, orbit::State& x) const override { x = units_.users(step_.at(t / units_.time)); }
+  void at(double t, orbit::State& x) const override {
+    x = in_units_of_user(step_.at(std::ldexp(t, -units_.time)), units_);
+  }
 
  private:
-  const Units& units_;
+  const orbit::detail::PowerUnits& units_;
   const ivp::Step& step_;
   double t1_;
   orbit::State x0_, x1_;
@@ -258,7 +216,6 @@ class KeplerMotion : public BasicDenseOutput<orbit::State> {
 
 /// Passes Kepler's solution to @p rows in steps of half the time scale of the motion, for events.
 void step_along(const KeplerMotion& motion, const OrbitRequest& request, Rows& rows) {
-  const Stopwatch watch;
   double t = 0;
   orbit::State x = request.start;
   for (std::int64_t index = 1; t != request.time && rows.status().ok(); ++index) {
@@ -270,7 +227,7 @@ void step_along(const KeplerMotion& motion, const OrbitRequest& request, Rows& r
                                 "kepler: the body passes so near the centre at t = {:.9g} that doubles do "
                                 "not resolve events there; end the run before, or leave out --events",
                                 t));
-    if (watch.seconds() > request.seconds)
+    if (request.watch.seconds() > request.seconds)
       throw Failure(failed_with(Outcome::time_limit,
                                 "kepler: {} seconds were used up by the events up to t = {:.9g}; allow more, "
                                 "or take a shorter time",
@@ -286,10 +243,35 @@ void step_along(const KeplerMotion& motion, const OrbitRequest& request, Rows& r
 
 }  // namespace
 
+std::vector<double> OrbitRequest::inner_times() const {
+  std::vector<double> times = at;
+  if (every) {
+    // The final time has its own row; k DT equal to it up to rounding has no second one.
+    for (std::int64_t k = 1; std::abs(time) - static_cast<double>(k) * *every > 1e-9 * *every; ++k)
+      times.push_back(std::copysign(static_cast<double>(k) * *every, time));
+  }
+  std::erase_if(times, [this](double t) { return t == 0 || t == time; });
+  return times;
+}
+
+orbit::detail::PowerUnits rkn1210_units(const OrbitRequest& request) {
+  const double distance = request.start.position.stableNorm(), mu = request.gravity.mu;
+  const orbit::detail::PowerUnits units(distance, mu);
+  for (const int exponent : {units.length, units.time, units.length - units.time}) {
+    if (!std::isnormal(std::ldexp(1.0, exponent)))
+      throw Failure(
+          failed_with(Outcome::outside_validity,
+                      "rkn1210: the distance {:g} and mu = {:g} give units of length and time beyond the "
+                      "range of doubles; give the data in other units, or use --method kepler",
+                      distance, mu));
+  }
+  return units;
+}
+
 std::string rows_of_kepler(const OrbitRequest& request) {
   const KeplerMotion motion(request);
   const orbit::State end = motion(request.time);
-  Rows rows(request, {"kepler", std::nullopt});
+  Rows rows(request, "kepler");
   if (request.events.empty())
     rows.add_up_to(request.time, motion);
   else
@@ -298,7 +280,7 @@ std::string rows_of_kepler(const OrbitRequest& request) {
 }
 
 std::string rows_of_series(const OrbitRequest& request) {
-  Rows rows(request, {"series", request.tolerance});
+  Rows rows(request, "series");
   orbit::Observer observer;
   if (request.has_inner_rows()) observer = [&rows](const orbit::Step& step) { return rows.add_step(step); };
   const auto end = orbit::propagate(request.start, 0, request.time, request.gravity,
@@ -313,29 +295,42 @@ std::string rows_of_series(const OrbitRequest& request) {
 }
 
 std::string rows_of_rkn1210(const OrbitRequest& request) {
-  Rows rows(request, {"rkn1210", request.tolerance});
+  Rows rows(request, "rkn1210");
   if (request.time == 0) return rows.finish(request.start);
-  const Units units(request);
+  const orbit::detail::PowerUnits units = rkn1210_units(request);
   ivp::Observer observer;
   if (request.has_inner_rows())
     observer = [&](const ivp::Step& step) { return rows.add_step(StepInUnits(units, step).users()); };
   const auto end = ivp::integrate(
-      ivp::System(ZonalField{units.gravity}), units.own(request.start), 0, request.time / units.time,
+      ivp::System(ZonalField{units.own(request.gravity)}), joined(units.own(request.start)), 0,
+      std::ldexp(request.time, -units.time),
       ivp::Rkn1210{.relative_tolerance = request.tolerance, .absolute_tolerance = request.tolerance},
       observer, {.seconds = request.seconds});
   if (!rows.status().ok()) throw Failure(rows.status());
   if (!end.status.ok()) {
     // The message of the status has scaled units; report time and distance in the user's units.
-    throw Failure(
-        failed_with(end.status.outcome(),
-                    "rkn1210: stopped at t = {:.17g}, at a distance of {:.6g} from the centre; loosen "
-                    "the tolerance {:g}, or "
-                    "use the method series{}",
-                    end.t * units.time, units.users(end.x).position.norm(), request.tolerance,
-                    request.gravity.degree() == 0 ? fmt::format("; {}", without_steps) : ""));
+    throw Failure(failed_with(
+        end.status.outcome(),
+        "rkn1210: stopped at t = {:.17g}, at a distance of {:.6g} from the centre; loosen "
+        "the tolerance {:g}, or "
+        "use the method series{}",
+        std::ldexp(end.t, units.time), in_units_of_user(end.x, units).position.norm(), request.tolerance,
+        request.gravity.degree() == 0 ? fmt::format("; {}", without_steps) : ""));
   }
   say_steps_are_needless(request, end.statistics.steps);
-  return rows.finish(units.users(end.x));
+  return rows.finish(in_units_of_user(end.x, units));
+}
+
+std::string rows_with_columns(const OrbitRequest& request, std::string_view method) {
+  const Sensitivities& columns = request.columns;
+  Rows rows(request, method);
+  const auto add = [&](double t, const orbit::State& s, const orbit::TransitionMatrix& phi) {
+    return rows.add(t, s, columns.cells(phi));
+  };
+  const auto run = propagate_with_transition(request, method, rows.inner(), add);
+  if (!rows.status().ok()) throw Failure(rows.status());
+  if (!run.end.status.ok()) throw Failure(run.end.status);
+  return rows.finish(run.end.x, columns.cells(run.transition));
 }
 
 }  // namespace nlmech::chapters::two_body_series

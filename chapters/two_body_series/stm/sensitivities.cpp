@@ -2,23 +2,19 @@
 
 #include <fmt/format.h>
 
-#include <array>
+#include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <iterator>
 #include <utility>
 #include <vector>
 
-#include "chapters/two_body_series/series/accuracy.hpp"
 #include "nlmech/ivp/runge_kutta/rkn1210.hpp"
 #include "nlmech/orbit/covariance.hpp"
 #include "nlmech/orbit/scaled.hpp"
 #include "nlmech/program/dual.hpp"
 #include "nlmech/scene/program/csv.hpp"
 #include "nlmech/scene/program/files.hpp"
-#include "nlmech/scene/program/this_process.hpp"
 #include "nlmech/support/sentences.hpp"
-#include "nlmech/support/stopwatch.hpp"
 
 namespace nlmech::chapters::two_body_series {
 namespace {
@@ -57,11 +53,8 @@ struct VariationalField {
 TransitionSolution by_rkn1210(const OrbitRequest& r, std::span<const double> times,
                               const orbit::TransitionSink& sink) {
   using System = ivp::Direct<VariationalField>;
-  const orbit::detail::PowerUnits units(r.start.position.stableNorm(), r.gravity.mu);
+  const orbit::detail::PowerUnits units = rkn1210_units(r);
   const double time_unit = std::ldexp(1.0, units.time);
-  orbit::Gravity gravity = r.gravity;
-  gravity.mu = units.own_mu(r.gravity.mu);
-  gravity.radius = std::ldexp(r.gravity.radius, -units.length);
   const State start = units.own(r.start);
   System::State x = System::State::Zero();
   x.head<3>() = start.position;
@@ -86,7 +79,7 @@ TransitionSolution by_rkn1210(const OrbitRequest& r, std::span<const double> tim
     return true;
   };
   const auto end =
-      ivp::integrate(System(VariationalField{gravity}), x, 0, r.time / time_unit,
+      ivp::integrate(System(VariationalField{units.own(r.gravity)}), x, 0, r.time / time_unit,
                      ivp::Rkn1210{.relative_tolerance = r.tolerance, .absolute_tolerance = r.tolerance},
                      observe, {.seconds = r.seconds});
   read(end.status.ok() ? r.time : end.t * time_unit, end.x);
@@ -100,17 +93,23 @@ TransitionSolution by_rkn1210(const OrbitRequest& r, std::span<const double> tim
 
 TransitionSolution by_kepler(const OrbitRequest& r, std::span<const double> times,
                              const orbit::TransitionSink& sink) {
-  const Stopwatch watch;
   TransitionSolution result;
   result.end.x = r.start;
   for (std::size_t i = 0; i <= times.size(); ++i) {
-    if (watch.seconds() > r.seconds) {
+    if (r.watch.seconds() > r.seconds) {
       result.end.status =
           failed_with(Outcome::time_limit, "kepler: {} seconds were used up; allow more", r.seconds);
       break;
     }
     const double t = i < times.size() ? times[i] : r.time;
-    orbit::KeplerTransition k = orbit::kepler_transition(r.start, t, r.gravity.mu);
+    orbit::KeplerTransition k;
+    if (r.columns.any()) {
+      k = orbit::kepler_transition(r.start, t, r.gravity.mu);
+    } else {
+      orbit::KeplerSolution at = orbit::propagate_kepler(r.start, t, r.gravity.mu);
+      k.state = at.state;
+      k.status = std::move(at.status);
+    }
     if (!k.status.ok()) {
       result.end.status = std::move(k.status);
       break;
@@ -176,43 +175,7 @@ orbit::TransitionSolution propagate_with_transition(const OrbitRequest& r, std::
   if (method == "kepler") return by_kepler(r, times, sink);
   if (method == "rkn1210") return by_rkn1210(r, times, sink);
   return orbit::propagate_transition(r.start, 0, r.time, r.gravity, {.tolerance = r.tolerance}, times, sink,
-                                     {.seconds = r.seconds});
-}
-
-std::vector<double> inner_times(double until, const std::optional<double>& every) {
-  std::vector<double> times;
-  if (!every) return times;
-  // The final time has its own row; k DT equal to it up to rounding has no second one.
-  for (std::int64_t k = 1;; ++k) {
-    const double t = static_cast<double>(k) * *every;
-    if (!(std::abs(until) - t > 1e-9 * *every)) return times;
-    times.push_back(std::copysign(t, until));
-  }
-}
-
-std::string rows_with(const Sensitivities& columns, const OrbitRequest& r, std::string_view method) {
-  std::string text = "t,x,y,z,vx,vy,vz" + columns.names() + '\n';
-  const ComputedBy by{method, method == "kepler" ? std::nullopt : std::optional(r.tolerance)};
-  Accuracy worst;
-  Status refused;
-  const auto add = [&](double t, const State& s, const TransitionMatrix& phi) {
-    Accuracy accuracy = accuracy_of(s, r.start, t, r.gravity, by);
-    refused = accuracy.status;
-    if (accuracy.off > worst.off) worst = std::move(accuracy);
-    const auto &p = s.position, &v = s.velocity;
-    fmt::format_to(std::back_inserter(text), "{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g}{}\n", t,
-                   p[0], p[1], p[2], v[0], v[1], v[2], columns.cells(phi));
-    return refused.ok();
-  };
-  if (r.at.empty() || r.at.front() == 0) (void)add(0, r.start, TransitionMatrix::Identity());
-  std::vector<double> inner = r.at.empty() ? inner_times(r.time, r.every) : r.at;
-  std::erase_if(inner, [&](double t) { return t == 0 || t == r.time; });
-  const TransitionSolution run = propagate_with_transition(r, method, inner, add);
-  if (!refused.ok()) throw Failure(refused);
-  if (!run.end.status.ok()) throw Failure(run.end.status);
-  if (r.time != 0 && !add(r.time, run.end.x, run.transition)) throw Failure(refused);
-  if (!worst.sentence.empty()) scene::print_message(fmt::format("two_body_series: {}", worst.sentence));
-  return text;
+                                     {.seconds = std::max(0.0, r.seconds - r.watch.seconds())});
 }
 
 }  // namespace nlmech::chapters::two_body_series

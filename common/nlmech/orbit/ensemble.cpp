@@ -341,7 +341,7 @@ class Leg {
         out_of_time_(out_of_time),
         units_(detail::extent(request.start.position), request.gravity.mu),
         end_(std::min(std::ldexp(std::abs(request.until), -units_.time), std::numeric_limits<double>::max())),
-        system_(Motion{own(request.gravity)}) {}
+        system_(Motion{units_.own(request.gravity)}) {}
   Leg(const Leg&) = delete;
   Leg& operator=(const Leg&) = delete;
 
@@ -360,11 +360,6 @@ class Leg {
   }
 
  private:
-  [[nodiscard]] Gravity own(Gravity gravity) const {
-    gravity.mu = units_.own_mu(gravity.mu);
-    gravity.radius = std::ldexp(gravity.radius, -units_.length);
-    return gravity;
-  }
   [[nodiscard]] State users(const ivp::State& x) const { return units_.users({x.head<3>(), x.tail<3>()}); }
   /// Observer of each step. @return false to stop
   bool see(const ivp::Step& step) {

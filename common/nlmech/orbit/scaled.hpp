@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "nlmech/orbit/state.hpp"
+#include "nlmech/orbit/gravity.hpp"
 
 namespace nlmech::orbit::detail {
 
@@ -42,6 +42,12 @@ struct PowerUnits {
   /// State in the units of the user.
   [[nodiscard]] State users(const State& s) const {
     return {times_power_of_two(s.position, length), times_power_of_two(s.velocity, length - time)};
+  }
+  /// Field in these units.
+  [[nodiscard]] Gravity own(Gravity gravity) const {
+    gravity.mu = own_mu(gravity.mu);
+    gravity.radius = std::ldexp(gravity.radius, -length);
+    return gravity;
   }
   /// Gravitational parameter, from 1/2 to 4.
   [[nodiscard]] double own_mu(double mu) const { return std::ldexp(mu, 2 * time - 3 * length); }

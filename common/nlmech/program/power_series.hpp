@@ -89,19 +89,6 @@ class PowerSeries {
   /// Divides by a series.
   PowerSeries& operator/=(const PowerSeries& b) { return *this = *this / b; }
 
-  /// Multiplies by a number.
-  template <class S>
-  requires std::convertible_to<S, T> PowerSeries& operator*=(const S& s) {
-    for (T& c : c_) c *= s;
-    return *this;
-  }
-  /// Divides by a number.
-  template <class S>
-  requires std::convertible_to<S, T> PowerSeries& operator/=(const S& s) {
-    for (T& c : c_) c /= s;
-    return *this;
-  }
-
   /// Sum.
   friend PowerSeries operator+(PowerSeries a, const PowerSeries& b) { return std::move(a += b); }
   /// Difference.
@@ -123,19 +110,6 @@ class PowerSeries {
     return r;
   }
 
-  /// Product with a number.
-  template <class S>
-  requires std::convertible_to<S, T>
-  friend PowerSeries operator*(PowerSeries a, const S& s) { return std::move(a *= s); }
-  /// Product with a number.
-  template <class S>
-  requires std::convertible_to<S, T>
-  friend PowerSeries operator*(const S& s, PowerSeries a) { return std::move(a *= s); }
-  /// Quotient by a number.
-  template <class S>
-  requires std::convertible_to<S, T>
-  friend PowerSeries operator/(PowerSeries a, const S& s) { return std::move(a /= s); }
-
   /// The series with the coefficients next(a, r, k); a are the coefficients of this series, r those of the
   /// result below k.
   template <class Next>
@@ -150,7 +124,7 @@ class PowerSeries {
   [[nodiscard]] PowerSeries integral_of(const PowerSeries& g) const {
     if (constant_) return {};
     if (g.constant_) {
-      PowerSeries r = *this * g[0];
+      PowerSeries r = scaled(*this, g[0]);
       r.c_[0] = T(0);
       return r;
     }
@@ -186,8 +160,14 @@ class PowerSeries {
     if (constant_ || c_.size() > b.c_.size()) c_.resize(b.c_.size(), T(0));
     constant_ = false;
   }
-  static PowerSeries scaled(PowerSeries a, const T& s) { return std::move(a *= s); }
-  static PowerSeries divided(PowerSeries a, const T& s) { return std::move(a /= s); }
+  static PowerSeries scaled(PowerSeries a, const T& s) {
+    for (T& c : a.c_) c *= s;
+    return a;
+  }
+  static PowerSeries divided(PowerSeries a, const T& s) {
+    for (T& c : a.c_) c /= s;
+    return a;
+  }
 
   std::vector<T> c_;
   bool constant_ = true;

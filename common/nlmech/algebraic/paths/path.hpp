@@ -60,15 +60,18 @@ struct PathPoint {
   bool is_rounded = false;  ///< is the sign of an eigenvalue of K lost in double rounding?
 };
 
+/// Type of a point of a path.
+enum class PointKind : std::uint8_t {
+  step,        ///< regular point at the end of a step
+  maximum,     ///< maximum of the load along the path
+  minimum,     ///< minimum of the load along the path
+  bifurcation  ///< crossing with other branches
+};
+
 /// A point of a path where dF/dx is singular.
 struct CriticalPoint {
-  /// Type of the critical point.
-  enum class Kind : std::uint8_t {
-    maximum,     ///< maximum of the load along the path
-    minimum,     ///< minimum of the load along the path
-    bifurcation  ///< crossing with other branches
-  };
-  Kind kind = Kind::bifurcation;  ///< type of the point
+  using Kind = PointKind;         ///< types of points
+  Kind kind = Kind::bifurcation;  ///< type of the point; not a step
   PathPoint point;            ///< the point; `negative` may include an eigenvalue that is zero to rounding
   Eigen::VectorXd direction;  ///< null vector of dF/dx, in the units of x, of norm 1
   /// Number of eigenvalues of dF/dx that change sign, as far as known; 0 at a bifurcation where the load of
@@ -77,8 +80,8 @@ struct CriticalPoint {
   PathVector across = {};  ///< scaled tangent of the other branch, if one eigenvalue vanishes
 };
 
-/// "maximum", "minimum", "bifurcation".
-[[nodiscard]] std::string_view to_string(CriticalPoint::Kind kind) noexcept;
+/// "step", "maximum", "minimum", "bifurcation".
+[[nodiscard]] std::string_view to_string(PointKind kind) noexcept;
 
 struct PathChanges;
 

@@ -18,11 +18,12 @@ constexpr double around_fork = 0.2;   // of a step: no other critical point near
 
 }  // namespace
 
-std::string_view to_string(CriticalPoint::Kind kind) noexcept {
+std::string_view to_string(PointKind kind) noexcept {
   switch (kind) {
-    case CriticalPoint::Kind::maximum: return "maximum";
-    case CriticalPoint::Kind::minimum: return "minimum";
-    default: return "bifurcation";
+    case PointKind::maximum: return "maximum";
+    case PointKind::minimum: return "minimum";
+    case PointKind::bifurcation: return "bifurcation";
+    default: return "step";
   }
 }
 

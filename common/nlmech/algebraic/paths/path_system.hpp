@@ -53,8 +53,6 @@ class PathSystem {
 
   /// Adds a step to a point; in a system in long double with the low-order part of the sum.
   void move(PathVector& at, const PathVector& step) const;
-  /// Does the system use long double throughout?
-  [[nodiscard]] bool is_stiff() const { return is_stiff_; }
   /// Evaluates F at @p at into f(). @return false if it is not finite
   bool residual(const PathVector& at);
   /// The last residual, scaled.

@@ -203,7 +203,7 @@ class BranchTracer {
         arrive(*met);
         return true;
       }
-      add(kind_of(c.kind), c.point);
+      add(c.kind, c.point);
       // The sign of the vanishing eigenvalue is rounding.
       out_.points.back().negative = std::min(path_->before().negative, path_->now().negative);
       if (c.kind == CriticalPoint::Kind::bifurcation) crossings_.push_back({c.point, c.across, branch_});
@@ -226,14 +226,6 @@ class BranchTracer {
     lost_ = failed_with(Outcome::time_limit, "path: {:.6g} s end at a parameter of {:.10g}", options_.seconds,
                         path_->now().load);
     return true;
-  }
-
-  static TypedPathPoint::Kind kind_of(CriticalPoint::Kind kind) {
-    switch (kind) {
-      case CriticalPoint::Kind::maximum: return TypedPathPoint::Kind::maximum;
-      case CriticalPoint::Kind::minimum: return TypedPathPoint::Kind::minimum;
-      default: return TypedPathPoint::Kind::bifurcation;
-    }
   }
 
   bool has_left(const PathPoint& from, const PathPoint& to) {
@@ -302,15 +294,6 @@ class BranchTracer {
 };
 
 }  // namespace
-
-std::string_view to_string(TypedPathPoint::Kind kind) noexcept {
-  switch (kind) {
-    case TypedPathPoint::Kind::maximum: return "maximum";
-    case TypedPathPoint::Kind::minimum: return "minimum";
-    case TypedPathPoint::Kind::bifurcation: return "bifurcation";
-    default: return "step";
-  }
-}
 
 TypedPaths follow_paths(const TypedSystem& system, const VectorXd& root, const TypedPathOptions& options) {
   return BranchTracer(system, root, options).run();

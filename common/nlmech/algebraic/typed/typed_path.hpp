@@ -13,23 +13,14 @@ namespace nlmech::algebraic {
 
 /// A point of a path.
 struct TypedPathPoint {
-  /// Kind of the point.
-  enum class Kind {
-    step,        ///< a step of the path tracer
-    maximum,     ///< maximum of the parameter along the path: a fold
-    minimum,     ///< minimum of the parameter along the path: a fold
-    bifurcation  ///< crossing with another branch
-  };
-  int branch;             ///< 0: from the start; others in the order in which they are followed
-  Kind kind;              ///< kind of the point
-  double parameter;       ///< value of the parameter
-  Eigen::VectorXd x;      ///< the solution
+  using Kind = PointKind;  ///< kinds of points: maxima and minima of the parameter are folds
+  int branch;              ///< 0: from the start; others in the order in which they are followed
+  Kind kind;               ///< kind of the point
+  double parameter;        ///< value of the parameter
+  Eigen::VectorXd x;       ///< the solution
   Eigen::Index negative;  ///< with an energy: negative eigenvalues of its Hessian, without one that vanishes;
                           ///< 0: a minimum
 };
-
-/// "step", "maximum", "minimum", "bifurcation".
-[[nodiscard]] std::string_view to_string(TypedPathPoint::Kind kind) noexcept;
 
 /// Options of follow_paths().
 struct TypedPathOptions {

@@ -8,7 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "nlmech/algebraic/paths/path.hpp"
 #include "nlmech/frames/loaded_frame.hpp"
 #include "nlmech/support/sentences.hpp"
 #include "nlmech/support/stopwatch.hpp"
@@ -19,14 +18,6 @@ namespace {
 using algebraic::CriticalPoint;
 using algebraic::Path;
 using algebraic::PathPoint;
-
-FramePoint::Kind kind_of(CriticalPoint::Kind kind) {
-  switch (kind) {
-    case CriticalPoint::Kind::maximum: return FramePoint::Kind::maximum;
-    case CriticalPoint::Kind::minimum: return FramePoint::Kind::minimum;
-    default: return FramePoint::Kind::bifurcation;
-  }
-}
 
 /// A bifurcation point, and which halves of its other branch remain to be followed.
 struct Crossing {
@@ -219,7 +210,7 @@ class PathTracer {
                                  : change != 0    ? std::min(negative, next)
                                                   : std::min(negative, c.point.negative);
       const Eigen::Index vanishing = std::max<Eigen::Index>(c.vanishing, 1);
-      add(kind_of(c.kind), c.point, least, c.direction, vanishing);
+      add(c.kind, c.point, least, c.direction, vanishing);
       include_load(c.point.load);
       if (c.kind == CriticalPoint::Kind::bifurcation)
         crossings_.push_back({c.point, c.across, c.direction, least, branch_, vanishing});
@@ -358,15 +349,6 @@ void require(const PathOptions& options) {
 }
 
 }  // namespace
-
-std::string_view to_string(FramePoint::Kind kind) noexcept {
-  switch (kind) {
-    case FramePoint::Kind::maximum: return "maximum";
-    case FramePoint::Kind::minimum: return "minimum";
-    case FramePoint::Kind::bifurcation: return "bifurcation";
-    default: return "step";
-  }
-}
 
 FramePaths equilibrium_paths(const NamedFrame& frame, const PathOptions& options) {
   require(options);

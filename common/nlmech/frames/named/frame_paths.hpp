@@ -3,12 +3,11 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <cstdint>
 #include <limits>
 #include <optional>
-#include <string_view>
 #include <vector>
 
+#include "nlmech/algebraic/paths/path.hpp"
 #include "nlmech/frames/frame.hpp"
 #include "nlmech/frames/named/frame_model.hpp"
 #include "nlmech/support/statistics.hpp"
@@ -34,24 +33,15 @@ struct PathOptions {
 
 /// A point of an equilibrium path.
 struct FramePoint {
-  /// Type of the point.
-  enum class Kind : std::uint8_t {
-    step,        ///< regular point at the end of a step
-    maximum,     ///< maximum of the load factor along the path
-    minimum,     ///< minimum of the load factor along the path
-    bifurcation  ///< crossing with other branches
-  };
-  int branch = 0;              ///< number of the branch; 0: path from rest
-  Kind kind = Kind::step;      ///< type of the point
-  double load = 0;             ///< load factor
-  Eigen::VectorXd x;           ///< displacements
-  Eigen::Index negative = 0;   ///< negative eigenvalues of the tangent, without the vanishing one
-  Eigen::VectorXd mode = {};   ///< at a limit or bifurcation point: null vector of norm 1
-  Eigen::Index vanishing = 0;  ///< number of vanishing eigenvalues, as far as known; 0 for a step
+  using Kind = algebraic::PointKind;  ///< types of points
+  int branch = 0;                     ///< number of the branch; 0: path from rest
+  Kind kind = Kind::step;             ///< type of the point
+  double load = 0;                    ///< load factor
+  Eigen::VectorXd x;                  ///< displacements
+  Eigen::Index negative = 0;          ///< negative eigenvalues of the tangent, without the vanishing one
+  Eigen::VectorXd mode = {};          ///< at a limit or bifurcation point: null vector of norm 1
+  Eigen::Index vanishing = 0;         ///< number of vanishing eigenvalues, as far as known; 0 for a step
 };
-
-/// "step", "maximum", "minimum", "bifurcation".
-[[nodiscard]] std::string_view to_string(FramePoint::Kind kind) noexcept;
 
 /// Result of equilibrium_paths().
 struct FramePaths {
