@@ -125,23 +125,41 @@ std::pair<double, double> next_stumpff(double psi, double c2, double c3) {
   return {c4, c5};
 }
 
-/// Universal functions at the end of a motion and their derivatives by alpha at constant s, in the units
-/// |r_0| = 1 and mu = 1 of Universal; the time of whole revolutions is subtracted.
+/// Universal functions at the end of a motion and their derivatives by alpha, in the units |r_0| = 1 and mu =
+/// 1 of Universal; the time of whole revolutions is subtracted.
 struct Ended {
   Vector3<double> d, w;          ///< initial position and velocity
-  double ww, alpha, sigma;       ///< w.w, 2 - w.w and d.w
+  double alpha, sigma;           ///< 2 - w.w and d.w
   double t = 0, turns_time = 0;  ///< time without whole revolutions; time of these
   Universal<double>::At at;      ///< U_n and r
-  double a0, a1, a2, a3;         ///< dU_n/dalpha = (n U_{n+2} - s U_{n+1})/2
+  double a0, a1, a2, a3;         ///< dU_n/dalpha = (n U_{n+2} - s U_{n+1})/2, or as refine() says
 
+  /// With `at` as kepler_state() has it.
   Ended(const Vector3<double>& position, const Vector3<double>& velocity, double time)
-      : d(position), w(velocity), ww(w.dot(w)), alpha(2 - ww), sigma(d.dot(w)) {
+      : d(position), w(velocity), alpha(2 - w.dot(w)), sigma(d.dot(w)) {
     const Universal<double> u{alpha, sigma};
     double turns = 0;
     t = within_one_turn(alpha, time, turns);
     if (turns != 0) turns_time = turns * (2 * std::numbers::pi) / (alpha * std::sqrt(alpha));
     at = solve(u, t).at;
+  }
+  /// Corrects s to first order, whose rounding far out on a hyperbola is multiplied by (-alpha)^(1/2) s, up
+  /// to 80, in U_n; and computes a0 to a3. There they are derivatives at constant alpha s^2: at constant s
+  /// they would cancel in the derivatives at constant time, by the same factor.
+  void refine() {
+    const double ds = (t - at.time) / at.r, u0 = at.u0, u1 = at.u1;
+    at.s += ds;
+    at.u3 += at.u2 * ds;
+    at.u2 += u1 * ds;
+    at.u1 += u0 * ds;
+    at.u0 -= alpha * u1 * ds;
+    at.r += at.slope * ds;
+    at.slope = sigma * at.u0 + (1 - alpha) * at.u1;
     const double s = at.s, square = s * s;
+    if (alpha * square < -4) {
+      a0 = 0, a1 = -at.u1 / (2 * alpha), a2 = -at.u2 / alpha, a3 = -1.5 * at.u3 / alpha;
+      return;
+    }
     const auto [c4, c5] =
         next_stumpff(alpha * square, s == 0 ? 0.5 : at.u2 / square, s == 0 ? 1.0 / 6 : at.u3 / (s * square));
     a0 = -s * at.u1 / 2;
@@ -183,13 +201,18 @@ void add_derivatives(const Ended& e, KeplerTransition& k) {
     m.diagonal().array() += one;
     return m;
   };
-  k.transition << block(1 - u2, &C::f, &C::g, false), block(u1 + e.sigma * u2, &C::f, &C::g, true),
+  // G = U_1 + sigma U_2 = t - U_3, by the sum of the smaller terms.
+  const double g =
+      std::abs(u1) + std::abs(e.sigma * u2) < std::abs(e.t) + std::abs(u3) ? u1 + e.sigma * u2 : e.t - u3;
+  k.transition << block(1 - u2, &C::f, &C::g, false), block(g, &C::f, &C::g, true),
       block(-u1 / r, &C::f_rate, &C::g_rate, false), block(1 - u2 / r, &C::f_rate, &C::g_rate, true);
-  // By mu: d(alpha) = w.w, d(sigma) = -sigma/2, d(mu^(1/2) t) = t/2, and of the factors of G = (t -
-  // U_3)/mu^(1/2) and F' = -mu^(1/2) U_1/(r r_0).
-  C c = e.derivatives(0, -e.sigma / 2, e.ww, (e.t + e.turns_time) / 2);
-  c.g += (e.turns_time + u3) / 2;
-  c.f_rate -= u1 / (2 * r);
+  // By mu at r_0, sigma and t, from r_0 U_1 + sigma U_2 + mu U_3 = t with alpha = 2 mu/r_0 - v.v, F = 1 - mu
+  // U_2/r_0, G = t - mu U_3; whole revolutions take a time that is proportional to mu.
+  C c = e.derivatives(0, 0, 2, -u3 - e.turns_time);
+  c.f -= u2;
+  c.g -= u3 + e.turns_time;
+  c.f_rate += u1 * (u2 / r - 1) / r;
+  c.g_rate += u2 * (u2 / r - 1) / r;
   k.by_mu << c.f * e.d + c.g * e.w, c.f_rate * e.d + c.g_rate * e.w;
 }
 
@@ -200,8 +223,8 @@ KeplerTransition kepler_partials(const State& start, double time, double mu) {
                rate = speed / r0;
   const Vector3<double> d = start.position / r0, w = start.velocity / speed;
   const double t = time * rate, ww = w.dot(w), sigma = d.dot(w);
-  const Ended e(d, w, t);
-  const auto& at = e.at;
+  Ended e(d, w, t);
+  const auto at = e.at;
   KeplerTransition k;
   const bool flyby = is_flyby(ww, sigma, t);
   k.state = flyby ? kepler_state(start, time, mu)
@@ -214,6 +237,7 @@ KeplerTransition kepler_partials(const State& start, double time, double mu) {
       !(terms * terms <= 100 * ww * at.r * at.r && std::abs(at.r * r0 - r) <= 1e-3 * r)) {
     by_dual_numbers(start, time, mu, k);
   } else {
+    e.refine();
     add_derivatives(e, k);
     k.transition.topRightCorner<3, 3>() /= rate;
     k.transition.bottomLeftCorner<3, 3>() *= rate;
