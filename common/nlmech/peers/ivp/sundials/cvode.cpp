@@ -1,4 +1,4 @@
-#include <cvode/cvode.h>
+#include <cvodes/cvodes.h>  // CVODE and its sensitivities: one library has both
 #include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
 
 #include <optional>
