@@ -165,8 +165,9 @@ py::tuple propagate(const Doubles& states, const Doubles& until, const Doubles& 
   unlocked(progress, [&](Job& job) {
     const Stopwatch watch;
     std::vector<orbit::PropagationRequest> some;
-    // Results do not depend on the portions, which grow until one takes a twentieth of a second.
-    for (std::size_t i = 0, portion = stm ? 16 : 512; i < count;) {
+    // Results do not depend on the portions. Larger ones would take their memory anew from the system.
+    constexpr std::size_t largest = 1024;
+    for (std::size_t i = 0, portion = stm ? 16 : largest; i < count;) {
       some.clear();
       for (std::size_t k = i; k < std::min(i + portion, count); ++k) {
         field.mu = std::isnan(own_mu[k]) ? orbit::earth().mu : own_mu[k];
@@ -179,7 +180,7 @@ py::tuple propagate(const Doubles& states, const Doubles& until, const Doubles& 
         propagate(some, i, every, rest, all);
       i += some.size();
       if (!job.reached(static_cast<double>(i) / static_cast<double>(count))) break;
-      if (watch.seconds() - begin < 0.05) portion = std::min<std::size_t>(4 * portion, 4096);
+      if (watch.seconds() - begin < 0.05) portion = std::min(4 * portion, largest);
     }
     return true;
   });

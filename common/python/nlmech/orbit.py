@@ -59,8 +59,8 @@ def _field(zonal: Sequence[float], radius: float | None) -> tuple[float, list[fl
 def _texts(count: int, faults: dict[int, tuple[str, str]]) -> tuple[list[str], list[str]]:
     """Statuses and sentences of so many orbits."""
     status, sentence = ["success"] * count, [""] * count
-    for i, (status[i], sentence[i]) in faults.items():
-        pass
+    for i, (outcome, why) in faults.items():
+        status[i], sentence[i] = outcome, why
     return status, sentence
 
 
