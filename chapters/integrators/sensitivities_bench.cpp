@@ -35,7 +35,7 @@ void add(chapters::Speed& all, const SensitivityCase& c, double wanted) {
   if (peer) peer->name = at + "CVODES";
   all.add(mine);
   all.add(peer);
-  // Measured on a busy machine: 85 and more, stiff 9 and more.
+  // Measured on a busy machine: 74 and more, stiff 8 and more.
   all.claim(at + "nlmech", at + "CVODES", c.stiff ? 5 : 20, at + "nlmech against CVODES");
 }
 

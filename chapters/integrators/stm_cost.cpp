@@ -41,8 +41,8 @@ std::vector<scene::ProblemLines> lines(bool stiff, bool quick) {
 scene::Scene scene_of(bool stiff) {
   const std::string name = stiff ? "stm-cost-stiff" : "stm-cost";
   const std::string title =
-      stiff ? "Sensitivities of two stiff problems: variational equations reach all digits first"
-            : "Sensitivities of three problems: variational equations reach all digits first";
+      stiff ? "Sensitivities of two stiff problems: variational equations are ahead of CVODES"
+            : "Sensitivities of three problems: variational equations are ahead of CVODES";
   const scene::Result<std::vector<scene::ProblemLines>> result(
       name,
       "solution and its derivatives by initial values and parameters; steps of nlmech methods are controlled "
