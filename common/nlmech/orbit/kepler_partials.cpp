@@ -147,7 +147,9 @@ struct Ended {
   /// to 80, in U_n; and computes a0 to a3. There they are derivatives at constant alpha s^2: at constant s
   /// they would cancel in the derivatives at constant time, by the same factor.
   void refine() {
-    const double ds = (t - at.time) / at.r, u0 = at.u0, u1 = at.u1;
+    double ds = (t - at.time) / at.r;
+    if (!(std::abs(ds) <= 1e-6 * std::abs(at.s))) ds = 0;  // beyond 1e18 turns t has no digit
+    const double u0 = at.u0, u1 = at.u1;
     at.s += ds;
     at.u3 += at.u2 * ds;
     at.u2 += u1 * ds;
