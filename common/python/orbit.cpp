@@ -156,7 +156,7 @@ py::tuple propagate(const Doubles& states, const Doubles& until, const Doubles& 
   const std::size_t rows = std::max<std::size_t>(times.size(), 1);
   const std::span inner = std::span(times).subspan(rows > 1 ? 1 : 0, rows > 1 ? rows - 2 : 0);
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();  // where an orbit does not come
-  py::array_t<double> x({count, rows, std::size_t{6}}), t(count),
+  py::array_t<double> x({count, rows, std::size_t{6}}), t(static_cast<py::ssize_t>(count)),
       phi({stm ? count : 0, rows, std::size_t{6}, std::size_t{6}});
   std::fill_n(x.mutable_data(), x.size(), unknown);
   std::fill_n(phi.mutable_data(), phi.size(), unknown);

@@ -91,7 +91,8 @@ inline constexpr int most_verified = 48;
 /// Does another method, restarted at each row of the run, agree with it within most_tolerances? This cheap
 /// verification by an independent method replaces a reference for one of many runs. False proves nothing.
 /// @param other method with a tolerance below that of the run
-/// @param limits limits of @p other @param observer observer of @p other; may be empty
+/// @param limits limits of the other method
+/// @param observer observer of the other method; may be empty
 [[nodiscard]] bool agrees(const ivp::System& system, const ivp::State& x0, double t0, const Verified& run,
                           const ivp::NamedIntegrator& other, const ivp::Limits& limits,
                           const ivp::Observer& observer = {});
