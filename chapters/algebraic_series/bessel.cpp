@@ -1,6 +1,4 @@
 #include <algorithm>
-#include <boost/math/special_functions/bessel.hpp>
-#include <boost/math/special_functions/bessel_prime.hpp>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -11,8 +9,14 @@
 namespace nlmech::chapters::algebraic_series::bessel {
 namespace {
 
-using boost::math::cyl_bessel_j, boost::math::cyl_bessel_j_prime;
 using Real = ExtendedReal<80>;
+
+/// J_n(x), by MPFR, also for negative n.
+Real bessel_j(int n, const Real& x) {
+  Real j;
+  mpfr_jn(j.backend().data(), n, x.backend().data(), MPFR_RNDN);
+  return j;
+}
 
 /// Solution of Bessel's equation on (0, T), Eq. 32, expanded about tau = x/T = 1.
 struct Expansion {
@@ -44,11 +48,12 @@ Expansion continued(Expansion e, int terms) {
 
 /// The solution J_nu(T tau).
 Expansion expand(int nu, int T, int terms) {
-  return continued({nu, T, {cyl_bessel_j(nu, Real(T)), T * cyl_bessel_j_prime(nu, Real(T))}}, terms);
+  const Real slope = (bessel_j(nu - 1, Real(T)) - bessel_j(nu + 1, Real(T))) / 2;
+  return continued({nu, T, {bessel_j(nu, Real(T)), T * slope}}, terms);
 }
 
 double error(const Expansion& e, const Real& tau, int terms) {
-  return static_cast<double>(abs(e.at(tau, terms) - cyl_bessel_j(e.order, Real(e.length * tau))));
+  return static_cast<double>(abs(e.at(tau, terms) - bessel_j(e.order, Real(e.length * tau))));
 }
 
 /// Ratio of the last two coefficients of the solution with A_0 = 1, A_1 = 0. It contains the logarithm of

@@ -31,6 +31,10 @@ Units do not matter:
 
   $ homotopy solve --equation "x^2 = 1e-20" --start x=1 | holds 'x = mpf(10)^-10 +- 1e-24' 'root = "proved"'
   $ homotopy solve --equation "1e12 x^3 = 8e12" --start x=1 | holds 'x = 2 +- 1e-15'
+  $ homotopy solve --equation "x^20 = 1e-200" --start x=1 | holds 'x = mpf(10)^-10 +- 1e-24' 'root = "proved"'
+  $ homotopy solve --equation "exp(x) = 1e-300" --start x=1 | holds 'x = -300*log(mpf(10)) +- 1e-12' 'root = "proved"'
+  $ homotopy solve --equation "1/x = 1e-200" --start x=1 | holds 'x = mpf(10)^200 +- 1e186' 'root = "proved"'
+  $ homotopy solve --equation "x^3 = 8e-300; y x = 2e-100" --start x=1,y=1 | holds 'x = 2*mpf(10)^-100 +- 1e-114' 'y = 1 +- 1e-14'
   $ homotopy solve --equation "x^2 = 2e300" --start x=1 | holds 'x = sqrt(2*mpf(10)^300) +- 1e135'
   solve: from the given start no solver found a root; this one is from other start 1
 

@@ -193,6 +193,12 @@ Mistakes
                ^
   $ ends --unknown k=6
   rbf_inverse: --unknown k=6: is no name, such as k
+  $ ends --unknown sin
+  rbf_inverse: --unknown sin: is the name of a function; choose another
+  $ ends --until step
+  rbf_inverse: --until step: is the name of a function; choose another
+  $ ends --until t
+  rbf_inverse: --until t: is the time; choose another name
   $ ends --guess y=1
   rbf_inverse: --guess y=1: must begin with a component and =; the components are x, x'
   $ ends --guess x=x+1

@@ -33,6 +33,9 @@ In least time it switches once. The end is free:
   rbf_inverse: from 0 to 1: u = 1
   rbf_inverse: from 1 to 2: u = -1
   $ holds 't = 2 +- 1e-8' 'x = 1 +- 1e-8' < least.csv
+  $ mass --minimise u --until u --conditions "x(u) = 1; x'(u) = 0" --bounds "-1 <= u <= 1"
+  rbf_inverse: --until u: is a control; a free end needs another name
+  [2]
 
 Breakwell's problem (A. E. Bryson, Y.-C. Ho, Applied Optimal Control, 1975, section 3.11): the mass is thrown at 1 and caught at -1. Below a bound l >= 1/4 it
 flies freely, from 1/6 to 1/4 it touches the bound, and then it stays on it from 3 l to 1 - 3 l. The costs are 2, 2 + 6 (1 - 4 l)^2, 4/(9 l):

@@ -7,6 +7,7 @@
 /// operations in place of order^2.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <concepts>
 #include <cstddef>
@@ -27,16 +28,18 @@ namespace nlmech {
 template <class T>
 class SeriesMemory {
  public:
-  /// Prepares for series up to @p order; reuses the memory.
+  /// Prepares for series up to @p order; reuses the memory, of which each coefficient is set before it is
+  /// read.
   void start(std::size_t order) {
     stride_ = order + 1;
     used_ = variables_ = 0;
-    coefficient_.clear();
   }
-  /// Adds a series that is set from outside; all variables are added before the first pass.
+  /// Adds a series of zeros that is set from outside; all variables are added before the first pass.
   [[nodiscard]] std::size_t add_variable() {
-    variables_ = used_ + 1;
-    return add();
+    const std::size_t series = add();
+    variables_ = used_;
+    std::fill_n((*this)[series], stride_, T(0));
+    return series;
   }
   /// Starts the pass that computes coefficient @p k of all operations; k = 0, 1, 2, ...
   void begin_pass(std::size_t k) {

@@ -36,20 +36,33 @@ class Polish {
   Polish(const TypedSystem& system, const VectorXd& start, const VectorXd& typical)
       : system_(system), typical_(typical), x(start) {}
 
-  // Ends at rounding, where F is 0, or where steps no longer become shorter.
+  // Ends at rounding, where F is 0, or where neither the steps become shorter nor F falls: towards the root
+  // of exp(x) = 1e-100 all steps are as long, towards that of 1/x = 1e-20 they grow.
   void run() {
-    double before = HUGE_VAL, ratio_before = 0;
+    double before = HUGE_VAL, ratio_before = 0, f_before = HUGE_VAL, leap = 0;
     int longer = 0;
-    for (int k = 0; k < most_iterations && step(); ++k) {
-      const double size = s.cwiseAbs().maxCoeff(), ratio = size / before;
+    bool may_leap = true;
+    VectorXd left;  // where the last leap began
+    for (int k = 0; k < most_iterations; ++k) {
+      const bool is_valid = step();
+      if (is_zero) break;
+      const double size = is_valid ? step_size() : HUGE_VAL, ratio = size / before;
+      if (leap > 0 && !(size > 0 && size < leap && f_size <= f_before)) {  // too far, as x^20 = 1e-200 from 1
+        x = left, order = 1, may_leap = false;
+        before = f_before = HUGE_VAL, leap = 0;
+        continue;
+      }
+      if (!is_valid) break;
       if (size < best_size) best = x, best_step = s, best_size = size, best_order = order;
-      longer = ratio < 0.98 ? 0 : longer + 1;
+      longer = ratio < 0.98 || f_size < 0.75 * f_before ? 0 : longer + 1;
       if (longer > 8 || is_rounding()) break;
-      const bool is_steady = ratio > 0.3 && ratio < 0.98 && std::abs(ratio - ratio_before) < 0.02;
-      if (is_steady) order = std::max(order, static_cast<int>(std::lround(1 / (1 - ratio))));
+      const bool is_steady = may_leap && ratio > 0.3 && ratio < 0.98 && std::abs(ratio - ratio_before) < 0.02;
+      if (is_steady) order = std::max(order, static_cast<int>(std::lround(1 / (1 - ratio)))), left = x;
       x += (is_steady ? order : 1) * s.cwiseProduct(typical_);
+      leap = is_steady ? size : 0;
       ratio_before = is_steady ? 0 : ratio;
       before = is_steady ? HUGE_VAL : size;
+      f_before = f_size;
     }
     if (is_zero) best = x, best_step.setZero(x.size()), best_size = 0, best_order = order;
     if (best_size == HUGE_VAL) best = x, best_step.setConstant(x.size(), HUGE_VAL);
@@ -65,6 +78,8 @@ class Polish {
     system_.derivative(x, j_);
     j_.conservativeResize(x.size(), x.size());
     j_ *= typical_.asDiagonal();
+    if (row_size_.size() == 0) row_size_ = j_.cwiseAbs().rowwise().maxCoeff();
+    f_size = f_.cwiseAbs().cwiseQuotient(row_size_).maxCoeff();
     for (Index i = 0; i < x.size(); ++i) {
       const double size = j_.row(i).cwiseAbs().maxCoeff();
       if (size == 0) continue;
@@ -75,15 +90,21 @@ class Polish {
     s = -Eigen::ColPivHouseholderQR<MatrixXd>(j_).solve(f_);
     return s.allFinite();
   }
+  // In units of the typical sizes, or of x where that is greater.
+  [[nodiscard]] double step_size() const {
+    const VectorXd unit = typical_.cwiseMax(x.cwiseAbs());
+    return s.cwiseProduct(typical_).cwiseQuotient(unit).cwiseAbs().maxCoeff();
+  }
   [[nodiscard]] bool is_rounding() const {
     return (s.cwiseProduct(typical_).array().abs() <= eps / 2 * x.array().abs()).all();
   }
 
   const TypedSystem& system_;
   const VectorXd& typical_;
-  VectorXd f_;
+  VectorXd f_, row_size_;  // F, and the sizes of its rows at the start
   MatrixXd j_;
   VectorXd best, best_step;
+  double f_size = 0;
   double best_size = HUGE_VAL;
   int best_order = 1;
 
@@ -187,9 +208,18 @@ bool is_stationary(const TypedSystem& system, const VectorXd& x, const VectorXd&
   VectorXd f, row_size;
   system.residual(x, f);
   const MatrixXd j = scaled_matrix(system, x, typical, row_size);
+  row_size *= f.cwiseQuotient(row_size).cwiseAbs().maxCoeff();  // the square of F may be out of range
   f = f.cwiseQuotient(row_size).eval();
-  f /= f.cwiseAbs().maxCoeff();  // its square may be out of range
-  return f.allFinite() && (j.transpose() * f).norm() <= 1e-5 * f.norm();
+  VectorXd fall = -(j.transpose() * f);
+  if (!f.allFinite() || !(fall.norm() <= 1e-5 * f.norm())) return false;
+  // Flat is not enough: exp(x) is flat at -30 beside its slope some way off, and falls on.
+  fall = fall.stableNormalized().cwiseProduct(typical);
+  VectorXd lower;
+  for (double h = 0.01; h > eps; h /= 4) {
+    system.residual(x + h * fall, lower);
+    if (lower.cwiseQuotient(row_size).norm() < 0.99 * f.norm()) return false;
+  }
+  return true;
 }
 
 std::string_view to_string(CheckedRoot::Kind kind) noexcept {
@@ -244,7 +274,7 @@ CheckedRoot check_root(const TypedSystem& system, const VectorXd& start, const V
   CheckedRoot root;
   Polish polish(system, start, typical);
   polish.run();
-  const VectorXd x = root.x = polish.x;
+  const VectorXd x = root.x = polish.x, unit = typical.cwiseMax(x.cwiseAbs());
   VectorXd f, row_size;
   system.residual(x, f);
   const auto refuse = [&](const std::string& why) {
@@ -254,7 +284,7 @@ CheckedRoot check_root(const TypedSystem& system, const VectorXd& start, const V
   root.bound.setConstant(x.size(), HUGE_VAL);
   root.residual = root.condition = HUGE_VAL;
   if (!f.allFinite() || !x.allFinite()) return refuse("F does not exist there");
-  const MatrixXd j = scaled_matrix(system, x, typical, row_size);
+  const MatrixXd j = scaled_matrix(system, x, unit, row_size);
   if (!j.allFinite()) return refuse("dF/dx is not finite there");
   root.residual = f.cwiseQuotient(row_size).cwiseAbs().maxCoeff();
   const Eigen::JacobiSVD<MatrixXd> svd(j, Eigen::ComputeFullV);
@@ -262,20 +292,20 @@ CheckedRoot check_root(const TypedSystem& system, const VectorXd& start, const V
   const double least = singular[singular.size() - 1];
   root.condition = least > 0 ? singular[0] / least : HUGE_VAL;
   if (!system.contains(x)) return refuse("Newton's iteration leaves the bounds");
-  if (has_underflown(system, x, typical)) return refuse("an equation is 0 there by underflow alone");
+  if (has_underflown(system, x, unit)) return refuse("an equation is 0 there by underflow alone");
   if (prove(system, root)) {
     root.kind = CheckedRoot::Kind::proved;
     return root;
   }
   const VectorXd step = polish.s.cwiseProduct(typical).cwiseAbs();
   root.bound = (2. * polish.order * step).cwiseMax(4 * eps * x.cwiseAbs());
-  if (!(root.error(typical) < 1e-2)) return refuse("Newton's iteration does not converge");
-  const VectorXd radius = root.bound.cwiseMin(4 * eps * typical).cwiseMax(4 * eps * x.cwiseAbs());
+  if (!(root.error(unit) < 1e-2)) return refuse("Newton's iteration does not converge");
+  const VectorXd radius = root.bound.cwiseMin(4 * eps * unit).cwiseMax(4 * eps * x.cwiseAbs());
   if (!may_vanish(system, x, radius, row_size)) return refuse("F is not 0 near there");
   // Rows have size 1 at a typical distance.
   root.defect = (singular.array() < 1e-5).count();
-  if (root.defect > 0) root.bound = root.bound.cwiseMax(4 * eps * typical);
-  widen_bound(system, svd.matrixV().rightCols(root.defect), typical, row_size, root);
+  if (root.defect > 0) root.bound = root.bound.cwiseMax(4 * eps * unit);
+  widen_bound(system, svd.matrixV().rightCols(root.defect), unit, row_size, root);
   root.order = polish.order;
   const bool loses_rank = root.defect > 0;
   root.kind = loses_rank ? CheckedRoot::Kind::singular : CheckedRoot::Kind::unproved;

@@ -44,12 +44,13 @@ struct CheckedRoot {
 ///
 /// A singular root counts if an enclosure of F within 4 eps of its end, relative to x or to @p typical,
 /// contains 0; such a root may be removed by a change of the equations in their last digits.
-/// @param typical typical sizes of the unknowns, positive: of start and iterates
+/// @param typical typical sizes of the unknowns, positive: of start and iterates. A root beyond
+/// them is its own measure.
 [[nodiscard]] CheckedRoot check_root(const TypedSystem& system, const Eigen::VectorXd& x,
                                      const Eigen::VectorXd& typical);
 
-/// Is @p x a stationary point of |F| that is no root? Scaled as in CheckedRoot, the gradient
-/// of |F| is at most 1e-5.
+/// Is @p x a stationary point of |F| that is no root? Scaled as in CheckedRoot, the gradient of |F| is at
+/// most 1e-5, and against it |F| falls by less than a hundredth within a hundredth of @p typical.
 [[nodiscard]] bool is_stationary(const TypedSystem& system, const Eigen::VectorXd& x,
                                  const Eigen::VectorXd& typical);
 

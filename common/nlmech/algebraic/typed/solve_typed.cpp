@@ -141,6 +141,7 @@ TypedSolution solve_by(const TypedSolver& solver, const TypedSystem& system, con
   const bool is_near = all.report.status.ok() || all.report.last <= 1e-4 * all.report.first;
   if (is_near && all.end.allFinite()) {
     all.root = check_root(system, all.end, all.typical);
+    if (all.root.x.allFinite()) all.typical = all.typical.cwiseMax(all.root.x.cwiseAbs());
     all.digits =
         -std::log10(std::max((all.end - all.root.x).cwiseQuotient(all.typical).cwiseAbs().maxCoeff(), 1e-16));
   } else {

@@ -117,6 +117,13 @@ bool is_name(const std::string& text) {
          std::isalpha(static_cast<unsigned char>(text[0])) != 0;
 }
 
+/// A name for something new is neither that of a function nor that of the time.
+void check_is_free(const std::string& option, const std::string& name) {
+  if (program::function_by_name(name))
+    throw input_error("{} {}: is the name of a function; choose another", option, name);
+  if (name == "t") throw input_error("{} t: is the time; choose another name", option);
+}
+
 }  // namespace
 
 std::vector<std::string> names_in(const std::string& option, const std::string& text) {
@@ -127,6 +134,7 @@ std::vector<std::string> names_in(const std::string& option, const std::string& 
       name += c;
     } else if (!name.empty()) {
       if (!is_name(name)) throw input_error("{} {}: is no name, such as k", option, quoted_input(name));
+      check_is_free(option, name);
       names.push_back(std::exchange(name, {}));
     }
   }
@@ -136,7 +144,8 @@ std::vector<std::string> names_in(const std::string& option, const std::string& 
 std::string free_end_name(const std::string& equations, const program::Settings& settings,
                           const std::string& until) {
   if (until.empty() || !is_name(until) || settings.contains(until)) return {};
-  if (until == "inf" || until == "pi" || until == "t") return {};
+  if (until == "inf" || until == "pi") return {};
+  check_is_free("--until", until);
   const SourceText source("--equation", equations);
   const std::vector<Statement> all = statements_of(source);
   const bool is_known = std::ranges::any_of(all, [&](const Statement& tokens) {

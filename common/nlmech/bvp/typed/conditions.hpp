@@ -19,11 +19,12 @@ struct ConditionText {
 };
 
 /// Names between commas, semicolons and blanks in the text of an option.
-/// @throws InputError naming @p option for what is no name
+/// @throws InputError naming @p option for what is no name, or that of a function or the time
 [[nodiscard]] std::vector<std::string> names_in(const std::string& option, const std::string& text);
 
 /// The name of a free end of the interval: @p until if it is a name that neither the equations nor the
-/// settings define, and not "inf", "pi" or "t"; else empty.
+/// settings define, and not "inf" or "pi"; else empty.
+/// @throws InputError for the name of a function or the time
 [[nodiscard]] std::string free_end_name(const std::string& equations, const program::Settings& settings,
                                         const std::string& until);
 

@@ -78,7 +78,11 @@ std::vector<Relation> relations_of(const char* option, const std::string& text) 
 DividedText divided_text(const ControlText& text, const std::string& end_name) {
   if (text.controls.empty()) throw InputError("--control: give the name of a control");
   std::vector<std::string> constants = text.controls;
-  if (!end_name.empty()) constants.push_back(end_name);
+  if (!end_name.empty()) {
+    if (std::ranges::find(constants, end_name) != constants.end())
+      throw input_error("--until {}: is a control; a free end needs another name", end_name);
+    constants.push_back(end_name);
+  }
   DividedText divided = divide(text.name, text.equations, constants);
   for (const std::string& name : constants) divided.equations += fmt::format("\n{}' = 0", name);
   return divided;

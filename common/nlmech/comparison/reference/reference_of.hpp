@@ -44,7 +44,7 @@ struct Backwards {
   }
 };
 
-/// A step takes 15 microseconds for 2 components, 600 microseconds for the 24 of a four-body problem.
+/// A step takes some 10 microseconds for 2 components, 600 microseconds for the 24 of a four-body problem.
 [[nodiscard]] inline double most_taylor_steps(const WorkLimit& effort, Eigen::Index size) {
   return effort.work * 1e5 / static_cast<double>(size);
 }
