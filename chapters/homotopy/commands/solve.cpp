@@ -38,7 +38,10 @@ void print_remarks(const algebraic::TypedSystem& system, const algebraic::TypedS
   if (tried > 1)
     scene::print_message(fmt::format(
         "solve: from the given start no solver found a root; this one is from other start {}", tried - 1));
-  if (root.kind == Kind::singular)
+  if (!root.is_isolated)
+    scene::print_message(
+        "solve: no isolated root: the equations depend on each other there, and roots fill a curve or more");
+  else if (root.kind == Kind::singular)
     scene::print_message(
         fmt::format("solve: a singular root: dF/dx loses rank {}, multiplicity {} {}; a change of the "
                     "equations in their last "
@@ -93,9 +96,11 @@ void solve_all(const SolveOptions& typed) {
     throw Failure(Status::failure(
         found.status.outcome(),
         fmt::format("solve: all that was found is printed, but {}", found.status.sentence())));
+  const bool has_bounds = system.lower().array().isFinite().any() || system.upper().array().isFinite().any();
   scene::print_message(
-      fmt::format("solve: these are all roots in the box, proved by interval arithmetic (boxes examined: {})",
-                  found.examined));
+      fmt::format("solve: {} in the box{}, proved by interval arithmetic (boxes examined: {})",
+                  found.boxes.empty() ? "there is no root" : "these are all roots",
+                  has_bounds ? " and the bounds" : "", found.examined));
 }
 
 void solve_typed(const SolveOptions& typed) {

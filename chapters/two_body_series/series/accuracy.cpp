@@ -14,7 +14,7 @@
 namespace nlmech::chapters::two_body_series {
 namespace {
 
-/// Relative errors from which a position has less than six digits, and no digit.
+/// Relative errors from which a position or velocity has less than six digits, and no digit.
 constexpr double few_digits = 1e-6, none = 0.125;
 
 /// |a - b|/|b| without overflow or underflow of squares.
@@ -22,32 +22,59 @@ double relative_distance(const orbit::Vector3<double>& a, const orbit::Vector3<d
   return (a - b).stableNorm() / b.stableNorm();
 }
 
-Accuracy by_data(const orbit::State& state, const orbit::State& start, double time, double mu) {
-  const double off = eps * orbit::large_condition(start, state, time, mu, few_digits / eps);
-  if (off == 0) return {};
-  return {off,
-          fmt::format("the data, rounded to doubles, determine the position at t = {:.6g} to {:.1g} of the "
-                      "distance",
-                      time, off),
-          {}};
+/// Errors relative to the distance and to the speed.
+struct Errors {
+  double position = 0, velocity = 0;
+};
+
+/// Effects of rounding of the data, those of at least few_digits. A body that is far slower than on a circle
+/// changes its velocity most: an error of the position is one of the time, and gravity makes it one of the
+/// velocity.
+Errors by_data(const orbit::State& state, const orbit::State& start, double time, double mu) {
+  const double speed = state.velocity.stableNorm(), least = few_digits / eps;
+  const double slow = std::max(1.0, mu / state.position.stableNorm() / speed / speed);
+  const double kappa = orbit::large_condition(start, state, time, mu, least / slow);
+  const double velocity = kappa > 0 && slow > 1 ? orbit::kepler_condition(start, time, mu).velocity : 0;
+  return {kappa >= least ? eps * kappa : 0, velocity >= least ? eps * velocity : 0};
+}
+
+/// "position at t = 3" and "distance", or those of the velocity if its error is greater.
+std::pair<std::string, std::string_view> what_is_off(const Errors& errors, double time) {
+  const bool is_position = errors.position >= errors.velocity;
+  return {fmt::format("{} at t = {:.6g}", is_position ? "position" : "velocity", time),
+          is_position ? "distance" : "speed"};
 }
 
 }  // namespace
 
 Accuracy accuracy_of(const orbit::State& state, const orbit::State& start, double time,
                      const orbit::Gravity& gravity, const ComputedBy& by) {
-  Accuracy data = by_data(state, start, time, gravity.mu);
-  if (!by.tolerance || gravity.degree() > 0) return data;
+  const Errors data = by_data(state, start, time, gravity.mu);
+  Accuracy by_rounding{.off = std::max(data.position, data.velocity), .sentence = {}, .status = {}};
+  if (by_rounding.off > 0) {
+    const auto [what, of] = what_is_off(data, time);
+    by_rounding.sentence = fmt::format("the data, rounded to doubles, determine the {} to {:.1g} of the {}",
+                                       what, by_rounding.off, of);
+  }
+  if (!by.tolerance || gravity.degree() > 0) return by_rounding;
   const orbit::KeplerSolution exact = orbit::propagate_kepler(start, time, gravity.mu);
-  if (!exact.status.ok()) return {data.off, data.sentence, exact.status};
-  const double off = relative_distance(state.position, exact.state.position);
-  if (off < std::max(few_digits, 8 * data.off)) return data;
-  const std::string place = fmt::format(
-      "the position at t = {:.6g} differs from Kepler's solution by {:.1g} of the distance: the tolerance "
-      "{:g} of a step is too large for it; take a smaller one, or --method kepler",
-      time, off, *by.tolerance);
-  if (off < none) return {off, place, {}};
-  return {off, place, failed_with(Outcome::outside_validity, "{}: {}", by.method, place)};
+  if (!exact.status.ok()) return {by_rounding.off, by_rounding.sentence, exact.status};
+  // Errors of the data are no errors of the method.
+  const auto beyond = [](double error, double by_data) {
+    return error < std::max(few_digits, 8 * by_data) ? 0 : error;
+  };
+  const Errors errors{beyond(relative_distance(state.position, exact.state.position), data.position),
+                      beyond(relative_distance(state.velocity, exact.state.velocity), data.velocity)};
+  const double off = std::max(errors.position, errors.velocity);
+  if (off == 0) return by_rounding;
+  const auto [what, of] = what_is_off(errors, time);
+  const std::string sentence = fmt::format(
+      "the {} differs from Kepler's solution by {:.1g} of the {}: the tolerance {:g} of a step is too large "
+      "for "
+      "it; take a smaller one, or --method kepler",
+      what, off, of, *by.tolerance);
+  if (off < none) return {off, sentence, {}};
+  return {off, sentence, failed_with(Outcome::outside_validity, "{}: {}", by.method, sentence)};
 }
 
 std::string_view OrbitAccuracy::add(Accuracy row) {

@@ -11,7 +11,7 @@
 
 namespace nlmech::chapters::two_body_series {
 
-/// Status of a row whose position has less than six digits.
+/// Status of a row whose position or velocity has less than six digits.
 inline constexpr std::string_view low_accuracy = "low_accuracy";
 
 /// Method by which a state was computed.
@@ -25,12 +25,14 @@ struct ComputedBy {
   return {method, method == "kepler" ? std::nullopt : std::optional(tolerance)};
 }
 
-/// Accuracy of one position.
+/// Accuracy of one state.
 struct Accuracy {
-  double off = 0;        ///< uncertainty relative to the distance if at least 1e-6; else 0
+  /// Uncertainty of the position relative to the distance or of the velocity relative to the speed, the
+  /// greater, if at least 1e-6; else 0.
+  double off = 0;
   std::string sentence;  ///< message for standard error; empty if `off` is 0
-  /// A failure if no digit is left (error of an eighth of the distance), because of the condition of Kepler's
-  /// problem or of the errors of the method.
+  /// A failure if no digit is left (error of an eighth of the distance or speed), because of the condition of
+  /// Kepler's problem or of the errors of the method.
   Status status;
 };
 

@@ -66,7 +66,7 @@ class RootSearch {
     if (system_.enclose(wide, f, j) == TypedSystem::Domain::smooth) {
       const Krawczyk k = krawczyk(system_, wide, j);
       if (k.is_valid) {
-        if (is_inside(k.image, wide)) return prove(k.image, wide);
+        if (is_inside(k.image, wide) && prove(k.image, wide)) return;
         const std::optional<Box> rest = common_part(k.image, box);
         if (!rest) return;
         if (widest(*rest).second < 0.7 * widest(box).second) {
@@ -84,8 +84,9 @@ class RootSearch {
   }
   [[nodiscard]] double least_width(std::size_t i) const { return options_.width * whole_[i].width(); }
 
-  // Tightens the enclosure @p root of the only root in a box, down to rounding.
-  void prove(Box root, const Box& only_one_in) {
+  // Tightens the enclosure @p root of the only root in a box, down to rounding: by Krawczyk's operator, and
+  // where that stalls, as for x^20 = 1 in a wide box, by Newton's iteration. False if both leave it wide.
+  [[nodiscard]] bool prove(Box root, const Box& only_one_in) {
     for (int k = 0; k < 60; ++k) {
       Box f, j, wide;
       for (const Interval& side : root) wide.push_back(side.inflated(1e-3 * side.width() + 1e-300));
@@ -95,7 +96,30 @@ class RootSearch {
       if (!smaller || !(widest(*smaller).second < 0.9 * widest(root).second)) break;
       root = *smaller;
     }
+    if (!is_narrow(root)) {
+      Eigen::VectorXd middle(system_.size()), typical(system_.size());
+      for (Eigen::Index i = 0; i < middle.size(); ++i) {
+        const Interval& side = root[static_cast<std::size_t>(i)];
+        middle[i] = side.low + side.width() / 2;
+        typical[i] = std::max(std::abs(middle[i]), side.width());
+      }
+      const CheckedRoot found = check_root(system_, middle, typical);
+      Box bounds;
+      for (Eigen::Index i = 0; i < middle.size(); ++i)
+        bounds.push_back(Interval::outwards(found.x[i] - found.bound[i], found.x[i] + found.bound[i]));
+      if (found.kind != CheckedRoot::Kind::proved || !is_inside(bounds, only_one_in)) return false;
+      root = bounds;
+    }
     proved_.push_back({root, only_one_in});
+    return true;
+  }
+  /// Is the half width at most 1e-10 of the middle, or of the whole box about 0?
+  [[nodiscard]] bool is_narrow(const Box& root) const {
+    for (std::size_t i = 0; i < root.size(); ++i) {
+      const double size = std::max(std::abs(root[i].low), std::abs(root[i].high));
+      if (!(root[i].width() <= 2e-10 * std::max(size, 1e-3 * whole_[i].width()))) return false;
+    }
+    return true;
   }
 
   /// The side of the largest width in units of the whole box.
@@ -192,7 +216,14 @@ AllRoots all_roots(const TypedSystem& system, const Box& box, const AllRootsOpti
       throw invalid_argument("all_roots: a side from {} to {}; it must be finite and not empty", side.low,
                              side.high);
   }
-  return RootSearch(system, box, options).run();
+  Box allowed = box;
+  for (std::size_t i = 0; i < box.size(); ++i) {
+    const auto component = static_cast<Eigen::Index>(i);
+    allowed[i] = {std::max(box[i].low, system.lower()[component]),
+                  std::min(box[i].high, system.upper()[component])};
+    if (!(allowed[i].low < allowed[i].high)) return {};
+  }
+  return RootSearch(system, allowed, options).run();
 }
 
 }  // namespace nlmech::algebraic

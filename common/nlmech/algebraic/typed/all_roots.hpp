@@ -33,7 +33,7 @@ struct AllRootsOptions {
 /// Finds all roots in @p box by bisection: a box is dropped if an enclosure of F or Krawczyk's operator shows
 /// that it has no root, and has exactly one if the operator maps it into itself. All else is undecided: the
 /// neighbourhood of a singular root, of a kink or jump, of points where F does not exist. All rounding is
-/// outwards. A root on the edge of the box counts.
+/// outwards. A root on the edge of the box counts. Bounds of the unknowns cut the box.
 /// @throws std::invalid_argument if the box has another size than the equations or an infinite side
 [[nodiscard]] AllRoots all_roots(const TypedSystem& system, const Box& box,
                                  const AllRootsOptions& options = {});

@@ -160,7 +160,7 @@ MatrixXd scaled_matrix(const TypedSystem& system, const VectorXd& x, const Vecto
   return j;
 }
 
-/// Is F_i exactly 0 with all its derivatives, also in points around x: has it underflown?
+/// Is F_i exactly 0 with all its derivatives, and next to nothing in points around x: has it underflown?
 bool has_underflown(const TypedSystem& system, const VectorXd& x, const VectorXd& typical) {
   VectorXd f, g, h;
   MatrixXd j;
@@ -170,7 +170,8 @@ bool has_underflown(const TypedSystem& system, const VectorXd& x, const VectorXd
   system.residual(x + offset, g);
   system.residual(x - offset, h);
   for (Index i = 0; i < x.size(); ++i) {
-    if (f[i] == 0 && g[i] == 0 && h[i] == 0 && (j.row(i).array() == 0).all()) return true;
+    const bool is_nothing = std::abs(g[i]) < 1e-290 && std::abs(h[i]) < 1e-290;
+    if (f[i] == 0 && is_nothing && (j.row(i).array() == 0).all()) return true;
   }
   return false;
 }
@@ -188,9 +189,11 @@ bool may_vanish(const TypedSystem& system, const VectorXd& x, const VectorXd& ra
 }
 
 /// Widens the bound of a singular root along the null vectors @p null as far as rounding may make F vanish.
-void widen_bound(const TypedSystem& system, const MatrixXd& null, const VectorXd& typical,
-                 const VectorXd& row_size, CheckedRoot& root) {
+/// @return the farthest of these distances, in typical sizes, at most 1
+double widen_bound(const TypedSystem& system, const MatrixXd& null, const VectorXd& typical,
+                   const VectorXd& row_size, CheckedRoot& root) {
   const VectorXd thin = 4 * eps * root.x.cwiseAbs();
+  double farthest = 0;
   for (Index k = 0; k < null.cols(); ++k) {
     const VectorXd direction = null.col(k).cwiseProduct(typical);
     for (double r = 4 * eps; r < 1; r *= 2) {
@@ -198,8 +201,36 @@ void widen_bound(const TypedSystem& system, const MatrixXd& null, const VectorXd
           !may_vanish(system, root.x - r * direction, thin, row_size))
         break;
       root.bound = root.bound.cwiseMax(2 * r * direction.cwiseAbs());
+      farthest = std::max(farthest, r);
     }
   }
+  return farthest;
+}
+
+/// Is there another root at a distance of about @p h typical sizes along a null vector: do roots fill a
+/// curve? The iteration of Gauss and Newton with the shortest steps stays there if they do, and returns if
+/// not.
+bool has_neighbour(const TypedSystem& system, const MatrixXd& null, const VectorXd& typical,
+                   const VectorXd& row_size, double h, const VectorXd& x) {
+  constexpr int iterations = 30;
+  VectorXd f;
+  MatrixXd j;
+  for (Index k = 0; k < null.cols(); ++k) {
+    VectorXd y = x + h * null.col(k).cwiseProduct(typical);
+    for (int i = 0; i < iterations; ++i) {
+      system.residual(y, f);
+      system.derivative(y, j);
+      j = (row_size.cwiseInverse().asDiagonal() * j.leftCols(y.size()) * typical.asDiagonal()).eval();
+      if (!f.allFinite() || !j.allFinite()) break;
+      Eigen::CompleteOrthogonalDecomposition<MatrixXd> factors(j);
+      factors.setThreshold(1e-9);
+      y -= factors.solve(f.cwiseQuotient(row_size)).cwiseProduct(typical);
+    }
+    const double distance = (y - x).cwiseQuotient(typical).norm();
+    const VectorXd thin = 4 * eps * y.cwiseAbs();
+    if (distance > h / 2 && distance < 2 * h && may_vanish(system, y, thin, row_size)) return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -305,7 +336,12 @@ CheckedRoot check_root(const TypedSystem& system, const VectorXd& start, const V
   // Rows have size 1 at a typical distance.
   root.defect = (singular.array() < 1e-5).count();
   if (root.defect > 0) root.bound = root.bound.cwiseMax(4 * eps * unit);
-  widen_bound(system, svd.matrixV().rightCols(root.defect), unit, row_size, root);
+  const MatrixXd null = svd.matrixV().rightCols(root.defect);
+  const VectorXd narrow = root.bound;
+  const double reach = widen_bound(system, null, unit, row_size, root);
+  root.is_isolated =
+      reach < 0.1 && !has_neighbour(system, null, unit, row_size, std::max(1e-3, 8 * reach), x);
+  if (!root.is_isolated) root.bound = narrow;
   root.order = polish.order;
   const bool loses_rank = root.defect > 0;
   root.kind = loses_rank ? CheckedRoot::Kind::singular : CheckedRoot::Kind::unproved;

@@ -28,6 +28,7 @@ struct CheckedRoot {
   double condition = 0;
   Eigen::Index defect = 0;  ///< rank that dF/dx loses, at a singular root
   int order = 1;            ///< Newton's error falls by 1 - 1/order an iteration; 1: a regular root
+  bool is_isolated = true;  ///< false at a singular root through which a curve of roots passes
   std::string reason;       ///< why it is none
 
   /// Largest bound in units of the typical sizes.

@@ -127,8 +127,12 @@ std::vector<TypedSolver> typed_solvers(const TypedSystem& system) {
   return all;
 }
 
-TypedSolution solve_by(const TypedSolver& solver, const TypedSystem& system, const VectorXd& start,
-                       double tolerance, std::int64_t iterations) {
+namespace {
+
+/// solve_by() from @p start, judged in the sizes of @p own and of the end: another start that was tried,
+/// perhaps far away, does not decide what is small.
+TypedSolution solve_from(const TypedSolver& solver, const TypedSystem& system, const VectorXd& start,
+                         const VectorXd& own, double tolerance, std::int64_t iterations) {
   TypedSolution all;
   all.solver = solver.name;
   const Stopwatch time;
@@ -137,7 +141,7 @@ TypedSolution solve_by(const TypedSolver& solver, const TypedSystem& system, con
           ? run_scaled<ScaledPotential>(solver, system, start, tolerance, iterations, all.end)
           : run_scaled<ScaledEquations<Equations>>(solver, system, start, tolerance, iterations, all.end);
   all.seconds = time.seconds();
-  all.typical = sizes_of(start, all.end);
+  all.typical = sizes_of(own, all.end);
   const bool is_near = all.report.status.ok() || all.report.last <= 1e-4 * all.report.first;
   if (is_near && all.end.allFinite()) {
     all.root = check_root(system, all.end, all.typical);
@@ -150,6 +154,13 @@ TypedSolution solve_by(const TypedSolver& solver, const TypedSystem& system, con
   }
   all.status = all.report.status.ok() ? status_of_root(all, tolerance) : all.report.status;
   return all;
+}
+
+}  // namespace
+
+TypedSolution solve_by(const TypedSolver& solver, const TypedSystem& system, const VectorXd& start,
+                       double tolerance, std::int64_t iterations) {
+  return solve_from(solver, system, start, start, tolerance, iterations);
 }
 
 std::vector<VectorXd> starts_around(const TypedSystem& system, const VectorXd& start, double size,
@@ -198,8 +209,8 @@ TypedSolution solve_by_several(const TypedSystem& system, const VectorXd& start,
   const std::vector<TypedSolver> solvers = typed_solvers(system);
   // A solver that fails near a root, as at singular ones, has found it: the check improves its end.
   const auto by = [&](std::string_view name, const VectorXd& from) {
-    TypedSolution found =
-        solve_by(*std::ranges::find(solvers, name, &TypedSolver::name), system, from, tolerance, iterations);
+    TypedSolution found = solve_from(*std::ranges::find(solvers, name, &TypedSolver::name), system, from,
+                                     start, tolerance, iterations);
     if (!found.status.ok() && status_of_root(found, tolerance).ok()) found.status = {};
     return found;
   };
@@ -211,7 +222,8 @@ TypedSolution solve_by_several(const TypedSystem& system, const VectorXd& start,
   }
   for (const std::string_view name : {"dogleg", "levenberg-marquardt", "damped-newton", "riks"}) {
     TypedSolution found = by(name, start);
-    if (found.status.ok()) return found;
+    // A root that rounding hides from the tolerance is no better from elsewhere.
+    if (found.status.ok() || found.root.kind == CheckedRoot::Kind::proved) return found;
     if (name == "levenberg-marquardt") lowest = std::move(found);
   }
   std::vector<VectorXd> others = other_sizes(system, start);

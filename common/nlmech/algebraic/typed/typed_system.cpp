@@ -242,6 +242,7 @@ class SystemReader {
   [[nodiscard]] static bool needs_guard(const Node& node) {
     switch (node.operation) {
       case Operation::choice:
+      case Operation::floor:  // ceil, round, frac and mod are made of it
       case Operation::atan2:
       case Operation::any_power: return true;
       case Operation::power: return node.c != std::floor(node.c);
@@ -363,6 +364,7 @@ TypedSystem::Domain TypedSystem::domain_of(const Guard& guard, const Box& output
   };
   switch (guard.operation) {
     case Operation::choice: return decide(false, a.low > 0 || a.high < 0);
+    case Operation::floor: return decide(false, std::floor(a.low) == std::floor(a.high));
     case Operation::atan2: return decide(false, !(a.has(0) && outputs[guard.output + 1].low <= 0));
     case Operation::power:
     case Operation::any_power: return decide(a.high<0, a.low> 0);
