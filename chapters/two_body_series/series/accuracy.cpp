@@ -38,43 +38,47 @@ Errors by_data(const orbit::State& state, const orbit::State& start, double time
   return {kappa >= least ? eps * kappa : 0, velocity >= least ? eps * velocity : 0};
 }
 
-/// "position at t = 3" and "distance", or those of the velocity if its error is greater.
-std::pair<std::string, std::string_view> what_is_off(const Errors& errors, double time) {
-  const bool is_position = errors.position >= errors.velocity;
-  return {fmt::format("{} at t = {:.6g}", is_position ? "position" : "velocity", time),
-          is_position ? "distance" : "speed"};
-}
+/// The error that a message names: that of the position, unless it is small or the velocity alone has no
+/// digit.
+struct Named {
+  Named(const Errors& errors, double time) {
+    const bool is_position = errors.position >= none || (errors.position > 0 && errors.velocity < none);
+    off = is_position ? errors.position : errors.velocity;
+    what = fmt::format("{} at t = {:.6g}", is_position ? "position" : "velocity", time);
+    unit = is_position ? "distance" : "speed";
+  }
+  double off;             ///< 0 if no digit is missing
+  std::string what;       ///< "position at t = 3"
+  std::string_view unit;  ///< "distance"
+};
 
 }  // namespace
 
 Accuracy accuracy_of(const orbit::State& state, const orbit::State& start, double time,
                      const orbit::Gravity& gravity, const ComputedBy& by) {
   const Errors data = by_data(state, start, time, gravity.mu);
-  Accuracy by_rounding{.off = std::max(data.position, data.velocity), .sentence = {}, .status = {}};
-  if (by_rounding.off > 0) {
-    const auto [what, of] = what_is_off(data, time);
+  const Named rounding(data, time);
+  Accuracy by_rounding{.off = rounding.off, .sentence = {}, .status = {}};
+  if (rounding.off > 0)
     by_rounding.sentence = fmt::format("the data, rounded to doubles, determine the {} to {:.1g} of the {}",
-                                       what, by_rounding.off, of);
-  }
+                                       rounding.what, rounding.off, rounding.unit);
   if (!by.tolerance || gravity.degree() > 0) return by_rounding;
   const orbit::KeplerSolution exact = orbit::propagate_kepler(start, time, gravity.mu);
   if (!exact.status.ok()) return {by_rounding.off, by_rounding.sentence, exact.status};
   // Errors of the data are no errors of the method.
-  const auto beyond = [](double error, double by_data) {
-    return error < std::max(few_digits, 8 * by_data) ? 0 : error;
+  const auto beyond = [](double error, double of_data) {
+    return error < std::max(few_digits, 8 * of_data) ? 0 : error;
   };
-  const Errors errors{beyond(relative_distance(state.position, exact.state.position), data.position),
-                      beyond(relative_distance(state.velocity, exact.state.velocity), data.velocity)};
-  const double off = std::max(errors.position, errors.velocity);
-  if (off == 0) return by_rounding;
-  const auto [what, of] = what_is_off(errors, time);
+  const Named method({beyond(relative_distance(state.position, exact.state.position), data.position),
+                      beyond(relative_distance(state.velocity, exact.state.velocity), data.velocity)},
+                     time);
+  if (method.off == 0) return by_rounding;
   const std::string sentence = fmt::format(
       "the {} differs from Kepler's solution by {:.1g} of the {}: the tolerance {:g} of a step is too large "
-      "for "
-      "it; take a smaller one, or --method kepler",
-      what, off, of, *by.tolerance);
-  if (off < none) return {off, sentence, {}};
-  return {off, sentence, failed_with(Outcome::outside_validity, "{}: {}", by.method, sentence)};
+      "for it; take {}--method kepler",
+      method.what, method.off, method.unit, *by.tolerance, *by.tolerance > 1e-15 ? "a smaller one, or " : "");
+  if (method.off < none) return {method.off, sentence, {}};
+  return {method.off, sentence, failed_with(Outcome::outside_validity, "{}: {}", by.method, sentence)};
 }
 
 std::string_view OrbitAccuracy::add(Accuracy row) {

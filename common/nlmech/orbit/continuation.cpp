@@ -274,10 +274,11 @@ Status Propagation::lost(double h) const {
                                              : "; Kepler's solution (method kepler) goes through, a series "
                                                "cannot");
   }
-  return failed_with(Outcome::step_underflow,
-                     "{}: at t = {:.17g} the step {:.3g} is lost in the time; the distance {:.6g} is too "
-                     "small for the asked interval",
-                     options_.name, t_, in_time(h), r);
+  return failed_with(
+      Outcome::step_underflow,
+      "{}: at t = {:.17g} the step {:.3g} is lost in the asked interval, at the distance {:.6g}{}",
+      options_.name, t_, in_time(h), r,
+      gravity_.degree() > 0 ? "; end earlier" : "; Kepler's solution (method kepler) needs no steps");
 }
 
 State Propagation::user_state() const {

@@ -283,8 +283,8 @@ class Lanes {
           TaylorEnsemble::name, std::ldexp(h, lane.time), time_of(i));
     }
     return failed_with(Outcome::step_underflow,
-                       "{}: at t = {:.17g} the step {:.3g} is lost in the time; the distance {:.6g} is too "
-                       "small for the asked interval",
+                       "{}: at t = {:.17g} the step {:.3g} is lost in the asked interval, at the distance "
+                       "{:.6g}; Kepler's solution (method kepler) needs no steps",
                        TaylorEnsemble::name, time_of(i), std::ldexp(h, lane.time), r);
   }
   void end(int i, Status status, std::vector<Solution>& solutions) {
