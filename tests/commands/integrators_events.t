@@ -40,7 +40,18 @@ So it is for functions of the state, and for those that jump between two zeros, 
   $ holds --where 'event=if(x < 3, x - 1, x - 5)=0' 't = [1, 5] +- 1e-12' < jump.csv
   $ steady 'mod(t, 1)=0.25' | holds --where 'event=mod(t, 1)=0.25' 't = i + 0.25 +- 1e-12' 'n = 10'
   $ steady 'floor(t)=3' > rows.csv
-  integrators: floor(t)=3 cannot be distinguished from zero between t = 3 and 4: rows may be missing
+  integrators: floor(t)=3 cannot be distinguished from zero between t = 3 and 4: rows may be missing, and those there may be none
+
+A function that only tends to zero ends nothing and changes nothing, and where bounds are wide near a point without a value there is no event:
+
+  $ integrate "v' = 9.81 - 0.5 v; v(0) = 0" --until 100 --event "terminal: v=19.62 end" 2>/dev/null | holds --where t=100 'v = 19.62 +- 1e-7'
+  $ integrate "x' = 1 - x; x(0) = 0" --until 50 --event "s: x=1" --set-at "s: x=0" 2>/dev/null | holds --where t=50 'x = 1 +- 1e-7'
+  $ for f in '(exp(x)-1)/x=0.5' 'sin(x)/x=0' 'x/sin(x)=0'; do
+  >   integrate "x' = 1; x(0) = -1" --until 3 --event "$f end" 2>/dev/null | tail -1
+  > done
+  3,2,
+  3,2,
+  3,2,
 
 A section shows its own rows alone:
 
@@ -72,7 +83,7 @@ Double zeros are rows, and standard error says that rounding decides about them:
 An event that is zero throughout has no row, and is named:
 
   $ integrate "x' = -x" --initial x=0 --until 5 --event x=0
-  integrators: x=0 cannot be distinguished from zero between t = 0 and 5: rows may be missing
+  integrators: x=0 cannot be distinguished from zero between t = 0 and 5: rows may be missing, and those there may be none
   t,x,event
   0,0,
   5,0,
@@ -88,7 +99,7 @@ One that comes to rest at zero has a row, and may end the run there:
 The wrap of a phase, where mod jumps onto zero, and jumps past a value, which are none:
 
   $ steady 'mod(x, 2)=0' | holds --where 'event=mod(x, 2)=0' 't = 2*(i + 1) +- 1e-12' 'n = 4'
-  integrators: mod(x, 2)=0 cannot be distinguished from zero between t = 9.99* and 10: rows may be missing (glob)
+  integrators: mod(x, 2)=0 cannot be distinguished from zero between t = 9.99* and 10: rows may be missing, and those there may be none (glob)
   $ steady 'mod(x, 2)=1 rising' | holds --where 'event=mod(x, 2)=1 rising' 't = 2*i + 1 +- 1e-12' 'n = 5'
 
 Names, and the n-th event:
@@ -132,6 +143,15 @@ A dose of 5 at 0, 24, ..., 240 h, of which exp(-2.4) is left after a day:
   $ { echo c; echo 0; echo 1; } > starts.csv
   $ integrate "c' = -0.1 c" --until 250 --event "dose: t = 0:24:240" --set-at "dose: c = c + 5" --states starts.csv > rows.csv
   $ holds --where t=250 'n = 2' 'c = exp(-25)*i + 5*exp(-1)*(1 - exp(-2.4*11))/(1 - exp(-2.4)) +- 2e-8' < rows.csv
+
+Changes at one time are all made, in their order, and an end there counts too:
+
+  $ integrate "a' = -0.1 a; b' = -0.2 b" --initial "a=0, b=0" --until 30 --event "A: t=0:12:24" "B: t=0:24:24" --set-at "A: a=a+10" "B: b=b+5" |
+  >   holds --where t=30 'a = 10*(exp(-3) + exp(-1.8) + exp(-0.6)) +- 1e-7' 'b = 5*(exp(-6) + exp(-1.2)) +- 1e-7'
+  $ integrate "x'' = -9.81; y'' = -9.81; when x=0 falling: x' -> -0.8 x'; when y=0 falling: y' -> -0.8 y'" --initial "x=1, x'=0, y=1, y'=0" --until 1 > corner.csv
+  $ holds --where t=1 'T := sqrt(2/9.81)' 'h := 0.8*9.81*T*(1 - T) - 4.905*(1 - T)**2' 'x = h +- 1e-8' 'y = h +- 1e-8' < corner.csv
+  $ integrate "c' = -0.1 c; c(0) = 10" --until 100 --event "d: t=10" "e: t=10 end" --set-at "d: c=c+10" | cut -d, -f 1,3 | paste -s -d '|'
+  t,event|0,|10,d|10,d after|10,e
 
 A row that is asked for at the time of a dose is its row before and its row after, at the end too:
 

@@ -199,12 +199,12 @@ class EventFinder::Scan {
     } else if (bound_states(a, b) || depth >= resolving || last) {
       const Interval t(std::min(a, b), std::max(a, b));
       Enclosure g = event().bounds(t, f_.box_);
-      if (!g.value.has(0)) return without(g.value);
+      if (!g.value.has(0)) return without(a, g.value);
       const bool has_pole = !std::isfinite(g.value.width());  // a function with a pole is not monotone
       if (!g.rate.has(0) && !has_pole) return monotone(a, b, sign_of(g.rate.low) * direction_);
       const Enclosure there = at_point(middle, 1);
       const Interval tight = there.value + g.rate * Interval(-t.width() / 2, t.width() / 2);
-      if (!tight.has(0)) return without(tight);
+      if (!tight.has(0)) return without(a, tight);
       const double size = std::min(g.value.magnitude(), tight.magnitude());
       if (last || size <= 2 * there.value.width()) return extend_open(a, b);
     }
@@ -216,10 +216,13 @@ class EventFinder::Scan {
     f_.add_open(event_, a, b);
     monotone(a, b, 0);
   }
-  // A part without a zero.
-  void without(const Interval& values) {
+  // A part without a zero, from a on. A sign that errors of the states had hidden before is seen here.
+  void without(double a, const Interval& values) {
     close_open(true);
-    f_.signs_[event_] = sign_of(values.low);
+    int& sign = f_.signs_[event_];
+    const int before = std::exchange(sign, sign_of(values.low));
+    if (has_consequences() && before == -sign && sign_at(a) == sign && is_noise(a) && counts(sign))
+      add(a, sign);
   }
   // A part in which the function rises (1), falls (-1), or is assumed monotone (0).
   void monotone(double a, double b, int slope) {
@@ -282,34 +285,72 @@ class EventFinder::Scan {
     if (!in_open_) return;
     in_open_ = false;
     int& sign = f_.signs_[event_];
-    if (sign == 0) sign = slope_at(open_from_) * direction_;
+    const bool starts_at_zero = sign == 0;
+    if (starts_at_zero) sign = slope_at(open_from_) * direction_;
     const int before = sign;
     if (before == 0 || sign_at(open_to_) == -before) {
+      if (is_hidden()) return f_.add_open(event_, open_from_, open_to_);
       passage(open_from_, open_to_);
       if (sign == 0 && before == 0) f_.add_open(event_, open_from_, open_to_, true);  // zero throughout
       return;
     }
     if (!f_.status_.ok()) return;
-    if (is_at_rest(open_from_) && is_at_rest(open_to_)) return come_to_rest(-before);
+    if (is_at_rest(open_from_)) {
+      if (is_at_rest(open_to_)) return come_to_rest(-before, starts_at_zero);
+      if (starts_at_zero) return;  // it leaves its rest
+    }
+    if (is_hidden()) return f_.add_open(event_, open_from_, open_to_);
     const int first = slope_at(open_from_), last = slope_at(open_to_);
     const bool turns = first != 0 && last == -first;
     if (event().crossing == Crossing::either && turns) {
-      add(first_of(open_from_, open_to_, [&](double t) { return slope_at(t) == last; }), 0);
+      const double t = first_of(open_from_, open_to_, [&](double at) { return slope_at(at) == last; });
+      if (!is_far_from_zero(t)) add(t, 0);
     } else if (!leaves || !touch()) {
       f_.add_open(event_, open_from_, open_to_);
     }
+  }
+  // An event after which the integration is another one takes place only where its function leaves zero by
+  // more than errors of the states, which a function that tends to zero does not do.
+  [[nodiscard]] bool has_consequences() const { return event().ends > 0 || event().change; }
+  bool is_hidden() { return has_consequences() && is_noise(open_from_) && is_noise(open_to_); }
+  // May both the value and the slope be zero, to within the errors of the states?
+  bool is_noise(double t) {
+    if (!event().bounds) return false;
+    const Enclosure g = at_point(t, 1);
+    return g.value.has(0) && g.rate.has(0);
+  }
+  // Is the function far from zero in the undecided part, whose bounds are wide near a point where it is not
+  // defined, as those of sin(x)/x at 0?
+  bool is_far_from_zero(double t) {
+    const double g = std::abs(value_at(t));
+    const double ends = std::max(std::abs(value_at(open_from_)), std::abs(value_at(open_to_)));
+    if (g > ends / 4 && (may_jump(open_from_) || may_jump(t) || may_jump(open_to_))) return true;
+    if (!event().bounds) return false;
+    double change = 4 * at_point(t, 0).value.width();  // by rounding, and by the errors of the states
+    State x = state(t);
+    for (Eigen::Index i = 0; i < x.size(); ++i) {
+      const double before = x[i];
+      for (const double error : {-error_of(std::abs(before)), error_of(std::abs(before))}) {
+        x[i] = before + error;
+        change += std::abs(std::abs(event().value(t, x)) - g);
+      }
+      x[i] = before;
+    }
+    return g > 2 * change;
   }
   bool is_at_rest(double t) {
     if (value_at(t) != 0) return false;
     return event().bounds ? at_point(t, 0).rate.has(0) : slope_near(t) == 0;
   }
-  // A function that is zero in this part, and was not before: the part before in which it could not be
+  // A function that is zero in this part. If it was not before, the part before in which it could not be
   // distinguished from zero belongs to its way there.
-  void come_to_rest(int direction) {
+  void come_to_rest(int direction, bool is_there) {
     f_.signs_[event_] = 0;
-    std::erase_if(f_.open_,
-                  [this](const OpenEvent& open) { return open.event == event_ && open.t1 == open_from_; });
-    if (counts(direction)) add(open_from_, direction);
+    if (!is_there) {
+      std::erase_if(f_.open_,
+                    [this](const OpenEvent& open) { return open.event == event_ && open.t1 == open_from_; });
+      if (counts(direction)) add(open_from_, direction);
+    }
     f_.add_open(event_, open_from_, open_to_, true);
   }
   // The function comes close to zero in the open part and leaves it again: it jumps onto zero, as mod(x, 1)
@@ -326,8 +367,7 @@ class EventFinder::Scan {
       return true;
     }
     const double least = lowest(open_from_, open_to_);
-    const bool is_far = std::abs(value_at(least)) > std::max(from, to) / 4;
-    if (is_far && (may_jump(open_from_) || may_jump(least) || may_jump(open_to_))) return true;
+    if (is_far_from_zero(least)) return true;
     if (event().crossing != Crossing::either) return false;
     add(least, 0);
     return true;
@@ -423,10 +463,10 @@ void EventFinder::begin(double t, const State& x) {
     const bool has_arrived = value == 0 && signs_[i] != 0 && !has_hit_before(i, t);
     if (!has_arrived) signs_[i] = sign_of(value);
   }
-  if (goes_on_) {
-    const Hit& last = hits_.back();
+  for (std::size_t k = changed_at_; goes_on_ && k < hits_.size(); ++k) {
+    const Hit& last = hits_[k];
     const auto& value = events_[last.event].value;
-    const bool is_there = std::abs(value(t, x)) <= 2 * std::abs(value(last.t, last.x));
+    const bool is_there = std::abs(value(t, x)) <= 2 * std::abs(value(last.t, hits_[changed_at_].x));
     if (is_there) signs_[last.event] = 0;
   }
   goes_on_ = false;
@@ -434,7 +474,7 @@ void EventFinder::begin(double t, const State& x) {
 
 bool EventFinder::has_hit_before(std::size_t i, double t) const {
   return std::ranges::any_of(hits_, [&](const Hit& h) {
-    return h.event == i && (t > last_from_ ? h.t >= last_from_ : h.t <= last_from_);
+    return h.event == i && (t > last_from_ ? h.t > last_from_ : h.t < last_from_);
   });
 }
 
@@ -456,18 +496,35 @@ bool EventFinder::see(const System& system, const Step& step, const Limits& limi
                    [forwards](const Hit& a, const Hit& b) { return forwards ? a.t < b.t : a.t > b.t; });
   for (auto hit = begin; hit != hits_.end(); ++hit) {
     if (!stops_at(*hit)) continue;
-    hits_.erase(hit + 1, hits_.end());
+    hits_.erase(with_others_at_its_time(hit), hits_.end());
     break;
   }
   return status_.ok() && !ended_ && !changed_;
 }
 
+/// Lets the events at the time of @p hit, which changes the state, follow it in their order: each sees the
+/// state that the one before left. @return the first later hit
+std::vector<Hit>::iterator EventFinder::with_others_at_its_time(std::vector<Hit>::iterator hit) {
+  changed_at_ = static_cast<std::size_t>(hit - hits_.begin());
+  for (; !ended_ && hit + 1 != hits_.end(); ++hit) {
+    constexpr double same = 4 * std::numeric_limits<double>::epsilon();
+    Hit& next = *(hit + 1);
+    if (std::abs(next.t - hit->t) > same * std::abs(hit->t)) break;
+    next.t = hit->t;
+    next.x = after_;
+    static_cast<void>(stops_at(next));
+    changed_ = !ended_;
+  }
+  return hit + 1;
+}
+
 bool EventFinder::stops_at(Hit& hit) {
   const Event& event = events_[hit.event];
   ended_ = ++counts_[hit.event] == event.ends;
+  after_ = hit.x;
   if (event.change) {
-    hit.after = hit.x;
-    event.change(hit.t, hit.after);
+    event.change(hit.t, after_);
+    hit.after = after_;
     changed_ = !ended_;
     if (!hit.after.allFinite())
       status_ =
@@ -513,7 +570,7 @@ Solution integrate_past_changes(const SmoothRun& run, const System& system, cons
     if (!finder.status().ok() || !(finder.ended() || finder.changed())) break;
     const Hit& hit = finder.hits().back();
     all.t = hit.t;
-    all.x = finder.changed() ? hit.after : hit.x;
+    all.x = finder.changed() ? finder.after() : hit.x;
     all.status = {};
     if (finder.ended() || all.t == t1) break;
     finder.go_on();

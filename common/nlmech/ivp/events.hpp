@@ -77,7 +77,9 @@ struct StateAccuracy {
 /// function comes to rest at zero, as the level of a tank does, there is one hit, and the rest is in open().
 ///
 /// A zero at the start of the integration is not an event. Poles and jumps, which change the sign without a
-/// zero, are not events.
+/// zero, are not events. An event that ends the integration or changes the state takes place only where the
+/// sign of its function changes by more than the errors of the states. Events at one time follow each other
+/// in the order of the list.
 class EventFinder {
  public:
   /// @param run the method, which refines the time of an event to the accuracy of the steps; empty: the dense
@@ -96,9 +98,11 @@ class EventFinder {
   [[nodiscard]] const std::vector<OpenEvent>& open() const { return open_; }
   /// Did the last hit end the integration?
   [[nodiscard]] bool ended() const { return ended_; }
-  /// Did the last hit change the state? The integration continues from Hit::after.
+  /// Did the last hits, at one time, change the state? The integration continues from after().
   [[nodiscard]] bool changed() const { return changed_; }
-  /// Call before the integration continues from Hit::after. If the change leaves the function at its zero,
+  /// The state after the changes at the time of the last hit.
+  [[nodiscard]] const State& after() const { return after_; }
+  /// Call before the integration continues from after(). If the change leaves the function at its zero,
   /// that zero does not count again, for either sign by rounding.
   void go_on();
   /// `non_finite` after a NaN value; otherwise success.
@@ -118,6 +122,7 @@ class EventFinder {
   // Did event @p i have a hit in the step that ended at @p t?
   [[nodiscard]] bool has_hit_before(std::size_t i, double t) const;
   bool stops_at(Hit& hit);
+  std::vector<Hit>::iterator with_others_at_its_time(std::vector<Hit>::iterator hit);
   // @param is_zero is the function zero throughout?
   void add_open(std::size_t event, double t0, double t1, bool is_zero = false);
 
@@ -132,7 +137,9 @@ class EventFinder {
   std::vector<Hit> hits_;
   std::vector<OpenEvent> open_;
   Status status_;
-  double last_from_ = 0;  // start of the step before
+  State after_;
+  double last_from_ = 0;        // start of the step before
+  std::size_t changed_at_ = 0;  // the first hit at the time of the last change
   bool ended_ = false, changed_ = false, goes_on_ = false;
 };
 

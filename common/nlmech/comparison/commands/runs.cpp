@@ -198,6 +198,7 @@ class Run {
   [[nodiscard]] Verified verified() const;
   [[nodiscard]] Status with_turns(const Status& status) const;
   [[nodiscard]] double left_after(const ivp::Solution& end) const;
+  [[nodiscard]] std::vector<ivp::Event> changes_before_the_end() const;
   void verify_by_integration(const ivp::Solution& end);
   [[nodiscard]] bool agrees_with(const ivp::NamedIntegrator& other, const Verified& run,
                                  const WorkLimit& effort, const ivp::Limits& limits) const;
@@ -325,9 +326,10 @@ std::string Run::remark_on_events() const {
                                     options_.events[open.event].name, open.t0, open.t1));
       continue;
     }
-    remarks.push_back(
-        fmt::format("{} cannot be distinguished from zero between t = {:.9g} and {:.9g}: rows may be missing",
-                    options_.events[open.event].name, open.t0, open.t1));
+    remarks.push_back(fmt::format(
+        "{} cannot be distinguished from zero between t = {:.9g} and {:.9g}: rows may be missing, "
+        "and those there may be none",
+        options_.events[open.event].name, open.t0, open.t1));
   }
   return fmt::format("{}", fmt::join(remarks, "; "));
 }
@@ -383,15 +385,30 @@ bool Run::agrees_with(const ivp::NamedIntegrator& other, const Verified& run, co
                 ivp::with_changes(within, effort.changes, accuracy_), limits, effort.observer());
 }
 
+// The events that change the state, for a reference. The change of the one that ends the run comes after the
+// end, also where the reference meets it a little earlier.
+std::vector<ivp::Event> Run::changes_before_the_end() const {
+  std::vector<ivp::Event> all;
+  const double near = 1e-6 * std::abs(t1_ - options_.t0);
+  for (std::size_t i = 0; i < options_.events.size(); ++i) {
+    if (!options_.events[i].event.change) continue;
+    ivp::Event& event = all.emplace_back(options_.events[i].event);
+    event.ends = 0;
+    if (!finder_.ended() || finder_.hits().back().event != i) continue;
+    event.change = [change = event.change, near, end = t1_](double t, ivp::State& x) {
+      if (std::abs(t - end) > near) change(t, x);
+    };
+  }
+  return all;
+}
+
 void Run::verify_by_integration(const ivp::Solution& end) {
   const Verified run = verified();
   const scene::ProgressScope doing("verifying the run by integration");
   WorkLimit effort = effort_after(end.statistics, problem_.system.size(), left_after(end));
   effort.largest_step = reference_step_limit(options_.t0, t1_, options_.limits.largest_step);
   if (options_.reached) effort.continues = [this] { return options_.reached(t1_); };
-  for (const WantedEvent& e : options_.events) {
-    if (e.event.change) effort.changes.push_back(e.event);
-  }
+  effort.changes = changes_before_the_end();
   const ivp::Limits limits{.steps = 1000 + 20 * end.statistics.steps,
                            .seconds = effort.seconds,
                            .largest_step = effort.largest_step};
