@@ -309,9 +309,9 @@ class EventFinder::Scan {
       f_.add_open(event_, open_from_, open_to_);
     }
   }
-  // An event after which the integration is another one takes place only where its function leaves zero by
-  // more than errors of the states, which a function that tends to zero does not do.
-  [[nodiscard]] bool has_consequences() const { return event().ends > 0 || event().change; }
+  [[nodiscard]] bool has_consequences() const {
+    return event().must_leave && (event().ends > 0 || event().change);
+  }
   bool is_hidden() { return has_consequences() && is_noise(open_from_) && is_noise(open_to_); }
   // May both the value and the slope be zero, to within the errors of the states?
   bool is_noise(double t) {

@@ -32,6 +32,9 @@ struct Event {
   std::function<double(double t, const State& x)> value;  ///< g(t, x), continuous: the event is its zero
   Crossing crossing = Crossing::either;                   ///< direction of the zeros that count
   int ends = 0;  ///< the integration ends at this zero, counted from 1; 0: at none
+  /// Does an end or a change take place only where g leaves zero by more than the errors of the states? A
+  /// function that tends to zero does not.
+  bool must_leave = false;
   /// Bounds on g over a time and a box of states. With them no zero is missed: a part of a step counts as
   /// free of zeros only if the bounds exclude them. Without them the signs of g at 8 points of a step decide.
   std::function<Enclosure(const program::Interval& t, std::span<const program::Interval> x)> bounds = {};
@@ -77,9 +80,7 @@ struct StateAccuracy {
 /// function comes to rest at zero, as the level of a tank does, there is one hit, and the rest is in open().
 ///
 /// A zero at the start of the integration is not an event. Poles and jumps, which change the sign without a
-/// zero, are not events. An event that ends the integration or changes the state takes place only where the
-/// sign of its function changes by more than the errors of the states. Events at one time follow each other
-/// in the order of the list.
+/// zero, are not events. Events at one time follow each other in the order of the list.
 class EventFinder {
  public:
   /// @param run the method, which refines the time of an event to the accuracy of the steps; empty: the dense

@@ -568,6 +568,7 @@ Trajectory default_trajectory(const UserProblem& problem, const RunOptions& opti
     // Where two methods end the equations do: a third that goes on has stepped over the end. Where two
     // leave the range of numbers the solution does.
     int outside = 0, overflows = 0;
+    constexpr std::int64_t most_steps = 200'000;  // one that creeps towards an end leaves time to the others
     const auto count = [&](const Failure& f) {
       outside += f.status().outcome() == Outcome::outside_validity ? 1 : 0;
       const auto* run = dynamic_cast<const RunFailure*>(&f);
@@ -580,6 +581,7 @@ Trajectory default_trajectory(const UserProblem& problem, const RunOptions& opti
       const ivp::MethodInfo& other = any_method(name);
       RunOptions rest = options;
       rest.limits.seconds -= watch.seconds();
+      rest.limits.steps = std::min(options.limits.steps, most_steps);
       rest.limits.largest_step = reference_step_limit(options.t0, options.t1, options.limits.largest_step);
       if (!other.is_available() || !has_settings(other, options.settings)) continue;
       if (rest.limits.seconds <= 0 || outside > 1 || overflows > 1) break;

@@ -108,6 +108,7 @@ std::vector<WantedEvent> events_of(const std::string& option, const std::string&
     ivp::Event one = problem.event(option, equation);
     one.crossing = event.crossing;
     one.ends = event.ends;
+    one.must_leave = true;
     events.push_back({name.empty() ? all : name, std::move(one), equation});
   };
   const std::vector<double> times = times_of(option, text);
