@@ -190,7 +190,10 @@ std::vector<NamedEvent> events_of(const Propagation& p) {
         throw input_error("--events {}: needs --radius R, from which the altitude counts",
                           quoted_input(name));
       const double radius = p.radius.value_or(orbit::earth().radius);
-      const double distance = radius + scene::typed_number("--events", name.substr(altitude.size()));
+      double height = 0;
+      if (const std::string text = name.substr(altitude.size()); !scene::parse_number(text, height))
+        throw input_error("--events {}: {}", quoted_input(name), scene::number_fault(text));
+      const double distance = radius + height;
       if (!(distance > 0 && std::isfinite(distance)))
         throw input_error("--events {}: is at the distance {} from the centre; must be above {}",
                           quoted_input(name), distance, -radius);
@@ -198,6 +201,11 @@ std::vector<NamedEvent> events_of(const Propagation& p) {
     } else {
       throw input_error("--events {}: there is no event {}; give nodes, apsides, altitude=H",
                         quoted_input(p.events), quoted_input(name));
+    }
+    const orbit::Event& last = events.back().event;
+    for (std::size_t i = 0; i + 1 < events.size(); ++i) {
+      if (events[i].event.kind == last.kind && events[i].event.distance == last.distance)
+        throw input_error("--events {}: {} is there twice", quoted_input(p.events), quoted_input(name));
     }
   }
   return events;

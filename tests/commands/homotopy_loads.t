@@ -105,6 +105,30 @@ falls to zero there. Errors of the lumped masses and of the weight are m^-2; mes
   homotopy: wrong_branch: frame: at the load factor 9 the equilibrium is not stable, and has no modes; take a smaller load factor
   [1]
 
+A simple beam vibrates with the frequency pi/2 sqrt(1 - P/pi^2). Load factors beyond Euler's have no modes, the others do. In the fourth mode of 4
+elements of length l the nodes only rotate, alternately: 12 EI/l^2 and (48 EI/(m l^4))^0.5/(2 pi):
+
+  $ cat > simple.toml <<END
+  > [nodes]
+  > A = [0, 0]
+  > B = [1, 0]
+  > [[members]]
+  > nodes = ["A", "B"]
+  > EA = 1e6
+  > EI = 1
+  > mass = 1
+  > [supports]
+  > A = ["x", "y"]
+  > B = ["y"]
+  > [loads]
+  > B = { x = -1 }
+  > END
+  $ homotopy frame simple.toml --modes 1 --elements 20 --at 10,0,5,9,9.8 > modes.csv
+  homotopy: wrong_branch: frame: at the load factor 10 the equilibrium is not stable, and has no modes; take a smaller load factor
+  [1]
+  $ holds --where kind=vibration 'n = 4' 'load_factor = [0, 5, 9, 9.8]' 'value = pi/2*sqrt(1 - load_factor/pi^2) +- 2e-3' < modes.csv
+  $ homotopy frame simple.toml --modes 4 | sed '1s/[.]rotation//g' | grep -e mode, -e ,4, | holds --each 'value = [12*4^2, sqrt(48*4^4)/(2*pi)] +- 1e-8' 'A = 1 +- 1e-9' 'B = 1 +- 1e-9'
+
 Dissipation of integrators
 --------------------------
 
@@ -139,6 +163,10 @@ Mistakes
   homotopy: bad.toml, line 15: springs = * must be tables, each under [[springs]] (glob)
   $ bad 's/base = 1/base = -1/' frames/joint-cantilever.toml
   homotopy: bad.toml, line 6: member base-tip: joint = -1; its stiffness must not be negative
+  $ bad 's/^joints/hinges = ["base"]\n&/' frames/joint-cantilever.toml
+  homotopy: bad.toml, line 9: joints = { base = 1 }: the end base has a hinge or a joint already; give it one
+  $ bad 's/\[loads\]/[constant_loads]/' frames/column.toml
+  homotopy: bad.toml, [loads]: constant loads alone do not grow with the load factor; add a load other than 0, or a displacement
   $ bad 's/base-tip/base-top/' frames/heavy-cantilever.toml
   homotopy: bad.toml, line 15: there is no node and no member base-top
   $ bad 's/y = -1/moment = -1/' frames/heavy-cantilever.toml

@@ -236,7 +236,11 @@ Mistakes
   $ run --until 1 --events nodes,noon
   two_body_series: --events nodes,noon: there is no event noon; give nodes, apsides, altitude=H
   $ run --until 1 --events altitude=high
-  two_body_series: --events high: not a finite number
+  two_body_series: --events altitude=high: not a finite number
+  $ run --until 1 --events nodes,apsides,nodes
+  two_body_series: --events nodes,apsides,nodes: nodes is there twice
+  $ run --until 1 --events altitude=100,altitude=1e2
+  two_body_series: --events altitude=100,altitude=1e2: altitude=1e2 is there twice
   $ run --until 1 --mu 1 --events altitude=1
   two_body_series: --events altitude=1: needs --radius R, from which the altitude counts
   $ run --until 1 --mu 1 --radius 1 --events altitude=-1

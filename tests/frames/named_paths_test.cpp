@@ -598,6 +598,26 @@ TEST(MeshError, OfAPinchedRing) {
   }
 }
 
+// Timoshenko and Gere: the ends of a simple beam under w and an axial force P turn by w/(2 P) (tan(k/2)/(k/2)
+// - 1), k^2 = P/EI. Its one free end moves by P l/EA, which any mesh has.
+TEST(MeshError, OfRotations) {
+  for (const double p : {5., 9.}) {
+    FrameModel m;
+    m.nodes = {{"A", 0, 0}, {"B", 1, 0}};
+    m.members = {{.first = "A", .second = "B", .ea = 1e6, .ei = 1}};
+    m.supports = {{"A", Motion::x}, {"A", Motion::y}, {"B", Motion::y}};
+    constexpr double w = 1e-6;
+    m.loads = {{"B", Motion::x, -p, true}, {"A-B", Motion::y, -w}};
+    const double half = std::sqrt(p * (1 + p / 1e6)) / 2;
+    for (const int elements : {1, 2, 4}) {
+      const Estimated e = estimated(m, elements, {.until = 1});
+      const Eigen::VectorXd& x = e.paths.points.back().x;
+      expect_error(e.errors.back().value_or(NAN), -x[unknown_of(build(m, elements), "A.rotation")],
+                   w / (2 * p) * (std::tan(half) / half - 1));
+    }
+  }
+}
+
 // Limit loads of the toggle against the exact elastica.
 TEST(MeshError, OfAToggle) {
   const Toggle toggle{.height = 0.44};

@@ -175,6 +175,29 @@ TEST(NamedFrames, SoftFramesAreAccepted) {
   (void)build(stiff, 4);
 }
 
+// Stiffnesses and lengths of very different sizes make no mechanism, and hide none.
+TEST(NamedFrames, MechanismsDoNotDependOnStiffness) {
+  for (const double length : {1e-8, 1e-4, 1.}) {
+    for (const double spring : {1e-40, 1., 1e40}) {
+      FrameModel m;
+      m.nodes = {{"a", 0, 0}, {"b", length, 0}, {"c", 1 + length, 0}, {"d", 1 + 2 * length, 0}};
+      m.members = {{.first = "a", .second = "b", .ea = 1e4, .ei = 1},
+                   {.first = "b", .second = "c", .ea = 1, .ei = 1e-9},
+                   {.first = "c", .second = "d", .ea = 1e4, .ei = 1e9}};
+      m.springs = {{.first = "", .second = "d", .y = 1, .stiffness = spring}};
+      m.loads = {{"c", Motion::y, -1}};
+      pin(m, "a");
+      (void)build(m, 1);
+      m.springs[0].turns = true;
+      (void)build(m, 1);
+      m.members[0].is_second_pinned = true;
+      EXPECT_TRUE(tests::holds(refusal_of(m).what(), "along y"));
+      m.springs[0].turns = false;
+      EXPECT_TRUE(tests::holds(refusal_of(m).what(), "mechanism"));
+    }
+  }
+}
+
 // ---- Frames with prescribed displacements, and frames with imperfections.
 
 using Eigen::MatrixXd;

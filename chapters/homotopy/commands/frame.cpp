@@ -304,7 +304,7 @@ void print_unfollowed_branches(const frames::FramePaths& paths) {
                     paths.unfollowed, paths.branches + paths.unfollowed));
 }
 
-/// The modes at each load factor; the last entry has the status of a failure.
+/// The modes at each load factor, or the status of a failure.
 std::vector<frames::FrameModes> modes_of(const FrameOptions& typed, const frames::Imperfect& made,
                                          const std::vector<double>& loads) {
   frames::PathOptions options = path_options_of(typed);
@@ -313,14 +313,16 @@ std::vector<frames::FrameModes> modes_of(const FrameOptions& typed, const frames
   const frames::Start start = start_of(made.frame, options);
   const frames::FramePaths paths =
       options.until ? equilibrium_paths(made.frame, options) : frames::FramePaths{};
-  for (const Status& status : {made.status, start.status, paths.status}) {
-    if (!status.ok()) return {{{}, status}};
+  for (const Status& status : {made.status, start.status}) {
+    if (!status.ok()) return std::vector<frames::FrameModes>(loads.size(), {{}, status});
   }
   std::vector<frames::FrameModes> all;
   for (const double load : loads) {
     const auto at = std::ranges::find(paths.points, load, &frames::FramePoint::load);
-    all.push_back(frame_modes(made.frame, load == 0 ? start.x : at->x, load, *typed.modes));
-    if (!all.back().status.ok()) break;
+    if (load != 0 && at == paths.points.end())
+      all.push_back({{}, paths.status});
+    else
+      all.push_back(frame_modes(made.frame, load == 0 ? start.x : at->x, load, *typed.modes));
   }
   return all;
 }
@@ -337,8 +339,10 @@ void print_modes(const FrameOptions& typed, const FrameFile& file, const frames:
   const std::vector<double> loads = typed.at.empty() ? std::vector{0.} : typed.at;
   const int second = frames::second_mesh(typed.elements, made.frame.frame.members().size());
   const auto modes = modes_of(typed, made, loads);
-  if (!modes.back().status.ok()) throw Failure(modes.back().status);
-  if (modes.back().modes.empty())
+  const auto failed = std::ranges::find_if(modes, [](const auto& m) { return !m.status.ok(); });
+  const bool is_empty = std::ranges::all_of(modes, [](const auto& m) { return m.modes.empty(); });
+  if (is_empty && failed != modes.end()) throw Failure(failed->status);
+  if (is_empty)
     throw InputError(fmt::format("--modes: {} has neither masses nor loads that compress", file.name));
   const auto others = modes_of(typed, frame_of(file, typed, second), loads);
   const double factor = frames::mesh_factor(typed.elements, second);
@@ -350,7 +354,7 @@ void print_modes(const FrameOptions& typed, const FrameFile& file, const frames:
     for (const frames::FrameMode& mode : modes[i].modes) {
       const int number = numbers[static_cast<std::size_t>(mode.kind)]++;
       text += fmt::format("{:.12g},{},{},{:.12g},", loads[i], to_string(mode.kind), number + 1, mode.value);
-      const auto other = i < others.size() ? value_of(others[i], mode.kind, number) : std::nullopt;
+      const auto other = value_of(others[i], mode.kind, number);
       if (other) text += fmt::format("{:.2g}", std::min(1., factor * std::abs(1 - *other / mode.value)));
       for (const frames::NamedMotion& m : made.frame.motions)
         text += fmt::format(",{:.12g}", mode.shape[m.unknown]);
@@ -358,6 +362,7 @@ void print_modes(const FrameOptions& typed, const FrameFile& file, const frames:
     }
   }
   scene::print_result(text);
+  if (failed != modes.end()) throw Failure(failed->status);
 }
 
 void move(const FrameOptions& typed, const FrameFile& file, const frames::NamedFrame& frame,

@@ -212,8 +212,12 @@ class Reader {
 
   void read_member(const toml::table& table) {
     frames::NamedMember m;
-    std::vector<std::pair<std::string, double>> hinges;  // with the stiffness of the joint
-    std::pair<std::string, const toml::node*> hinges_at;
+    struct Hinge {
+      std::string end;
+      double stiffness;  // of the joint
+      Entry from;
+    };
+    std::vector<Hinge> hinges;
     for (const auto& [key, node] : in_order(table)) {
       if (key == "nodes") {
         const std::vector<std::string> ends = texts(*node, key);
@@ -225,12 +229,10 @@ class Reader {
       } else if (key == "elements") {
         m.elements = whole(*node, key);
       } else if (key == "hinges") {
-        for (std::string& end : texts(*node, key)) hinges.emplace_back(std::move(end), 0.);
-        hinges_at = {key, node};
+        for (std::string& end : texts(*node, key)) hinges.push_back({std::move(end), 0., {key, node}});
       } else if (key == "joints") {
         for (const auto& [end, stiffness] : table_of(*node, key, "must be a table such as { A = 100 }"))
-          hinges.emplace_back(end, number(*stiffness, key + "." + end));
-        hinges_at = {key, node};
+          hinges.push_back({end, number(*stiffness, key + "." + end), {key, node}});
       } else {
         complain(
             *node, key,
@@ -238,12 +240,16 @@ class Reader {
       }
     }
     require_keys(table, "a member", {"nodes", "EA", "EI"});
-    for (const auto& [hinge, stiffness] : hinges) {
-      if (hinge != m.first && hinge != m.second)
-        complain(*hinges_at.second, hinges_at.first,
+    for (const Hinge& h : hinges) {
+      if (h.end != m.first && h.end != m.second)
+        complain(*h.from.second, h.from.first,
                  fmt::format("the member joins {} and {}", quoted_input(m.first), quoted_input(m.second)));
-      (hinge == m.first ? m.is_first_pinned : m.is_second_pinned) = true;
-      (hinge == m.first ? m.first_joint : m.second_joint) += stiffness;
+      bool& is_pinned = h.end == m.first ? m.is_first_pinned : m.is_second_pinned;
+      if (is_pinned)
+        complain(*h.from.second, h.from.first,
+                 fmt::format("the end {} has a hinge or a joint already; give it one", quoted_input(h.end)));
+      is_pinned = true;
+      (h.end == m.first ? m.first_joint : m.second_joint) = h.stiffness;
     }
     file_.model.members.push_back(std::move(m));
     note_line(ModelPart::members, table);

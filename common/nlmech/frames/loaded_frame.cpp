@@ -11,8 +11,6 @@
 
 namespace nlmech::frames {
 
-namespace {
-
 double size_of(const Frame& frame) {
   const auto& nodes = frame.nodes();
   const auto [left, right] =
@@ -21,6 +19,8 @@ double size_of(const Frame& frame) {
       std::minmax_element(nodes.begin(), nodes.end(), [](const Node& a, const Node& b) { return a.y < b.y; });
   return std::hypot(right->x - left->x, high->y - low->y);
 }
+
+namespace {
 
 /// Ratio of displacements to the limits of a first step; at most 1 if they are allowed.
 double excess_of(const Frame& frame, const Eigen::VectorXd& x) {

@@ -22,6 +22,9 @@ struct ShortestMember {
   double y;     ///< y of its first node at rest
 };
 
+/// Diagonal of the rectangle around the nodes at rest.
+[[nodiscard]] double size_of(const Frame& frame);
+
 /// F(x, W) = dU/dx - W q - q0 for a frame with the load factor W; q0 are constant loads. dF/dx is sparse.
 /// Degrees of freedom may be prescribed: they equal W times a given displacement, and x holds the others. K
 /// and dF/dW then also depend on W, and a limit point is an extremum of the prescribed displacements.

@@ -297,8 +297,14 @@ void add_actions(const FrameModel& model, const Names& names, NamedFrame& f) {
   if (!(f.steady.cwiseAbs().maxCoeff() > 0)) f.steady.resize(0);
   if (static_cast<Eigen::Index>(f.given.size()) == f.frame.size())
     throw refusal(ModelPart::displacements, 0, "the displacements of all nodes are given");
-  if (model.needs_load && !(f.load.cwiseAbs().maxCoeff() > 0 || f.displacement.cwiseAbs().maxCoeff() > 0))
-    throw refusal(ModelPart::loads, 0, "there is no load, or all of them are 0");
+  if (!model.needs_load || f.load.cwiseAbs().maxCoeff() > 0 || f.displacement.cwiseAbs().maxCoeff() > 0)
+    return;
+  const auto growing = std::ranges::find(model.loads, false, &NamedLoad::is_constant);
+  throw refusal(ModelPart::loads, static_cast<std::size_t>(growing - model.loads.begin()), "{}",
+                f.steady.size() > 0
+                    ? "constant loads alone do not grow with the load factor; add a load other "
+                      "than 0, or a displacement"
+                    : "there is no load, or all of them are 0");
 }
 
 Eigen::VectorXd masses_of(const FrameModel& model, const Names& names, const Frame& frame,
@@ -348,6 +354,94 @@ void require_numbers(const FrameModel& model) {
   if (!std::isfinite(model.imperfection->amplitude))
     throw refusal(ModelPart::imperfection, 0, "amplitude = {}; it must be finite",
                   model.imperfection->amplitude);
+}
+
+/// A motion that strains no member.
+struct Mechanism {
+  int node;       ///< the node that moves most, weighted by the stiffness at the node
+  Motion motion;  ///< its direction
+};
+
+constexpr double no_energy = 1e-18;
+
+/// Twice the strain energy of small displacements, from the strains of the members.
+double twice_energy(const Frame& frame, const Eigen::VectorXd& x) {
+  double sum = 2 * frame.spring_energy<double>(x);
+  for (std::size_t i = 0; i < frame.members().size(); ++i) {
+    const Member& m = frame.members()[i];
+    const Node &a = frame.nodes()[static_cast<std::size_t>(m.first)],
+               &b = frame.nodes()[static_cast<std::size_t>(m.second)];
+    const double dx = b.x - a.x, dy = b.y - a.y, length = std::hypot(dx, dy);
+    const Vector<double, 6> d = frame.ends<double>(x, i);
+    const double u = d[3] - d[0], v = d[4] - d[1];
+    const double stretch = (dx * u + dy * v) / length, turn = (dx * v - dy * u) / (length * length);
+    // Without axial force g_a = 12 and g_s = 4.
+    const double a_part = (d[2] + d[5]) / 2 - turn, s_part = (d[2] - d[5]) / 2;
+    sum += m.ea / length * stretch * stretch + m.ei / length * (12 * a_part * a_part + 4 * s_part * s_part);
+  }
+  return sum;
+}
+
+/// Node and direction of an unknown; empty for the rotation of a pinned end.
+std::optional<Mechanism> owner_of(const Frame& frame, Eigen::Index unknown) {
+  for (int node = 0; node < static_cast<int>(frame.nodes().size()); ++node) {
+    for (const Motion motion : {Motion::x, Motion::y, Motion::rotation}) {
+      if (frame.unknown(node, motion) == unknown) return Mechanism{node, motion};
+    }
+  }
+  return std::nullopt;
+}
+
+/// Gives all members and springs stiffnesses of similar sizes. Whether a frame is a mechanism does not depend
+/// on them, but rounding would lose the small ones beside great ones. The longest member gets a length of
+/// about 1; stiffnesses of another of length l lie between l and 1/l, so that the energy of a shape that
+/// strains it is at least some l^2 of the whole, above no_energy for l > 1e-8.
+void level_stiffness(Parts& parts, std::vector<Spring>& springs) {
+  const auto length_of = [&](const Member& m) {
+    const Node &a = parts.nodes[static_cast<std::size_t>(m.first)],
+               &b = parts.nodes[static_cast<std::size_t>(m.second)];
+    return std::hypot(b.x - a.x, b.y - a.y);
+  };
+  double longest = 0;
+  for (const Member& m : parts.members) longest = std::max(longest, length_of(m));
+  const int power = std::ilogb(longest);
+  for (Node& n : parts.nodes) n = {std::scalbn(n.x, -power), std::scalbn(n.y, -power)};
+  for (Member& m : parts.members) {
+    m.ea = 1;
+    m.ei = std::max(length_of(m) * length_of(m) / 12, 1e-300);
+    for (double* const joint : {&m.first_joint, &m.second_joint}) *joint = *joint > 0 ? 1 : 0;
+  }
+  for (Spring& s : springs) s.stiffness = 1;
+}
+
+/// Searches for a mechanism of a frame of level_stiffness() at rest. Inverse iteration gives the shape of
+/// smallest stiffness, and the strains of the members give its energy. An energy below 1e-18 of the sum of
+/// the energies of the single unknowns counts as zero, which distinguishes a mechanism from a soft frame.
+/// @return empty if there is none
+std::optional<Mechanism> find_mechanism(const Frame& frame) {
+  Eigen::SparseMatrix<double> k;
+  const Eigen::VectorXd rest = Eigen::VectorXd::Zero(frame.size());
+  if (!frame.tangent<double>(rest, k).ok()) return std::nullopt;
+  const Eigen::VectorXd scale = algebraic::scale_of(k.diagonal());
+  algebraic::SymmetricSolver solver;
+  solver.take(k, scale);
+  static_cast<void>(solver.factorise(1e-15 * solver.norm()));
+  // The start vector has a component of every shape.
+  Eigen::VectorXd v(frame.size()), next(frame.size());
+  for (Eigen::Index i = 0; i < v.size(); ++i) v[i] = 1 + 0.5 * std::sin(1. + static_cast<double>(i));
+  for (int iteration = 0; iteration < 4; ++iteration) {
+    solver.solve(v, next);
+    v = next.normalized();
+  }
+  if (twice_energy(frame, v.cwiseQuotient(scale)) > no_energy) return std::nullopt;
+  for (;;) {
+    const double most = v.cwiseAbs().maxCoeff();
+    if (!(most > 0)) return std::nullopt;
+    Eigen::Index first = 0;  // of several that are equal to rounding
+    while (std::abs(v[first]) < (1 - 1e-6) * most) ++first;
+    if (const auto owner = owner_of(frame, first)) return owner;
+    v[first] = 0;
+  }
 }
 
 }  // namespace
@@ -400,9 +494,6 @@ NamedFrame build(const FrameModel& model, int elements) {
   }
   require_numbers(model);
   const std::vector<Spring> springs = springs_of(model, names);
-  const auto frame_of = [&](const Parts& parts, const std::vector<Support>& held) {
-    return Frame(parts.nodes, parts.members, held, springs);
-  };
   // Prescribed displacements count as fixed: the load factor does not change here.
   std::vector<Support> fixed = supports;
   for (std::size_t i = 0; i < model.displacements.size(); ++i) {
@@ -410,12 +501,16 @@ NamedFrame build(const FrameModel& model, int elements) {
     fixed.push_back({index_of(names, d.node, ModelPart::displacements, i), d.motion});
   }
   // Whether a frame is a mechanism does not depend on the number of elements.
-  const Parts whole = parts_of(model, names, 0), divided = parts_of(model, names, elements);
+  const Parts divided = parts_of(model, names, elements);
+  Parts whole = parts_of(model, names, 0);
+  std::vector<Spring> level_springs = springs;
+  level_stiffness(whole, level_springs);
   std::optional<Mechanism> mechanism;
   if (fixed.empty() && springs.empty() && !model.may_move) mechanism = {0, Motion::x};
   bool is_all_fixed = false;
   try {
-    if (!mechanism && !model.may_move) mechanism = find_mechanism(frame_of(whole, fixed));
+    if (!mechanism && !model.may_move)
+      mechanism = find_mechanism(Frame(whole.nodes, whole.members, fixed, level_springs));
   } catch (const std::invalid_argument&) {
     is_all_fixed = true;  // only inner nodes of members can move
   }
@@ -429,7 +524,9 @@ NamedFrame build(const FrameModel& model, int elements) {
   if (is_all_fixed && supports.size() == fixed.size() && divided.nodes.size() == model.nodes.size())
     throw refusal(ModelPart::supports, 0,
                   "all nodes are fixed; take more elements, or add a node that moves");
-  NamedFrame f{.frame = frame_of(divided, supports), .members = divided.origins, .supports = supports};
+  NamedFrame f{.frame = Frame(divided.nodes, divided.members, supports, springs),
+               .members = divided.origins,
+               .supports = supports};
   require_spring_motions(model, f.frame);
   f.mass = masses_of(model, names, f.frame, f.members);
   add_actions(model, names, f);
@@ -443,64 +540,6 @@ NamedFrame build(const FrameModel& model, int elements) {
     }
   }
   return f;
-}
-
-namespace {
-
-constexpr double no_energy = 1e-18;
-
-/// Twice the strain energy of small displacements, from the strains of the members.
-double twice_energy(const Frame& frame, const Eigen::VectorXd& x) {
-  double sum = 2 * frame.spring_energy<double>(x);
-  for (std::size_t i = 0; i < frame.members().size(); ++i) {
-    const Member& m = frame.members()[i];
-    const Node &a = frame.nodes()[static_cast<std::size_t>(m.first)],
-               &b = frame.nodes()[static_cast<std::size_t>(m.second)];
-    const double dx = b.x - a.x, dy = b.y - a.y, length = std::hypot(dx, dy);
-    const Vector<double, 6> d = frame.ends<double>(x, i);
-    const double u = d[3] - d[0], v = d[4] - d[1];
-    const double stretch = (dx * u + dy * v) / length, turn = (dx * v - dy * u) / (length * length);
-    // Without axial force g_a = 12 and g_s = 4.
-    const double a_part = (d[2] + d[5]) / 2 - turn, s_part = (d[2] - d[5]) / 2;
-    sum += m.ea / length * stretch * stretch + m.ei / length * (12 * a_part * a_part + 4 * s_part * s_part);
-  }
-  return sum;
-}
-
-/// Node and direction of an unknown; empty for the rotation of a pinned end.
-std::optional<Mechanism> owner_of(const Frame& frame, Eigen::Index unknown) {
-  for (int node = 0; node < static_cast<int>(frame.nodes().size()); ++node) {
-    for (const Motion motion : {Motion::x, Motion::y, Motion::rotation}) {
-      if (frame.unknown(node, motion) == unknown) return Mechanism{node, motion};
-    }
-  }
-  return std::nullopt;
-}
-
-}  // namespace
-
-std::optional<Mechanism> find_mechanism(const Frame& frame) {
-  Eigen::SparseMatrix<double> k;
-  const Eigen::VectorXd rest = Eigen::VectorXd::Zero(frame.size());
-  if (!frame.tangent<double>(rest, k).ok()) return std::nullopt;
-  const Eigen::VectorXd scale = algebraic::scale_of(k.diagonal());
-  algebraic::SymmetricSolver solver;
-  solver.take(k, scale);
-  static_cast<void>(solver.factorise(1e-15 * solver.norm()));
-  // The start vector has a component of every shape.
-  Eigen::VectorXd v(frame.size()), next(frame.size());
-  for (Eigen::Index i = 0; i < v.size(); ++i) v[i] = 1 + 0.5 * std::sin(1. + static_cast<double>(i));
-  for (int iteration = 0; iteration < 4; ++iteration) {
-    solver.solve(v, next);
-    v = next.normalized();
-  }
-  if (twice_energy(frame, v.cwiseQuotient(scale)) > no_energy) return std::nullopt;
-  for (;;) {
-    Eigen::Index most = 0;
-    if (!(v.cwiseAbs().maxCoeff(&most) > 0)) return std::nullopt;
-    if (const auto owner = owner_of(frame, most)) return owner;
-    v[most] = 0;
-  }
 }
 
 }  // namespace nlmech::frames

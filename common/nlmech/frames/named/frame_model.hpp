@@ -202,16 +202,4 @@ inline constexpr int most_beam_columns = 100'000;
 /// @throws std::invalid_argument if @p elements is not positive
 [[nodiscard]] NamedFrame build(const FrameModel& model, int elements);
 
-/// A motion that strains no member.
-struct Mechanism {
-  int node;       ///< the node that moves most, weighted by the stiffness at the node
-  Motion motion;  ///< its direction
-};
-
-/// Searches for a mechanism of the frame at rest. Inverse iteration gives the shape of smallest stiffness,
-/// and the strains of the members give its energy. An energy below 1e-18 of the sum of the energies of the
-/// single unknowns counts as zero, which distinguishes a mechanism from a soft frame. @return empty if there
-/// is none
-[[nodiscard]] std::optional<Mechanism> find_mechanism(const Frame& frame);
-
 }  // namespace nlmech::frames

@@ -119,9 +119,12 @@ class Pencil {
 };
 
 /// The shape of all unknowns, scaled as FrameMode says.
-VectorXd scaled(const Frame& frame, VectorXd shape) {
-  const double factor = factor_of(frame, shape);
-  return std::isfinite(factor) ? VectorXd(factor * shape) : VectorXd(shape / shape.cwiseAbs().maxCoeff());
+VectorXd scaled(const Frame& frame, const VectorXd& shape) {
+  if (const double factor = factor_of(frame, shape); std::isfinite(factor)) return factor * shape;
+  const double most = shape.cwiseAbs().maxCoeff();
+  Index first = 0;
+  while (first + 1 < shape.size() && !(std::abs(shape[first]) >= (1 - 1e-6) * most)) ++first;
+  return shape / shape[first];
 }
 
 }  // namespace

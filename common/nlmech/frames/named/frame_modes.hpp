@@ -22,7 +22,7 @@ struct FrameMode {
   Kind kind = Kind::buckling;  ///< type of the mode
   double value = 0;            ///< critical load factor; or frequency in cycles per time
   Eigen::VectorXd shape = {};  ///< of all unknowns; the greatest displacement of a node along x or y is 1,
-                               ///< or, if none is displaced, the greatest rotation
+                               ///< or, if none is displaced (see factor_of()), the greatest rotation
 };
 
 /// "buckling", "vibration".

@@ -402,6 +402,15 @@ double factor_of(const Frame& frame, const Eigen::VectorXd& shape) {
   const std::vector<Node> moves = displacements_of(frame, shape);
   double most = 0;
   for (const Node& m : moves) most = std::max({most, std::abs(m.x), std::abs(m.y)});
+  double across = 0;  // by the rotations, over the members' lengths
+  for (std::size_t i = 0; i < frame.members().size(); ++i) {
+    const Member& m = frame.members()[i];
+    const Node &a = frame.nodes()[static_cast<std::size_t>(m.first)],
+               &b = frame.nodes()[static_cast<std::size_t>(m.second)];
+    const Vector<double, 6> d = frame.ends<double>(shape, i);
+    across = std::max(across, std::hypot(b.x - a.x, b.y - a.y) * std::max(std::abs(d[2]), std::abs(d[5])));
+  }
+  if (most <= 1e-9 * across) return HUGE_VAL;
   for (const Node& m : moves) {
     for (const double part : {m.x, m.y}) {
       if (std::abs(part) >= (1 - 1e-6) * most) return 1 / std::copysign(most, part);

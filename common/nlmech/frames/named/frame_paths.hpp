@@ -88,7 +88,8 @@ struct Start {
 [[nodiscard]] Start start_of(const NamedFrame& frame, const PathOptions& options);
 
 /// Factor that scales the greatest displacement of a node along x or y in a shape to 1. If several are equal
-/// to rounding, the first determines the sign. Infinite if no node is displaced.
+/// to rounding, the first determines the sign. Infinite if no node is displaced: by more than 1e-9 of the
+/// greatest product of a member's length and the rotation of its end, above the rounding of eigenvectors.
 [[nodiscard]] double factor_of(const Frame& frame, const Eigen::VectorXd& shape);
 
 /// Frame with an imperfection, or the reason of failure.

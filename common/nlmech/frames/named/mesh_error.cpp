@@ -1,6 +1,7 @@
 #include "nlmech/frames/named/mesh_error.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -34,6 +35,31 @@ std::optional<Stretch> branch_of(const Points& points, int branch) {
 double apart(const FramePoint& a, const FramePoint& b) {
   return a.load == b.load ? 0 : std::abs(a.load - b.load) / std::abs(a.load);
 }
+
+/// The greatest of some displacements (or forces) and its change from mesh to mesh: [0] along x and y, [1]
+/// rotations (or moments).
+class Changes {
+ public:
+  void add(Motion motion, double own, double other) {
+    const std::size_t kind = motion == Motion::rotation ? 1 : 0;
+    largest_[kind] = std::max(largest_[kind], std::abs(own));
+    change_[kind] = std::max(change_[kind], std::abs(own - other));
+  }
+  /// The greater relative change of both kinds. Of a kind below 1e-6 of the other, which may be rounding, the
+  /// change is relative to that. @param unit value of the first kind that compares with 1 of the second
+  [[nodiscard]] double relative(double unit) const {
+    const std::array least = {1e-6 * unit * largest_[1], 1e-6 / unit * largest_[0]};
+    double worst = 0;
+    for (const std::size_t kind : {0U, 1U}) {
+      const double whole = std::max(largest_[kind], least[kind]);
+      if (whole > 0) worst = std::max(worst, change_[kind] / whole);
+    }
+    return worst;
+  }
+
+ private:
+  std::array<double, 2> largest_ = {}, change_ = {};
+};
 
 /// Compares the points of a mesh with the paths of the second one.
 class Comparison {
@@ -150,35 +176,25 @@ class Comparison {
     return false;
   }
 
-  /// Difference of the displacements of named nodes, relative to the largest, and of the forces at prescribed
-  /// displacements.
+  /// Difference of the displacements of named nodes, and of the forces at prescribed displacements.
   [[nodiscard]] double difference(const FramePoint& p, const Eigen::VectorXd& x) const {
-    double largest = 0, most = 0;
-    for (const bool with_rotations : {false, true}) {
-      for (std::size_t i = 0; i < m_.frame.motions.size(); ++i) {
-        const NamedMotion &a = m_.frame.motions[i], &b = m_.second.motions[i];
-        if ((a.motion == Motion::rotation) != with_rotations) continue;
-        largest = std::max(largest, std::abs(p.x[a.unknown]));
-        most = std::max(most, std::abs(p.x[a.unknown] - x[b.unknown]));
-      }
-      if (largest > 0) break;
-    }
-    const double of_moves = largest > 0 ? most / largest : 0;
-    return m_.frame.given.empty() ? of_moves : std::max(of_moves, difference_of_forces(p, x));
-  }
-
-  [[nodiscard]] double difference_of_forces(const FramePoint& p, const Eigen::VectorXd& x) const {
+    Changes moves, forces;
+    for (std::size_t i = 0; i < m_.frame.motions.size(); ++i)
+      moves.add(m_.frame.motions[i].motion, p.x[m_.frame.motions[i].unknown],
+                x[m_.second.motions[i].unknown]);
+    const double size = size_of(m_.frame.frame);
+    if (m_.frame.given.empty()) return moves.relative(size);
     Eigen::VectorXd own, other;
     if (!has_values(m_.frame.frame.force<double>(p.x, own)) ||
         !has_values(m_.second.frame.force<double>(x, other)))
       return 1;
     own -= loads_at(m_.frame, p.load), other -= loads_at(m_.second, p.load);
-    double largest = 0, most = 0;
-    for (std::size_t i = 0; i < m_.frame.given.size(); ++i) {
-      largest = std::max(largest, std::abs(own[m_.frame.given[i]]));
-      most = std::max(most, std::abs(own[m_.frame.given[i]] - other[m_.second.given[i]]));
+    for (std::size_t i = 0; i < m_.frame.motions.size(); ++i) {
+      const NamedMotion &a = m_.frame.motions[i], &b = m_.second.motions[i];
+      if (std::ranges::binary_search(m_.frame.given, a.unknown))
+        forces.add(a.motion, own[a.unknown], other[b.unknown]);
     }
-    return largest > 0 ? most / largest : 0;
+    return std::max(moves.relative(size), forces.relative(1 / size));
   }
 
   [[nodiscard]] double share(double difference) const { return std::min(1., m_.factor * difference); }

@@ -33,8 +33,9 @@ struct MeshPair {
 
 /// Estimated relative discretisation error of each point of the paths, at most 1. For a limit or bifurcation
 /// point: error of its load factor, 1 if the second mesh has no such point. For any other point: error of the
-/// displacements of named nodes, relative to the largest, and of the forces at prescribed displacements, at
-/// the same load factor; near a limit point, where the second mesh does not reach that load: error of the
+/// displacements along x and y of named nodes, relative to the largest of these, of their rotations, relative
+/// to the largest rotation, and likewise of forces and moments at prescribed displacements, at the same load
+/// factor; near a limit point, where the second mesh does not reach that load: error of the
 /// load factor. Empty where the second path does not reach, no equilibrium was found, or @p seconds have
 /// passed.
 ///
