@@ -144,6 +144,67 @@ An unknown that grows a thousandfold along the path, and a limit point after it 
   $ homotopy path --equation "x (x^2 - a) = -1e-9" --start x=1e-9 --parameter "a = -1:1" | holds --where a=1 'x = -1 +- 1e-8'
   $ homotopy path --equation "x (x^2 - a) = 0.001" --start x=-1 --parameter "a = 1:-1" | holds --where kind=minimum 'a = 3*(mpf("0.0005"))^(2/mpf(3)) +- 1e-12'
 
+Bifurcation values are accurate to rounding: a = pi, and a = 1, where a cos(x) - 1 vanishes at x = 0:
+
+  $ bifurcations() { homotopy path --equation "$1" --start "$2" --parameter "a = $3" 2> said.txt | grep -E '^(branch|0,bifurcation)'; }
+  $ bifurcations "x (x^2 + a - pi) = 0" x=0 0:4 | holds --each 'n = 1' 'a = pi +- 1e-14' 'x = 0 +- 1e-14'
+  $ bifurcations "sin(x) a = x" x=0 0.2:3 | holds --each 'n = 1' 'a = 1 +- 1e-14' 'x = 0 +- 1e-14'
+
+Branches that meet without a change of sign of det dF/dx, with a common tangent, or twice within a step:
+
+  $ branches() { homotopy path --equation "$1" --start "$2" --parameter "a = $3" --branches "$4" > path.csv; }
+  $ at() { head -1 path.csv; grep -E ",step,($1)," path.csv | sort -t, -k 3g,3 -k 4g; }
+  $ branches "x (x^2 - a^2) = 0" x=0 -1:1 4
+  $ holds --where kind=bifurcation 'a = 0 +- 1e-14' 'x = 0 +- 1e-14' < path.csv
+  $ at 1 | holds --each 'x = [-1, 0, 1] +- 1e-13'
+  $ at -1 | holds --each 'x = [-1, 0, 1] +- 1e-13'
+  $ branches "x (x^2 - a) (x^2 - 2 a) = 0" x=0 -1:1 4
+  $ at 1 | holds --each 'x = [-sqrt(mpf(2)), -1, 0, 1, sqrt(mpf(2))] +- 1e-12'
+  $ branches "x (x^2 - (a - 0.3) (a - 0.31)) = 0" x=0 -1:1 4
+  $ grep '^0,bifurcation' path.csv | wc -l
+  2
+  $ at 1 | holds --each 'x = [-sqrt(mpf("0.483")), 0, sqrt(mpf("0.483"))] +- 1e-12'
+  $ branches "x^2 (x - a) = 0" x=-1 -1:1 4
+  path: at 1 bifurcation point no other branch is found: dF/dx loses more than one rank there, or is singular all along the other branch
+  $ holds --where kind=bifurcation 'a = 0 +- 1e-14' 'x = 0 +- 1e-14' < path.csv
+
+Branches that pass each other at a distance of about 1e-3 do not meet:
+
+  $ branches "x (x^2 - a) = 1e-9" x=0 -1:1 2
+  $ grep -c bifurcation path.csv
+  0
+  [1]
+
+Branches that cross, and the branch x = 0 from the one that turns back at it, at any step:
+
+  $ branches "x^2 = a^2" x=-1 -1:1 2
+  $ at "-?1" | holds --each 'x = [-1, 1, -1, 1] +- 1e-13'
+  $ homotopy path --equation "x y = 0; x + y = a" --start "x=-1, y=0" --parameter "a = -1:1" --branches 2 | holds --each 'x*y = 0 +- 1e-14' 'x + y - a = 0 +- 1e-14'
+  $ homotopy path --equation "x^3 - a x = 0" --start x=1 --parameter "a = 1:-1" --branches 2 > path.csv
+  $ for branch in 1 2; do holds --where branch=$branch 'x = 0 +- 1e-13' < path.csv; done
+  $ homotopy path --equation "x^3 - a x = 0" --start x=1 --parameter "a = 1:-1" --branches 2 --turn 0.03 > path.csv
+  $ for branch in 1 2; do holds --where branch=$branch 'x = 0 +- 1e-13' < path.csv; done
+  $ at "-?1" | holds --each 'a = [-1, 1, 1, 1]' 'x = [0, -1, 0, 1] +- 1e-13'
+
+No root where the unknowns grow without bound, no root at the start, a bound; ranges that are small beside the unknowns, and large numbers:
+
+  $ homotopy path --equation "exp(x) = a" --start x=0 --parameter "a = 1:0" > path.csv
+  homotopy: not_converged: * (glob)
+  [1]
+  $ holds --each 'abs(x - log(a)) <= 2e-6*(1 + abs(x))' < path.csv
+  $ homotopy path --equation "exp(-x) = a" --start x=0 --parameter "a = 1:0" > path.csv
+  homotopy: not_converged: * (glob)
+  [1]
+  $ homotopy path --equation "a x = a" --start x=0 --parameter "a = 0:1"
+  homotopy: singular_matrix: path: at a = 0 an equation loses its unknowns, and no single root exists there; begin the range at another value
+  [1]
+  $ homotopy path --equation "x = a" --start x=0 --bounds "x <= 1" --parameter "a = 0:2" > path.csv
+  homotopy: wrong_branch: all points found are printed, but a branch did not reach its end: *, the path ends here: x reaches its bound 1 (glob)
+  [1]
+  $ holds 'a = 1 +- 1e-9' < path.csv
+  $ homotopy path --equation "x^3 - x + a = 0" --start x=2 --parameter "a = -1e-9:1e-9" | holds 'a = 1e-9 +- 1e-24' 'x^3 - x + a = 0 +- 1e-15'
+  $ homotopy path --equation "x^2 = a" --start x=1e150 --parameter "a = 1e300:1e299" | holds 'x = sqrt(mpf(10)^299) +- 1e136'
+
 A path that reaches its limit of time keeps the points found:
 
   $ homotopy path --equation "x^2 + a = 1" --start x=1 --parameter "a = 0:2" --limit 1e-9 > path.csv

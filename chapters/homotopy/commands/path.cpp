@@ -65,7 +65,17 @@ scene::Figure path_picture(const algebraic::TypedSystem& system, const std::stri
 /// A root at the first value of the parameter.
 Eigen::VectorXd root_at_start(PathCommand typed, const algebraic::NamedRange& range) {
   typed.roots.set.push_back(fmt::format("{}={:.17g}", range.name, range.low));
-  const algebraic::TypedSystem system = system_of(typed.roots);
+  // The equations are sound for the range, so only the value can make them unsound.
+  const algebraic::TypedSystem system = [&] {
+    try {
+      return system_of(typed.roots);
+    } catch (const InputError&) {
+      throw Failure(failed_with(Outcome::singular_matrix,
+                                "path: at {} = {:.10g} an equation loses its unknowns, and no single root "
+                                "exists there; begin the range at another value",
+                                range.name, range.low));
+    }
+  }();
   int tried = 0;
   const algebraic::TypedSolution found =
       solve_by_several(system, system.start("--start", typed.roots.start), typed.roots.tolerance,
@@ -105,6 +115,11 @@ void follow_typed(const PathCommand& typed) {
         fmt::format("path: {} half branches leave the paths and are not followed; --branches {} "
                     "follows more",
                     paths.unfollowed, options.branches + paths.unfollowed));
+  if (paths.unresolved > 0)
+    scene::print_message(fmt::format(
+        "path: at {} bifurcation point{} no other branch is found: dF/dx loses more than one rank "
+        "there, or is singular all along the other branch",
+        paths.unresolved, paths.unresolved == 1 ? "" : "s"));
   if (!paths.status.ok())
     throw Failure(
         Status::failure(paths.status.outcome(),

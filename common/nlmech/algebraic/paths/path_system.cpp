@@ -61,7 +61,8 @@ PathSystem::PathSystem(Loaded& equations, const Eigen::VectorXd& x, double load,
               equations_.long_residual(long_x(start), load, f_);
   if (is_stiff_ && !linearise(start)) return;
   solve(q_, work_);
-  const double length = work_.norm(), reach = scale_.cwiseProduct(x).norm();
+  const double plain = work_.norm(), reach = scale_.cwiseProduct(x).norm(),
+               length = plain > 1e-140 && plain < 1e140 ? plain : work_.stableNorm();
   // At or near a limit point K^-1 q is unbounded: use the displacements of the start.
   if (inertia_.zero == 0 && std::isfinite(length) && length > 0 && (reach == 0 || length <= 1e3 * reach))
     load_scale_ = length;

@@ -1,11 +1,16 @@
 #include "nlmech/algebraic/typed/typed_path.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
 #include <utility>
 
+#include "nlmech/algebraic/paths/path_step.hpp"
+#include "nlmech/algebraic/typed/bifurcation.hpp"
+#include "nlmech/support/quoted_input.hpp"
 #include "nlmech/support/sentences.hpp"
 #include "nlmech/support/stopwatch.hpp"
 
@@ -16,41 +21,56 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Typed equations with a parameter, each divided by its change at the start when the unknowns change by
-/// their size; all by the same number with an energy.
+/// Typed equations with a parameter, for unknowns y = x/size. Each is divided by its change at the start when
+/// the unknowns change by their sizes; the gradient of an energy by the greatest of these.
 class LoadedSystem final : public Loaded {
  public:
-  LoadedSystem(const TypedSystem& system, const VectorXd& x, double parameter)
-      : system_(system), rows_(VectorXd::Ones(x.size())) {
-    linearise(x, parameter);
-    VectorXd unit = x.cwiseAbs();
-    for (double& size : unit) size = size > 0 ? size : 1;
-    rows_ = (j_.leftCols(size()) * unit.asDiagonal()).cwiseAbs().rowwise().sum();
+  LoadedSystem(const TypedSystem& system, const VectorXd& sizes, const VectorXd& x, double parameter)
+      : system_(system),
+        sizes_(sizes),
+        left_(system.has_energy() ? sizes : VectorXd::Ones(sizes.size())),
+        rows_(VectorXd::Ones(sizes.size())) {
+    linearise(x.cwiseQuotient(sizes), parameter);
+    rows_ = j_.leftCols(size()).cwiseAbs().rowwise().sum();
     if (system.has_energy()) rows_.setConstant(rows_.maxCoeff());
     for (double& row : rows_) row = row > 0 && std::isfinite(row) ? row : 1;
   }
 
   [[nodiscard]] Index size() const override { return system_.size(); }
-  void residual(const VectorXd& x, double load, VectorXd& f) override {
-    if (system_.contains(x))
+  [[nodiscard]] const VectorXd& sizes() const { return sizes_; }
+  void residual(const VectorXd& y, double load, VectorXd& f) override {
+    const VectorXd x = y.cwiseProduct(sizes_);
+    status_ = {};
+    if (system_.contains(x)) {
       system_.residual(with(x, load), f);
-    else
+    } else {
       f.setConstant(size(), std::numeric_limits<double>::quiet_NaN());
-    f.array() /= rows_.array();
+      Index i = 0;
+      while (x[i] >= system_.lower()[i] && x[i] <= system_.upper()[i]) ++i;
+      if (std::isfinite(x[i]))
+        status_ = failed_with(Outcome::wrong_branch, "{} reaches its bound {:.10g}",
+                              quoted_input(system_.names()[static_cast<std::size_t>(i)]),
+                              x[i] < system_.lower()[i] ? system_.lower()[i] : system_.upper()[i]);
+    }
+    f = f.cwiseProduct(left_).cwiseQuotient(rows_);
   }
-  void linearise(const VectorXd& x, double load) override {
-    system_.derivative(with(x, load), j_);
-    j_ = (rows_.cwiseInverse().asDiagonal() * j_).eval();
+  [[nodiscard]] Status status() const override { return status_; }
+  void linearise(const VectorXd& y, double load) override {
+    system_.derivative(with(y.cwiseProduct(sizes_), load), j_);
+    j_.leftCols(size()) *= sizes_.asDiagonal();
+    j_ = (left_.cwiseQuotient(rows_).asDiagonal() * j_).eval();
   }
-  /// Is F rounding at a point, beside the sum of the terms of its differential, or the size of its rows at
-  /// the start?
-  [[nodiscard]] bool is_root(const VectorXd& x, double load) {
-    VectorXd f;
-    residual(x, load, f);
-    linearise(x, load);
-    const VectorXd terms = (j_ * with(x, load).asDiagonal()).cwiseAbs().rowwise().sum();
-    return (f.array().abs() <= 1e-6 * terms.array() + 1e-9).all();
+  /// Is y a root to 1e-6 of itself or 1e-9 of its sizes, and the parameter to 1e-6 of itself?
+  /// @param scale reciprocal sizes of the unknowns
+  [[nodiscard]] bool is_root(const VectorXd& y, double load, const VectorXd& scale) {
+    VectorXd f, slack(y.size() + 1);
+    residual(y, load, f);
+    linearise(y, load);
+    slack << 1e-6 * y.cwiseAbs() + 1e-9 * scale.cwiseInverse(), 1e-6 * std::abs(load);
+    return (f.array().abs() <= (j_.cwiseAbs() * slack).array()).all();
   }
+  /// dF/dx of linearise(), with dF/dload as the last column.
+  [[nodiscard]] const MatrixXd& derivative() const { return j_; }
   void load_vector(VectorXd& q) const override { q = j_.col(size()); }
   void matrix(MatrixXd& k) const override { k = j_.leftCols(size()); }
   [[nodiscard]] bool is_symmetric() const override { return system_.has_energy(); }
@@ -63,8 +83,9 @@ class LoadedSystem final : public Loaded {
   }
 
   const TypedSystem& system_;
-  VectorXd rows_;
+  VectorXd sizes_, left_, rows_;
   MatrixXd j_;
+  Status status_;
 };
 
 /// Path options for a range of the parameter and unknowns of the sizes at @p x.
@@ -82,6 +103,11 @@ PathMethod path_method(const TypedPathOptions& options, const VectorXd& x) {
           .scale = scale};
 }
 
+/// Sizes of the unknowns, rounded to powers of 2.
+VectorXd sizes_at(const TypedPathOptions& options, const VectorXd& x) {
+  return path_method(options, x).scale.unaryExpr([](double s) { return std::ldexp(1, -std::ilogb(s)); });
+}
+
 /// Follows all branches of typed equations.
 class BranchTracer {
  public:
@@ -89,9 +115,9 @@ class BranchTracer {
       : options_(options),
         low_(std::min(options.from, options.until)),
         high_(std::max(options.from, options.until)),
-        equations_(system, root, options.from),
-        scale_(path_method(options, root).scale),
-        path_(path_from(root, options.from)) {}
+        equations_(system, sizes_at(options, root), root, options.from),
+        scale_(path_method(options, root.cwiseQuotient(equations_.sizes())).scale),
+        path_(path_from(root.cwiseQuotient(equations_.sizes()), options.from)) {}
 
   TypedPaths run() {
     Status status = path_->start(options_.until > options_.from);
@@ -101,37 +127,56 @@ class BranchTracer {
     }
     out_.status = status;
     for (std::size_t i = 0; i < crossings_.size(); ++i) {
-      for (const int half : {0, 1}) follow_half(i, half);
+      for (std::size_t half = 0; half < crossings_[i].halves.size(); ++half) follow_half(i, half);
     }
     return std::move(out_);
   }
 
  private:
+  /// A half branch at a bifurcation point.
+  struct Half {
+    PathVector offset;    ///< from the bifurcation point to a point of the half branch, scaled
+    bool is_open = true;  ///< is it not yet followed?
+  };
   struct Crossing {
     PathPoint point;
-    PathVector direction;
-    int branch;
-    bool is_open[2] = {true, true};
+    int branch, step;  ///< where it was found
+    std::vector<Half> halves;
+  };
+  /// A critical point in the last step; at a bifurcation with points of this path behind and ahead.
+  struct Critical {
+    CriticalPoint critical;
+    double part = 0;
+    std::vector<Half> halves = {};
+    PathVector behind = {}, ahead = {};
   };
 
-  void follow_half(std::size_t i, int half) {
-    if (!crossings_[i].is_open[half] || crossings_[i].direction.y.size() == 0) return;
+  void follow_half(std::size_t i, std::size_t half) {
+    if (!crossings_[i].halves[half].is_open) return;
     if (branch_ >= options_.branches) {
       ++out_.unfollowed;
       return;
     }
-    crossings_[i].is_open[half] = false;
+    crossings_[i].halves[half].is_open = false;
     const Crossing from = crossings_[i];
     Status status;
-    for (double reach = 0.02; reach > 1e-7; reach /= 4) {
-      status = path_->switch_branch(from.point, from.direction, half == 0 ? reach : -reach);
+    const PathVector& offset = from.halves[half].offset;
+    for (double reach = offset.norm(); reach > 1e-5 * offset.norm(); reach /= 4) {
+      status = path_->switch_branch(from.point, unit(offset), reach);
       if (status.ok()) break;
     }
+    const double load = path_->now().load, end = load < low_ ? low_ : high_;
+    const bool is_outside = load < low_ || load > high_;
+    if (status.ok() && is_outside && std::abs(from.point.load - end) <= 1e-9 * (high_ - low_)) return;
     if (status.ok()) {
       ++branch_;
       add(TypedPathPoint::Kind::bifurcation, from.point);
-      add(TypedPathPoint::Kind::step, path_->now());
-      status = along();
+      if (has_left(from.point, path_->now())) {
+        status = std::exchange(lost_, {});
+      } else {
+        add(TypedPathPoint::Kind::step, path_->now());
+        status = along();
+      }
     }
     if (out_.status.ok()) out_.status = status;
   }
@@ -152,8 +197,11 @@ class BranchTracer {
     } while (status.ok() && lost_.ok() && !is_at_end_);
     if (!lost_.ok()) return std::exchange(lost_, {});
     if (status.ok()) return status;
-    if (Crossing* const met = near(path_->now(), 2 * length_of_step())) {
-      arrive(*met);
+    if (Crossing* const met = near(path_->now(), 2 * length_of_step());
+        met != nullptr && met->branch != branch_ &&
+        path_->now().tangent.dot(difference(met->point.at, path_->now().at)) > 0) {
+      add(TypedPathPoint::Kind::bifurcation, met->point);
+      close(*met, path_->now().at);
       return {};
     }
     return failed_with(status.outcome(), "path: branch {} ends at a parameter of {:.10g}: {}", branch_,
@@ -161,7 +209,13 @@ class BranchTracer {
   }
 
   [[nodiscard]] std::unique_ptr<Path> path_from(const VectorXd& x, double load) {
-    return std::make_unique<Path>(path_method(options_, x), equations_, x, load);
+    PathMethod method = path_method(options_, x);
+    auto path = std::make_unique<Path>(method, equations_, x, load);
+    // Shorter steps would be rounding of the unknowns.
+    const double least = 1e-8 * path->system().scaled(x, 0).norm() / path->system().load_scale();
+    if (method.first >= least) return path;
+    method.first = std::min(least, high_ - low_);
+    return std::make_unique<Path>(method, equations_, x, load);
   }
   /// Is an unknown ten times as large as its size? Lengths would measure it alone, and no longer the
   /// parameter.
@@ -184,9 +238,8 @@ class BranchTracer {
     first_.at = path_->system().scaled(first_.x, first_.load);
     for (Crossing& k : crossings_) {
       k.point.at = path_->system().scaled(k.point.x, k.point.load);
-      PathVector& d = k.direction;
-      if (d.y.size() > 0) d.y = d.y.cwiseProduct(change).eval(), d.m *= load_change;
-      if (const double length = d.norm(); length > 0) d.y /= length, d.m /= length;
+      for (Half& half : k.halves)
+        half.offset = {half.offset.y.cwiseProduct(change), half.offset.m * load_change};
     }
   }
 
@@ -196,20 +249,41 @@ class BranchTracer {
     if (std::exchange(has_no_step_, false)) return false;
     ++taken_;
     PathPoint before = path_->before();
-    for (; listed_ < met_.size(); ++listed_) {
-      const CriticalPoint& c = met_[listed_];
+    for (const Critical& found : critical_points()) {
+      const CriticalPoint& c = found.critical;
       if (has_left(before, c.point)) return true;
-      if (Crossing* const met = near(c.point, 1e-3 * length_of_step())) {
-        arrive(*met);
-        return true;
+      before = c.point;
+      const bool is_refined = found.behind.y.size() > 0;
+      Crossing* const met = near(c.point, 1e-3 * length_of_step());
+      if (met != nullptr && (is_refined || met->branch != branch_)) {
+        if (met->branch == branch_ && taken_ - met->step < 2) continue;
+        add(TypedPathPoint::Kind::bifurcation, met->point);
+        close(*met, is_refined ? found.behind : path_->before().at);
+        if (met->branch != branch_) return true;
+        close(*met, found.ahead);
+        met->step = taken_;
+        continue;
       }
       add(c.kind, c.point);
       // The sign of the vanishing eigenvalue is rounding.
       out_.points.back().negative = std::min(path_->before().negative, path_->now().negative);
-      if (c.kind == CriticalPoint::Kind::bifurcation) crossings_.push_back({c.point, c.across, branch_});
-      before = c.point;
+      if (c.kind != CriticalPoint::Kind::bifurcation) continue;
+      crossings_.push_back({c.point, branch_, taken_, found.halves});
+      if (is_refined) {
+        close(crossings_.back(), found.behind);
+        close(crossings_.back(), found.ahead);
+      }
+      if (std::ranges::none_of(crossings_.back().halves, &Half::is_open)) ++out_.unresolved;
     }
     if (has_left(before, path_->now())) return true;
+    if (!equations_.is_root(path_->now().x, path_->now().load, scale_)) {
+      lost_ = failed_with(Outcome::not_converged,
+                          "path: branch {} ends at a parameter of {:.10g}: points beyond it do not solve the "
+                          "equations to six digits: an unknown grows without bound, F ends, or shorter steps "
+                          "are needed (turn)",
+                          branch_, before.load);
+      return true;
+    }
     add(TypedPathPoint::Kind::step, path_->now());
     return has_returned();
   }
@@ -235,12 +309,14 @@ class BranchTracer {
     if ((from.load - end) * (to.load - end) > 0) return true;
     PathPoint last;
     const Outcome outcome = path_->crossing(end, from, to, last);
-    if (outcome == Outcome::success && equations_.is_root(last.x, last.load))
+    if (outcome == Outcome::success && equations_.is_root(last.x, last.load, scale_))
       add(TypedPathPoint::Kind::step, last);
     else
-      lost_ = failed_with(outcome == Outcome::success ? Outcome::not_converged : outcome,
-                          "path: between {:.10g} and {:.10g} no point at {:.10g}; take shorter steps (turn)",
-                          from.load, to.load, end);
+      lost_ = failed_with(
+          outcome == Outcome::success ? Outcome::not_converged : outcome,
+          "path: between {:.10g} and {:.10g} no root is found at {:.10g}: an unknown grows without "
+          "bound there, or shorter steps are needed (turn)",
+          from.load, to.load, end);
     return true;
   }
 
@@ -256,7 +332,7 @@ class BranchTracer {
   }
 
   void add(TypedPathPoint::Kind kind, const PathPoint& p) {
-    out_.points.push_back({branch_, kind, p.load, p.x, p.negative});
+    out_.points.push_back({branch_, kind, p.load, p.x.cwiseProduct(equations_.sizes()), p.negative});
   }
   static PathVector difference(const PathVector& a, const PathVector& b) { return {a.y - b.y, a.m - b.m}; }
   [[nodiscard]] double length_of_step() const {
@@ -266,15 +342,135 @@ class BranchTracer {
     Crossing* found = nullptr;
     for (Crossing& k : crossings_) {
       const double off = difference(k.point.at, point.at).norm();
-      if (k.branch == branch_ || off > least) continue;
+      if (off > least) continue;
       least = off;
       found = &k;
     }
     return found;
   }
-  void arrive(Crossing& met) {
-    add(TypedPathPoint::Kind::bifurcation, met.point);
-    met.is_open[path_->before().tangent.dot(met.direction) > 0 ? 1 : 0] = false;
+  /// The half branch towards @p at is followed.
+  static void close(Crossing& k, const PathVector& at) {
+    const PathVector towards = unit(difference(at, k.point.at));
+    const auto nearest = std::ranges::max_element(
+        k.halves, {}, [&](const Half& half) { return unit(half.offset).dot(towards); });
+    if (nearest != k.halves.end() && unit(nearest->offset).dot(towards) > 0.9) nearest->is_open = false;
+  }
+  static PathVector unit(const PathVector& v) {
+    const double length = v.norm();
+    return {v.y / length, v.m / length};
+  }
+
+  /// F and its derivatives in the scaled unknowns of the path.
+  void evaluate(const VectorXd& z, VectorXd& f, MatrixXd& j) {
+    const PathSystem& system = path_->system();
+    const Index n = system.size();
+    const VectorXd& s = system.scale();
+    const VectorXd x = system.unscaled(z.head(n));
+    const double load = z[n] / system.load_scale();
+    equations_.residual(x, load, f);
+    equations_.linearise(x, load);
+    f = f.cwiseQuotient(s);
+    j = s.cwiseInverse().asDiagonal() * equations_.derivative();
+    j.leftCols(n) *= s.cwiseInverse().asDiagonal();
+    j.col(n) /= system.load_scale();
+  }
+  [[nodiscard]] static VectorXd joined(const PathVector& at) {
+    VectorXd z(at.y.size() + 1);
+    z << at.y, at.m;
+    return z;
+  }
+
+  /// Critical points of the last step in order: those of Path, and bifurcations where the least singular
+  /// value of dF/d(x, load) has a minimum of 0: two that cancel each other, or without change of sign.
+  [[nodiscard]] std::vector<Critical> critical_points() {
+    std::vector<Critical> all;
+    for (; listed_ < met_.size(); ++listed_) all.push_back({met_[listed_], part_of(met_[listed_].point.at)});
+    for (Critical& c : all) {
+      if (c.critical.kind != CriticalPoint::Kind::bifurcation) continue;
+      const PathVector& d = c.critical.across;
+      if ((!refine(c) || c.halves.empty()) && d.y.size() > 0)
+        c.halves = {{{0.02 * d.y, 0.02 * d.m}}, {{-0.02 * d.y, -0.02 * d.m}}};
+    }
+    const auto is_near = [&](const Critical& a) {
+      return [&](const Critical& b) {
+        return &a != &b && b.critical.kind == CriticalPoint::Kind::bifurcation &&
+               difference(a.critical.point.at, b.critical.point.at).norm() < 1e-5 * length_of_step();
+      };
+    };
+    constexpr std::size_t places = 11;  // one before the step, one after it
+    std::array<double, places> least{};
+    std::array<PathVector, places> at;
+    VectorXd f;
+    MatrixXd j;
+    for (std::size_t i = 0; i < places; ++i) {
+      at[i] = between_by_cubic(path_->before(), path_->now(), (static_cast<double>(i) - 1) / (places - 3));
+      evaluate(joined(at[i]), f, j);
+      least[i] = !j.allFinite() ? HUGE_VAL
+                                : std::sqrt(std::abs(Eigen::SelfAdjointEigenSolver<MatrixXd>(
+                                                         j * j.transpose(), Eigen::EigenvaluesOnly)
+                                                         .eigenvalues()[0]));
+    }
+    for (std::size_t i = 1; i + 1 < places; ++i) {
+      if (!(least[i] < least[i - 1] && least[i] <= least[i + 1] &&
+            least[i] < 0.5 * std::max(least[i - 1], least[i + 1])))
+        continue;
+      Critical c;
+      c.critical.point.at = at[i];
+      if (refine(c) && std::ranges::none_of(all, is_near(c))) all.push_back(std::move(c));
+    }
+    // A bifurcation point at which the parameter has an extremum is listed once.
+    std::vector<Critical> kept;
+    for (const Critical& c : all) {
+      if (c.critical.kind == CriticalPoint::Kind::bifurcation || std::ranges::none_of(all, is_near(c)))
+        kept.push_back(c);
+    }
+    std::ranges::sort(kept, {}, &Critical::part);
+    return kept;
+  }
+  [[nodiscard]] double part_of(const PathVector& at) const {
+    const PathPoint& before = path_->before();
+    return difference(at, before.at).dot(before.tangent) /
+           difference(path_->now().at, before.at).dot(before.tangent);
+  }
+  /// Replaces the point of @p c by the bifurcation point near it through which the path passes. @return
+  /// false, without effect, if there is none in the step
+  bool refine(Critical& c) {
+    const CurveEquations curve = [this](const VectorXd& z, VectorXd& f, MatrixXd& j) { evaluate(z, f, j); };
+    const double length = length_of_step();
+    const auto z = bifurcation_near(curve, joined(c.critical.point.at), 0.5 * length);
+    if (!z) return false;
+    const Index n = z->size() - 1;
+    const PathVector at{z->head(n), (*z)[n]};
+    const double part = part_of(at);
+    if (!(part > -1e-6 && part < 1 + 1e-6)) return false;
+    double radius = std::min(0.02, 0.1 * length);
+    std::vector<VectorXd> points = half_branches(curve, *z, radius);
+    // Another bifurcation within the circle changes the number of half branches.
+    for (int k = 0; k < 3; ++k) {
+      std::vector<VectorXd> nearer = half_branches(curve, *z, radius / 4);
+      if (nearer.size() == points.size()) break;
+      points = std::move(nearer);
+      radius /= 4;
+    }
+    PathPoint behind, ahead;
+    for (const double reach : {1e-3, radius / length}) {
+      if (path_->between(part - reach, behind) != Outcome::success ||
+          path_->between(part + reach, ahead) != Outcome::success)
+        return false;
+      const PathVector gone = difference(ahead.at, behind.at), one = difference(at, behind.at),
+                       other = difference(ahead.at, at);
+      if (!(difference(one, other).norm() <= 0.1 * gone.norm())) return false;
+    }
+    for (const VectorXd& p : points) c.halves.push_back({{p.head(n) - at.y, p[n] - at.m}});
+    c.part = part;
+    c.behind = behind.at;
+    c.ahead = ahead.at;
+    PathPoint& point = c.critical.point;
+    point.at = at;
+    point.x = path_->system().unscaled(at.y);
+    point.load = at.m / path_->system().load_scale();
+    if (point.tangent.y.size() == 0) point.tangent = path_->now().tangent;
+    return true;
   }
 
   Stopwatch watch_;

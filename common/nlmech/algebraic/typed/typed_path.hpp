@@ -37,10 +37,13 @@ struct TypedPaths {
   std::vector<TypedPathPoint> points;  ///< branch by branch, along each
   Status status;       ///< success: every branch reached an end of the range, another branch, or its start
   int unfollowed = 0;  ///< half branches that were not followed
+  int unresolved = 0;  ///< bifurcation points at which no other branch was found
 };
 
 /// Follows the solution from a root at `from` through folds to an end of the range, and then, up to
-/// `branches`, both directions of the branches that cross at its bifurcations, by Path.
+/// `branches`, the half branches that leave its bifurcations (half_branches()), by Path. Bifurcation points
+/// are those of Path and those of bifurcation_near() where dF/d(x, a) comes near to losing rank. Points count
+/// as roots to 1e-6 of the unknowns or 1e-9 of their sizes, and 1e-6 of the parameter.
 /// @param system with a parameter
 /// @param root a root at the value `from` of the parameter
 [[nodiscard]] TypedPaths follow_paths(const TypedSystem& system, const Eigen::VectorXd& root,
