@@ -171,7 +171,8 @@ template <class T>
 T Tree::jumping(std::size_t node, const T& time, int run, bool& edge) const {
   constexpr std::size_t unused = 1000;  // trees have fewer nodes
   const Node& n = nodes_[node];
-  const T of = disturbed(T(Real(n.rate) * time), node + unused, run) + T(Real(n.start));
+  const T product = disturbed(T(Real(n.rate) * time), node + unused, run);
+  const T of = disturbed(T(product + T(Real(n.start))), node + 3 * unused, run);  // frac keeps its rounding
   const Real parts = n.what == "mod" ? Real(lead(of) / n.number) : lead(of);
   edge = edge || abs(parts - round(parts)) < 1e-6;
   if (n.what == "floor") return T(Real(floor(parts)));
