@@ -11,7 +11,7 @@
 namespace nlmech::chapters::algebraic_series::fractional_power {
 namespace {
 
-using Real = ExtendedReal<80>;  // the precision of the chapter's other sums
+using Real = ExtendedReal<40>;
 
 /// A polynomial f whose fifth root is expanded about 0.
 struct Root {

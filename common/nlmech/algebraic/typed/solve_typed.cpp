@@ -100,8 +100,11 @@ Status status_of_root(const TypedSolution& all, double tolerance) {
                        "{}: ends with |F| below its tolerance, but {}; start elsewhere", all.solver,
                        root.reason);
   const double error = root.error(all.typical);
+  // What rounding of well-scaled equations leaves is no fault of the solver.
   const double allowed =
-      root.kind == CheckedRoot::Kind::proved ? tolerance : std::pow(tolerance, 1. / root.order);
+      root.kind == CheckedRoot::Kind::proved
+          ? std::max(tolerance, 64 * std::numeric_limits<double>::epsilon() * root.condition)
+          : std::pow(tolerance, 1. / root.order);
   if (error <= allowed) return {};
   return failed_with(
       Outcome::not_converged,

@@ -40,9 +40,9 @@ struct TypedSolution {
 /// Runs one solver on equations in units of their sizes: unknowns divided by |start| (by 1 where that is 0),
 /// each equation by its change at the start when every unknown changes by that size. Its end is improved and
 /// checked by check_root(): success means that the solver reports it, and a proved root whose bound is at
-/// most @p tolerance in typical sizes; or a singular or unproved one within tolerance^(1/order). A solver
-/// that claims success without a root ends with `spurious_root`. Points outside the bounds count as points
-/// where F does not exist.
+/// most @p tolerance in typical sizes, or 64 eps times its condition; or a singular or unproved one within
+/// tolerance^(1/order). A solver that claims success without a root ends with `spurious_root`. Points outside
+/// the bounds count as points where F does not exist.
 /// @param start within the bounds
 /// @param tolerance from 1e-15 to 0.1
 [[nodiscard]] TypedSolution solve_by(const TypedSolver& solver, const TypedSystem& system,
