@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <utility>
 
@@ -27,6 +28,11 @@ struct Errors {
   double position = 0, velocity = 0;
 };
 
+/// Is the body at rest to rounding, beside the speed on a circle? Then its velocity has no digit to judge.
+bool is_at_rest(const orbit::State& state, double mu) {
+  return state.velocity.stableNorm() <= 64 * eps * std::sqrt(mu / state.position.stableNorm());
+}
+
 /// Effects of rounding of the data, those of at least few_digits. A body that is far slower than on a circle
 /// changes its velocity most: an error of the position is one of the time, and gravity makes it one of the
 /// velocity.
@@ -34,7 +40,8 @@ Errors by_data(const orbit::State& state, const orbit::State& start, double time
   const double speed = state.velocity.stableNorm(), least = few_digits / eps;
   const double slow = std::max(1.0, mu / state.position.stableNorm() / speed / speed);
   const double kappa = orbit::large_condition(start, state, time, mu, least / slow);
-  const double velocity = kappa > 0 && slow > 1 ? orbit::kepler_condition(start, time, mu).velocity : 0;
+  const double velocity =
+      kappa > 0 && slow > 1 && !is_at_rest(state, mu) ? orbit::kepler_condition(start, time, mu).velocity : 0;
   return {kappa >= least ? eps * kappa : 0, velocity >= least ? eps * velocity : 0};
 }
 
@@ -69,8 +76,10 @@ Accuracy accuracy_of(const orbit::State& state, const orbit::State& start, doubl
   const auto beyond = [](double error, double of_data) {
     return error < std::max(few_digits, 8 * of_data) ? 0 : error;
   };
+  const double velocity =
+      is_at_rest(exact.state, gravity.mu) ? 0 : relative_distance(state.velocity, exact.state.velocity);
   const Named method({beyond(relative_distance(state.position, exact.state.position), data.position),
-                      beyond(relative_distance(state.velocity, exact.state.velocity), data.velocity)},
+                      beyond(velocity, data.velocity)},
                      time);
   if (method.off == 0) return by_rounding;
   const std::string sentence = fmt::format(
