@@ -73,7 +73,7 @@ A phase that rounding leaves undetermined is no answer; one of few digits is sai
 Nearly at rest far out, near the parabola, velocities have fewer digits than positions (at 2 with a speed of 1e-4, after 100 revolutions: mpmath):
 
   $ slow() { propagate --position 2,0,0 --velocity 0,$1,0 --mu 1 --until $2 --method $3; }
-  $ slow 1e-4 628.3185307179587 kepler | holds --where row=2 'vx = 2.356194519e-6 +- 1e-11'
+  $ slow 1e-4 628.3185307179587 kepler | holds 'vx = 2.356194519e-6 +- 1e-11'
   $ slow 1e-4 628.3185307179587 series
   two_body_series: outside_validity: series: the velocity at t = 628.319 differs from Kepler's solution by * of the speed: the tolerance 1e-15 of a step is too large for it; take --method kepler (glob)
   [1]
