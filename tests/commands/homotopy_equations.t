@@ -44,7 +44,7 @@ Singular roots, and points that are none
   solve: a singular root: dF/dx loses rank 1, multiplicity about 2; a change of the equations in their last digits may remove it, and rounding hides * of its size (glob)
   $ homotopy solve --equation "x^2 - 2 x + 1 = 0" --start x=3 | holds 'x = 1 +- 1e-7' 'error < 1e-6' 'root = "singular"'
   solve: a singular root: dF/dx loses rank 1, multiplicity about 2; a change of the equations in their last digits may remove it, and rounding hides * of its size (glob)
-  $ homotopy solve --equation "x^2 + y^2 = 1; x^2 + y^2 = 1" --start "x=3, y=0" | holds 'x = 1 +- 1e-7' 'root = "singular"'
+  $ homotopy solve --equation "x^2 + y^2 = 1; x^2 + y^2 = 1" --start "x=3, y=1" | holds 'x^2 + y^2 = 1 +- 1e-14' 'root = "singular"'
   solve: no isolated root: the equations depend on each other there, and roots fill a curve or more
   $ homotopy solve --equation "x + y = 2; 2*x + 2*y = 4" --start "x=3, y=0" | holds 'x + y = 2 +- 1e-14'
   solve: no isolated root: the equations depend on each other there, and roots fill a curve or more
@@ -92,13 +92,7 @@ Jumps are undecided, not stepped over:
 
   $ homotopy solve --all-roots --equation "frac(x) = 0.005" --box "x=-3:3" 2>/dev/null > jumps.csv
   [1]
-  $ grep proved jumps.csv | sed 's/^/x=/;s/,.*//' | cut -c1-8
-  x=-2.995
-  x=-1.995
-  x=-0.995
-  x=0.0050
-  x=1.0049
-  x=2.0049
+  $ holds --where root=proved 'n = 6' 'x = [-2.995, -1.995, -0.995, 0.005, 1.005, 2.005] +- 1e-13' < jumps.csv
 
 Solvers side by side
 --------------------

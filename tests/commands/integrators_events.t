@@ -53,6 +53,12 @@ A function that only tends to zero ends nothing and changes nothing, and where b
   3,2,
   3,2,
 
+One that stays at zero has one row, when it comes there, and none when it leaves; the errors of h allow the root of 1e-8 in time:
+
+  $ integrate "h' = -0.1 sqrt(h) + if(t > 25, 0.05, 0); h(0) = 1" --until 60 --event "h=0" 2>/dev/null | holds --where event=h=0 'n = 1' 't = 20 +- 1e-3'
+  $ integrate "h' = -sqrt(h); h(0) = 1" --until 7 --event "refill: h=0" --set-at "refill: h=1" 2>/dev/null | holds --where event=refill 't = [2, 4, 6] +- 1e-3'
+  $ integrate "y'' = -9.81; y(0) = 1; y'(0) = 0" --until 9 --event "b: y=0 falling end after 2" --set-at "b: y' = -0.8 y'" | holds 't = 2.6*sqrt(2/9.81) +- 1e-8'
+
 A section shows its own rows alone:
 
   $ integrate "x'' = -x" --initial "x=0, x'=1" --until 20 --section "x=0 rising" --tolerance 1e-13 |

@@ -221,8 +221,9 @@ class EventFinder::Scan {
     close_open(true);
     int& sign = f_.signs_[event_];
     const int before = std::exchange(sign, sign_of(values.low));
-    if (has_consequences() && before == -sign && sign_at(a) == sign && is_noise(a) && counts(sign))
-      add(a, sign);
+    if (!(has_consequences() && before == -sign && sign_at(a) == sign && is_noise(a) && counts(sign))) return;
+    const bool is_here = sign_at(step_.t0) == before;
+    add(is_here ? first_of(step_.t0, a, [&](double t) { return sign_at(t) != before; }) : step_.t0, sign);
   }
   // A part in which the function rises (1), falls (-1), or is assumed monotone (0).
   void monotone(double a, double b, int slope) {

@@ -219,9 +219,10 @@ AllRoots all_roots(const TypedSystem& system, const Box& box, const AllRootsOpti
   Box allowed = box;
   for (std::size_t i = 0; i < box.size(); ++i) {
     const auto component = static_cast<Eigen::Index>(i);
-    allowed[i] = {std::max(box[i].low, system.lower()[component]),
-                  std::min(box[i].high, system.upper()[component])};
-    if (!(allowed[i].low < allowed[i].high)) return {};
+    const double low = std::max(box[i].low, system.lower()[component]),
+                 high = std::min(box[i].high, system.upper()[component]);
+    if (!(low < high)) return {};
+    allowed[i] = {low, high};
   }
   return RootSearch(system, allowed, options).run();
 }
