@@ -245,7 +245,7 @@ class Run {
       if (update <= options_.newton_tolerance) {
         const bool goes_on = shrinks(y_, trial_);
         Status status = finish();
-        if (!status.ok() || !goes_on) return status;
+        if (!status.ok() || !goes_on || largest_values(y_).isZero(0)) return status;
         done_ = false;
         continue;
       }
@@ -265,6 +265,7 @@ class Run {
     advance(y_, 1, step_, y_);
     if (largest_values(y_).maxCoeff() <= negligible * history_.states.maxCoeff()) {
       for (Interval& interval : y_.intervals) interval.values.setZero();
+      history_.state_noise.setZero();
     }
     done_ = true;
     return system_.residual(y_) ? Status() : not_finite(0);
@@ -533,9 +534,7 @@ Status check_rounding(const Problem& problem, const Options& options, const Solu
   const double allowed = std::max(options.verification_tolerance, 1e-8);
   for (Index i = 0; i < sizes.size(); ++i) {
     const double noise = history.state_noise[i];
-    const double size = sizes[i] > 1e3 * noise
-                            ? sizes[i]
-                            : std::max(sizes.maxCoeff(), negligible * history.states.maxCoeff());
+    const double size = sizes[i] > 1e3 * noise ? sizes[i] : sizes.maxCoeff();
     if (noise <= allowed * size) continue;
     return failed_with(Outcome::singular_matrix,
                        "bvp: the problem multiplies rounding errors so much that they change {} by {:.2g} of "
