@@ -83,6 +83,13 @@ Double zeros are rows, and standard error says that rounding decides about them:
   integrators: x^2=0 touches zero 3 times to within the tolerance, first at t = 1.57079633: it may cross zero twice there or not reach it
   $ swing "x=1" | holds --where 'event=x=1' 'n = 1' 't = 2*pi +- 1e-8'
   integrators: x=1 touches zero 1 times to within the tolerance, first at t = 6.28318531: it may cross zero twice there or not reach it
+  $ for touch in "(t - 7)^2" "abs(t - 7)" "(t - 7)^4"; do
+  >   swing "touch: $touch" 2> words | holds --where event=touch 'n = 1' 't = 7 +- 1e-14'
+  >   grep -c "touches zero 1 times" words
+  > done
+  1
+  1
+  1
   $ swing "x^2 + x'^2 = 2 x^2 + 2 x'^2 - 1" > /dev/null
   integrators: * cannot be distinguished from zero between t = * (glob)
 

@@ -53,6 +53,22 @@ the greatest slope, 1/w, over some 4 w, so that x' is off by 4e-9, and x by 4e-7
   >     holds --each 'n = 3' 'x = sqrt(pi)*(max(t - 50.3, 0) - 0.497*t) +- 5e-7'
   > done
 
+A solution of 0, from a guess of another size; one that is small beside its guess; a component that is 0:
+
+  $ for f in "x''-x=0" "x''=sinh(x)" "x''=x^3" "x''''=0*t; x'(0)=0; x'(1)=0" "x''+x'+sin(x)=0"; do
+  >   bvp "$f; x(0) = 0; x(1) = 0" --guess "x = t" | holds --each 'x = 0'
+  > done
+  $ bvp "x'' - x = 0; x(0) = 1e-30; x(1) = 0" --guess "x = 1 - t" --every 0.5 | holds --each 'n = 3' 'x = 1e-30*sinh(1 - t)/sinh(1) +- 1e-39'
+  $ bvp "x'' = 1e4*x; x(0) = 1e-30; x(1) = 0" --guess "x = 1 - t" --every 0.01 2> said.txt | holds --each 'n = 101' 'x = 1e-30*exp(-100*t) +- 1e-38'
+  $ for guess in "x = t, y = t" "y = 0"; do
+  >   bvp "x'' = y; y'' = 0; x(0) = 0; x(1) = 1; y(0) = 0; y(1) = 0" --guess "$guess" --every 0.5 | holds --each 'n = 3' 'x = t +- 1e-14' 'y = 0 +- 1e-30'
+  > done
+
+Equilibria, where the slopes are rounding:
+
+  $ bvp "x'' = -sin(x); x(0) = pi; x(1) = pi" | holds --each 'n < 100' 'x = pi +- 1e-14'
+  $ bvp "x'' = x^2 - 2; x(0) = sqrt(2); x(1) = sqrt(2)" --guess "x = sqrt(2)" | holds --each 'n < 100' 'x = sqrt(2) +- 1e-14'
+
 Where there is no solution it says so: half a period from 0 to another value, and a load that is too large:
 
   $ bvp "x'' + pi^2 x = 0; x(0) = 0; x(1) = 0.5"
@@ -80,6 +96,11 @@ An integral may be long:
 
   $ bvp "x'' + k x = 0; x(0) = 0; x(1) = 0; integral(x^2/4 + x^2/4 + x^2/8 + x^2/8 + x^2/8 + x^2/16 + x^2/16) = 1" --unknown k --guess "x = t*(1 - t), k = 8" \
   >   --every 1 | holds 'k = pi^2 +- 1e-8'
+
+A guess gives its derivatives of every order. The buckling load of a column is pi^2:
+
+  $ bvp "w'''' + p w'' = 0; w(0) = 0; w''(0) = 0; w(1) = 0; w''(1) = 0; w(0.5) = 1" --unknown p --guess "w = sin(pi t), p = 9" --every 0.5 |
+  >   holds --each 'n = 3' 'p = pi^2 +- 1e-8' 'w = sin(pi*t) +- 1e-8'
 
 The size of a normalisation changes nothing: `x'' + k x + x/(1 + t) = 0` has the eigenvalue 9.1926669827908, from a root of the series solution by mpmath:
 
@@ -118,6 +139,15 @@ Infinite ends: Blasius' boundary layer (0.332057336215196, Boyd 1999), and a dec
   $ bvp "x'' = -x; x(0) = 1; x(inf) = 0" --until inf --guess "x = cos(t)"
   rbf_inverse: not_converged: the solution does not approach its values at infinity: up to t = * they still change by * of their size over the last half; give another --guess (glob)
   [1]
+
+A pulse late in time: x(100) = sqrt(pi) e erfc(1), the integral of exp(-|t - 100|)/2 times the pulse; an integral of x that gives k; a load from 100 to 101:
+
+  $ pulses() { bvp "x'' = x - k*exp(-(t - 4)^2) - exp(-((t - 100)/2)^2); x(0) = 0; x(inf) = 0" --conditions "$1" --until inf --every 100 --unknown k 2> said.txt; }
+  $ pulses "k = 1" | holds --where t=100 'x = sqrt(pi)*e*erfc(1) +- 1e-8'
+  $ pulses "integral(x) = 5" |
+  >   holds 'area := quad(lambda s: (1 - exp(-s))*exp(-(s - 4)**2), [0, 2, 4, 6, 20])' 'k = (5 - 2*sqrt(pi))/area +- 1e-8'
+  $ bvp "x'' = x - if(t > 100 and t < 101, 1, 0); x(0) = 0; x(inf) = 0" --until inf --every 0.5 2> said.txt |
+  >   holds --where t=100.5 'x = 1 - exp(-0.5) +- 1e-8'
 
 Several solutions, guesses from files, continuation
 ---------------------------------------------------

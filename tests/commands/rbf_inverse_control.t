@@ -61,6 +61,19 @@ flies freely, from 1/6 to 1/4 it touches the bound, and then it stays on it from
   t,x,x',lambda_x,lambda_x',u,mu_1
   $ holds --each 'x <= 0.1 + 1e-12' 'mu_1 >= -1e-9' < 0.1.csv
 
+A singular arc before a prescribed end, and one after a prescribed start: x = 0 there, costs 1/9 and 1/72:
+
+  $ point() { rbf_inverse control --equation "x' = u; x(0) = $1; x(1) = $2" --control u --minimise "integral(x^2)" --bounds "-3 <= u <= 3" --every 0.5 2>&1 >point.csv | grep -v multiplier; }
+  $ point 1 0
+  rbf_inverse: cost 0.111111111111; Hamiltonian from * to *; deviation of an integration * (glob)
+  rbf_inverse: from 0 to 0.3333333333: u = -3
+  rbf_inverse: from 0.3333333333 to 1: u singular
+  $ holds --each 'u = [-3, 0, 0] +- 1e-8' < point.csv
+  $ point 0 0.5
+  rbf_inverse: cost 0.0138888888889; Hamiltonian from * to *; deviation of an integration * (glob)
+  rbf_inverse: from 0 to 0.8333333333: u singular
+  rbf_inverse: from 0.8333333333 to 1: u = 3
+
 Mistakes
 --------
 

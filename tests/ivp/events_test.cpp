@@ -147,6 +147,18 @@ TEST(Events, DoubleZerosAreHitsWithoutDirection) {
   EXPECT_EQ(found().open.size(), 1U);  // reported as an open event
 }
 
+// The time of a double zero of a function of time alone is a double, whose neighbours have another value.
+RC_GTEST_PROP(Events, DoubleZerosOfTimeAreHits, ()) {
+  const double at = *rc::gen::inRange(100, 900) / 1000.;
+  Event square{[=](double t, const State&) { return (t - at) * (t - at); }};
+  square.bounds = [=](const program::Interval& t, std::span<const program::Interval>) {
+    return Enclosure{program::square(t - at), 2 * (t - at)};
+  };
+  const std::vector<Hit> hits = integrate_with_events(falling(), State{1, 0}, 0, 1, Series{}, {square}).hits;
+  RC_ASSERT(hits.size() == 1U);
+  RC_ASSERT(std::abs(hits[0].t - at) <= 4 * eps);
+}
+
 // The bouncing ball in one integration: each arc takes half the time of the arc before. The rebounds
 // accumulate at t = 3.
 TEST(Events, ChangeTheState) {

@@ -1,12 +1,10 @@
 #include "nlmech/bvp/solve.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <memory>
 #include <stdexcept>
 
-#include "nlmech/ivp/collocation/adaptive_collocation.hpp"
 #include "nlmech/support/sentences.hpp"
 #include "nlmech/support/stopwatch.hpp"
 
@@ -28,7 +26,6 @@ void check_options(const Options& o) {
   require(o.verification_tolerance > 0, "verification_tolerance", o.verification_tolerance);
 }
 
-constexpr double integration_tolerance = 1e-13;         // of integrations that verify a solution
 constexpr int most_meshes = 20, most_iterations = 100;  // most_iterations: Newton iterations per mesh
 constexpr double least_damping = 1e-6;                  // a smaller damping factor ends with newton_diverged
 
@@ -39,6 +36,8 @@ constexpr double rounding = 200 * unit_roundoff;
 constexpr double vanishing = 1e-12;
 /// States below this share of the largest one are measured by it.
 constexpr double small = 1e-8;
+/// States below this share of their largest size in an iteration are 0.
+constexpr double negligible = 1e-100;
 
 /// max |x_i| over the mesh.
 VectorXd largest_values(const Unknowns& y) {
@@ -243,7 +242,13 @@ class Run {
       const Scales scales(y_, trial_, history_, options_.newton_tolerance);
       const double update = length(step_, step_, 0, scales);
       if (!std::isfinite(update)) return singular(system_, conditions, k);
-      if (update <= options_.newton_tolerance) return finish();
+      if (update <= options_.newton_tolerance) {
+        const bool goes_on = shrinks(y_, trial_);
+        Status status = finish();
+        if (!status.ok() || !goes_on || largest_values(y_).isZero(0)) return status;
+        done_ = false;
+        continue;
+      }
       predict(k, update, scales);
       Status status = shorten(k, update, scales);
       if (!status.ok() || done_) return status;
@@ -258,8 +263,26 @@ class Run {
   /// The last, undamped step; evaluates F to make the slopes consistent with the values.
   Status finish() {
     advance(y_, 1, step_, y_);
+    if (largest_values(y_).maxCoeff() <= negligible * history_.states.maxCoeff()) {
+      for (Interval& interval : y_.intervals) interval.values.setZero();
+      history_.state_noise.setZero();
+    }
     done_ = true;
     return system_.residual(y_) ? Status() : not_finite(0);
+  }
+
+  /// Does a state lose more than three quarters of its size from @p now to @p next (at a double root it loses
+  /// half)? A solution that is small or 0 beside its guess is reached when no state does: rounding errors and
+  /// terms of @p now are then those of @p next.
+  [[nodiscard]] bool shrinks(const Unknowns& now, const Unknowns& next) const {
+    const auto sizes = [&](const Unknowns& y) {
+      const VectorXd largest = largest_values(y);
+      return VectorXd(largest.cwiseMax(small * largest.maxCoeff()).cwiseMax(history_.least_states));
+    };
+    const VectorXd before = sizes(now);
+    return (sizes(next).array() < before.array() / 4 &&
+            before.array() > negligible * history_.states.maxCoeff())
+        .any();
   }
 
   /// Predicts the damping factor from the curvature observed in the last step.
@@ -311,7 +334,8 @@ class Run {
 
   /// Is the simplified step within the tolerance, also relative to the new iterate if that is smaller?
   bool is_last_step() {
-    if (!(simplified_length_ <= options_.newton_tolerance)) return false;
+    // After the step trial_ is the iterate before it.
+    if (!(simplified_length_ <= options_.newton_tolerance) || shrinks(trial_, y_)) return false;
     const Scales scales(y_, history_);
     return length(simplified_, simplified_, 0, scales) <= options_.newton_tolerance;
   }
@@ -496,10 +520,11 @@ VectorXd terms_with_noise(const NewtonSystem& system, const Unknowns& y, const H
   VectorXd sizes = largest_values(y);
   const double largest = sizes.maxCoeff();
   for (Index i = 0; i < sizes.size(); ++i)
-    sizes[i] = sizes[i] <= vanishing * largest            ? vanishing * largest
-               : sizes[i] <= 1e3 * history.state_noise[i] ? history.state_noise[i] / unit_roundoff
-                                                          : 0;
-  return (system.terms() + system.state_influence() * sizes).cwiseMax(vanishing * history.terms);
+    sizes[i] = sizes[i] <= 1e3 * history.state_noise[i]
+                   ? std::max(vanishing * largest, history.state_noise[i] / unit_roundoff)
+               : sizes[i] <= vanishing * largest ? vanishing * largest
+                                                 : 0;
+  return system.terms() + system.state_influence() * sizes;
 }
 
 /// Whether rounding errors change a state by more than the tolerance of the verification. A state that
@@ -550,195 +575,6 @@ Status refine(const Problem& problem, const Options& options, Solution& solution
   }
 }
 
-Status spurious(double t, double error, const Options& options) {
-  return failed_with(Outcome::spurious_root,
-                     "bvp: the root of the collocation equations is no solution: integrated from its own "
-                     "initial values the trajectory is {:.3g} off (relative, at t = {:.6g}; allowed {:.2g}); "
-                     "refine the mesh, or start elsewhere",
-                     error, t, options.verification_tolerance);
-}
-
-/// Right-hand side for the integrators, with fixed parameters and states in units of `scale`.
-struct WithParameters {
-  static constexpr int dimension = Eigen::Dynamic;
-  const Problem* problem;
-  Eigen::VectorXd parameters, scale;
-
-  [[nodiscard]] int size() const { return problem->states(); }
-  void operator()(const double& t, const Eigen::VectorXd& x, Eigen::VectorXd& dxdt) const {
-    problem->rhs(t, scale.cwiseProduct(x), parameters, dxdt);
-    dxdt = dxdt.cwiseQuotient(scale);
-  }
-  void jacobian(double t, const Eigen::VectorXd& x, Eigen::MatrixXd& j) const {
-    Eigen::MatrixXd by_parameter(size(), problem->parameters());
-    problem->jacobian(t, scale.cwiseProduct(x), parameters, j, by_parameter);
-    j = scale.cwiseInverse().asDiagonal() * j * scale.asDiagonal();
-  }
-};
-
-/// integrate_at() with states in units of @p scale.
-Integration integrate_scaled(const Problem& problem, const Eigen::VectorXd& x0, const Eigen::VectorXd& p,
-                             std::span<const double> times, const Eigen::VectorXd& scale) {
-  if (x0.size() != problem.states() || p.size() != problem.parameters()) {
-    throw invalid_argument("integrate_at: {} states and {} parameters for a problem of {} and {}", x0.size(),
-                           p.size(), problem.states(), problem.parameters());
-  }
-  const ivp::System system(WithParameters{&problem, p, scale});
-  const ivp::AdaptiveCollocation method{.relative_tolerance = integration_tolerance,
-                                        .absolute_tolerance = integration_tolerance};
-  // A trajectory that needs more steps between two times cannot have been resolved by the mesh.
-  const ivp::Limits limits{.steps = 20'000};
-  Integration result;
-  result.states.resize(x0.size(), static_cast<Eigen::Index>(times.size()));
-  Eigen::VectorXd x = x0.cwiseQuotient(scale);
-  for (std::size_t k = 0; k < times.size(); ++k) {
-    if (k > 0) {
-      const auto arc = ivp::integrate(system, x, times[k - 1], times[k], method, {}, limits);
-      result.statistics += arc.statistics;
-      if (!arc.status.ok()) {
-        result.status = arc.status;
-        result.states.conservativeResize(Eigen::NoChange, static_cast<Eigen::Index>(k));
-        return result;
-      }
-      x = arc.x;
-    }
-    result.states.col(static_cast<Eigen::Index>(k)) = scale.cwiseProduct(x);
-  }
-  return result;
-}
-
-}  // namespace
-
-Integration integrate_at(const Problem& problem, const Eigen::VectorXd& x0, const Eigen::VectorXd& p,
-                         std::span<const double> times) {
-  return integrate_scaled(problem, x0, p, times, VectorXd::Ones(x0.size()));
-}
-
-namespace {
-
-/// Integration over one piece.
-struct Piece {
-  Status status;          ///< of the integrator
-  double error = 0;       ///< deviation from the solution at the other end, relative to the scale
-  double where = 0;       ///< time of that end
-  VectorXd reached = {};  ///< integrated state there
-};
-
-Piece integrate_piece(const Problem& problem, const VectorXd& p, const std::vector<double>& times,
-                      const VectorXd& from, const VectorXd& to, const VectorXd& scale) {
-  const Integration arc = integrate_scaled(problem, from, p, times, scale);
-  if (!arc.status.ok()) return {arc.status, std::numeric_limits<double>::infinity(), times.back()};
-  const VectorXd end = arc.states.col(1);
-  return {arc.status, (end - to).cwiseQuotient(scale).lpNorm<Eigen::Infinity>(), times.back(), end};
-}
-
-/// Nodes between which an interval is verified, and their times.
-struct Span {
-  Index first, last;
-  double begin, end;
-};
-
-/// Exponents by which adjacent trajectories part over an interval, forwards and backwards: real parts of
-/// eigenvalues of df/dx at three nodes.
-std::pair<double, double> growth_over(const Problem& problem, const Solution& solution,
-                                      const Interval& interval, const Span& span) {
-  MatrixXd by_state(problem.states(), problem.states()), by_parameter(problem.states(), problem.parameters());
-  double forward = 0, backward = 0;
-  for (const Index j : {span.first, (span.first + span.last) / 2, span.last}) {
-    problem.jacobian(interval.t0 + solution.scheme->nodes[j] * interval.h, interval.values.col(j),
-                     solution.parameters(), by_state, by_parameter);
-    if (!by_state.allFinite()) continue;
-    const VectorXd rates = by_state.eigenvalues().real();
-    forward = std::max(forward, rates.maxCoeff() * interval.h);
-    backward = std::max(backward, -rates.minCoeff() * interval.h);
-  }
-  return {forward, backward};
-}
-
-/// Integrates over an interval in the direction in which adjacent trajectories part less. Where they part in
-/// both, as in a layer between growing and decaying solutions, each part of it that is short enough is
-/// integrated from the solution.
-Piece verify_interval(const Problem& problem, const Options& options, const Solution& solution,
-                      const Interval& interval, const Span& span, const VectorXd& scale) {
-  const auto [forward, backward] = growth_over(problem, solution, interval, span);
-  constexpr double growth = 4;  // exponent of a part
-  int parts = static_cast<int>(std::clamp(std::ceil(std::min(forward, backward) / growth), 1., 1000.));
-  Piece worst;
-  for (int attempt = 0; attempt < 2; ++attempt, parts *= 8) {
-    worst = {};
-    const auto time = [&](int k) {
-      return k == parts ? span.end : span.begin + (span.end - span.begin) * k / parts;
-    };
-    const auto state = [&](int i) -> VectorXd {
-      return i == 0       ? VectorXd(interval.values.col(span.first))
-             : i == parts ? VectorXd(interval.values.col(span.last))
-                          : solution.at(time(i));
-    };
-    for (int i = 0; i < parts && worst.error <= options.verification_tolerance; ++i) {
-      const int a = backward < forward ? i + 1 : i, b = backward < forward ? i : i + 1;
-      Piece piece =
-          integrate_piece(problem, solution.parameters(), {time(a), time(b)}, state(a), state(b), scale);
-      if (!(piece.error <= worst.error)) worst = std::move(piece);
-    }
-    if (worst.error <= options.verification_tolerance) break;
-  }
-  worst.reached = interval.values.col(span.last);
-  return worst;
-}
-
-}  // namespace
-
-void verify_by_integration(const Problem& problem, const Options& options, Solution& solution) {
-  const auto& all = solution.unknowns.intervals;
-  VectorXd sizes = largest_values(solution.unknowns);
-  if (const VectorXd least = problem.least_sizes(); least.size() > 0)
-    sizes = sizes.cwiseMax(least.head(problem.states()));
-  VectorXd x = solution.first();
-  double worst = 0, where = solution.begin();
-  for (std::size_t k = 0; k < all.size(); ++k) {
-    if (k > 0 && all[k].phase != all[k - 1].phase) {
-      x += all[k].values.col(0) - all[k - 1].values.rightCols(1);
-    }
-    // At singular ends from and to the nodes beside them.
-    const Scheme& scheme = *solution.scheme;
-    const Index last_node = scheme.nodes.size() - 1 - (k + 1 == all.size() ? scheme.skipped : 0);
-    if (k == 0) x = all[k].values.col(scheme.skipped);
-    Span span{k == 0 ? scheme.skipped : 0, last_node,
-              all[k].t0 + (k == 0 ? scheme.nodes[scheme.skipped] * all[k].h : 0),
-              k + 1 < all.size() ? all[k + 1].t0 : all[k].t0 + scheme.nodes[last_node] * all[k].h};
-    // f may jump between phases, and rhs() is then the limit from the right.
-    if (k + 1 < all.size() && all[k + 1].phase != all[k].phase)
-      span.end = std::nextafter(span.end, span.begin);
-    const bool is_piece = options.verification == Verification::pieces;
-    // Errors of integration in one state have an effect on the others.
-    VectorXd scale = sizes;
-    if (solution.terms.size() > 0)
-      scale = scale.cwiseMax(10 * integration_tolerance / options.verification_tolerance *
-                             (is_piece ? all[k].h : span.end - solution.begin()) * solution.terms);
-    scale = scale.unaryExpr([](double s) { return s > 0 ? s : 1; });
-    const Piece piece = is_piece ? verify_interval(problem, options, solution, all[k], span, scale)
-                                 : integrate_piece(problem, solution.parameters(), {span.begin, span.end}, x,
-                                                   all[k].values.col(last_node), scale);
-    if (!piece.status.ok()) {
-      solution.integration_error = std::numeric_limits<double>::infinity();
-      solution.status = failed_with(Outcome::spurious_root,
-                                    "bvp: the root cannot be integrated from its own initial values ({}); "
-                                    "refine the mesh, or start elsewhere",
-                                    piece.status.sentence());
-      return;
-    }
-    x = piece.reached;
-    if (!(piece.error <= worst)) {
-      worst = piece.error;
-      where = piece.where;
-    }
-  }
-  solution.integration_error = worst;
-  solution.integrated_end = x;
-  if (!(worst <= options.verification_tolerance)) solution.status = spurious(where, worst, options);
-}
-
-namespace {
 /// At a singular end the solution is not verified by integration. Beside it |f| (t - t_0) tends to 0 if the
 /// solution is regular, and not if f has a term x/(t - t_0) with another limit of x than 0.
 Status check_regular_ends(const Problem& problem, const Options& options, const Solution& solution) {

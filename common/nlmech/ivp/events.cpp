@@ -327,8 +327,12 @@ class EventFinder::Scan {
     const double ends = std::max(std::abs(value_at(open_from_)), std::abs(value_at(open_to_)));
     if (g > ends / 4 && (may_jump(open_from_) || may_jump(t) || may_jump(open_to_))) return true;
     if (!event().bounds) return false;
-    double change = 4 * at_point(t, 0).value.width();  // by rounding, and by the errors of the states
+    double change =
+        4 * at_point(t, 0).value.width();  // by rounding, and by the errors of t and of the states
     State x = state(t);
+    const double near = 8 * std::numeric_limits<double>::epsilon() * std::abs(t) +
+                        1e-12 * std::abs(open_to_ - open_from_);  // the precision of lowest()
+    for (const double late : {-near, near}) change += std::abs(std::abs(event().value(t + late, x)) - g);
     for (Eigen::Index i = 0; i < x.size(); ++i) {
       const double before = x[i];
       for (const double error : {-error_of(std::abs(before)), error_of(std::abs(before))}) {

@@ -166,12 +166,12 @@ void ArcProblem::add_junction(std::size_t j) {
       made.before = is_bound(last.controls[index]);
       break;
     case JunctionKind::singular_entry:
-      // On an arc to the end dH/du is zero there, as lambda is: a second condition would repeat that.
-      if (j + 2 < flows_.size()) nodes.push_back(c.switching[0]);
-      nodes.push_back(c.switching[1]);
+      nodes.push_back(c.switching[0]);
+      // On an arc to the end the conditions there contain the other one: lambda = 0, or a state.
+      if (j + 2 < flows_.size()) nodes.push_back(c.switching[1]);
       break;
     case JunctionKind::singular_exit:
-      if (j == 0) nodes = {c.switching[1]};
+      if (j == 0) nodes = {c.switching[0]};
       break;
     case JunctionKind::exit: nodes = {Graph::state(2 * c.n + c.q + junction.index)}; break;
     case JunctionKind::contact:

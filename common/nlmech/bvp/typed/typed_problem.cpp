@@ -27,15 +27,6 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 std::size_t index_of(int i) { return static_cast<std::size_t>(i); }
 
-/// Value and derivative of a function of time.
-Dual<double, 1> value_of_time(const Program& program, double t, const VectorXd& x) {
-  using D = Dual<double, 1>;
-  const Vector<D, Eigen::Dynamic> at = x.cast<D>();
-  D value;
-  program.run(D::variable(t, 0), at, 0, 1, [&](int, const D& v) { value = v; });
-  return value;
-}
-
 /// Whether the program depends on the state: a NaN state then yields NaN.
 bool depends_on_state(const Program& program, double t, int n) {
   const auto plain = [&](double x) {
@@ -102,6 +93,12 @@ void TypedProblem::divide_components() {
   slopes_ = Program(equations_.graph(), slopes);
 }
 
+std::vector<program::NodeId> TypedProblem::integrated() const {
+  std::vector<program::NodeId> all = equations_.slopes();
+  all.insert(all.end(), conditions_.integrands().begin(), conditions_.integrands().end());
+  return all;
+}
+
 void TypedProblem::set_points(const Interval& interval) {
   std::vector<double> times;
   for (const Conditions::Value& value : conditions_.values()) {
@@ -112,6 +109,7 @@ void TypedProblem::set_points(const Interval& interval) {
     return text.empty() ? otherwise : equations_.number(option, text);
   };
   const bool has_times = !times.empty();
+  const program::Switches switches(equations_.graph(), integrated());
   double from = number("--from", interval.from, has_times ? std::min(times.front(), times.back()) : 0);
   const std::string end = unknown_end(interval.until);
   double until = number("--until", end.empty() ? interval.until : "", has_times ? times.back() : from + 1);
@@ -126,14 +124,17 @@ void TypedProblem::set_points(const Interval& interval) {
     if (!(until > last))
       throw input_error("--guess {} = {}: must be later than {}, the last known point", end, until, last);
   } else if (end == "inf") {
-    until = std::max(from, until) + 8;
+    until = std::max(from, until);
+    constexpr double horizon = 1e4;  // jumps up to it are points
+    const std::vector<double> jumps = switches.times(from, from + horizon);
+    if (!jumps.empty() && jumps.size() <= most_jumps) until = std::max(until, jumps.back());
+    until += 8;
   } else if (!(until > from)) {
     throw input_error("--until {}: must be later than {}, the start{}", until, from,
                       interval.until.empty() ? "; the conditions have no later time" : "");
   }
   points_ = {from, until};
-  const std::vector<double> jumps =
-      program::Switches(equations_.graph(), equations_.slopes()).times(from, until);
+  const std::vector<double> jumps = switches.times(from, until);
   if (jumps.size() <= most_jumps) times.insert(times.end(), jumps.begin(), jumps.end());
   for (const double t : times) {
     if (point_at(points_, t) < points_.size()) continue;
@@ -182,7 +183,7 @@ void TypedProblem::map_singular_ends() {
 std::vector<double> TypedProblem::mesh() const {
   const double until = end_ < 0 ? time(points_.back(), {}) : points_.back();
   std::vector<double> mesh =
-      program::TimeFeatures(equations_.graph(), equations_.slopes()).between(points_.front(), until);
+      program::TimeFeatures(equations_.graph(), integrated()).between(points_.front(), until);
   if (mesh.empty()) return mesh;
   if (end_ < 0) {
     for (double& t : mesh) t = place(t, {});
@@ -194,8 +195,20 @@ std::vector<double> TypedProblem::mesh() const {
   return mesh;
 }
 
+double TypedProblem::last_pulse() const {
+  constexpr double horizon = 1e6;
+  const double from = time(points_.front(), {}), until = from + horizon;
+  double last = from;
+  for (const auto& pulse :
+       program::TimeFeatures(equations_.graph(), integrated()).short_activities(from, until, horizon / 2)) {
+    if (pulse.t1 < until) last = std::max(last, pulse.t1);
+  }
+  return place(last, {});
+}
+
 void TypedProblem::read_guess(const std::string& text) {
   guess_.resize(names().size());
+  std::vector<std::optional<program::NodeId>> given(names().size());
   program::Equations equations = equations_;
   for (const ConditionText& piece : conditions_of("--guess", text)) {
     const std::size_t equals = piece.text.find('=');
@@ -206,24 +219,34 @@ void TypedProblem::read_guess(const std::string& text) {
       throw input_error("--guess {}: must begin with a component and =; the components are {}",
                         quoted_input(piece.text),
                         quoted_input(fmt::format("{}", fmt::join(names(), ", ")), 200));
-    std::optional<Program>& one = guess_[static_cast<std::size_t>(at - names().begin())];
+    const auto i = static_cast<std::size_t>(at - names().begin());
+    std::optional<Program>& one = guess_[i];
     if (one) throw input_error("--guess {}: {} is given twice", quoted_input(piece.text), *at);
     const program::NodeId node = equations.expression("--guess", piece.text.substr(equals + 1));
     one = Program(equations.graph(), {node});
     if (depends_on_state(*one, 0.5, equations_.size()))
       throw input_error("--guess {}: must be a function of the time t only", quoted_input(piece.text));
+    given[i] = node;
+  }
+  // A missing component is the derivative of the given one of the highest order below its own.
+  program::Graph graph = equations.graph();
+  for (std::size_t i = 0; i < names().size(); ++i) {
+    std::string name = names()[i];
+    std::size_t lower = i;
+    while (!given[lower] && name.ends_with('\'')) {
+      name.pop_back();
+      lower = static_cast<std::size_t>(std::ranges::find(names(), name) - names().begin());
+    }
+    if (lower == i || !given[lower]) continue;
+    program::NodeId node = *given[lower];
+    for (std::size_t k = name.size(); k < names()[i].size(); ++k)
+      node = rates(graph, {node}, equations_.slopes()).front();
+    guess_[i] = Program(graph, {node});
   }
 }
 
 Start TypedProblem::guess() const {
   const VectorXd zero = VectorXd::Zero(equations_.size());
-  // For each missing component the given component of which it is the derivative.
-  std::vector<std::optional<std::size_t>> integral(names().size());
-  for (std::size_t i = 0; i < names().size(); ++i) {
-    for (std::size_t j = 0; j < names().size(); ++j) {
-      if (guess_[j] && names()[j] + "'" == names()[i]) integral[i] = j;
-    }
-  }
   Start start;
   start.parameters = VectorXd::Zero(parameters());
   for (std::size_t k = 0; k < parameters_.size(); ++k) {
@@ -234,15 +257,12 @@ Start TypedProblem::guess() const {
   const auto time_of = [problem = *this](double s) {
     return problem.maps_start_ || problem.maps_end_ ? problem.time(s, {}) : s;
   };
-  start.states = [guess = guess_, states = states_, integral, zero, time_of](double s, VectorXd& x) {
+  start.states = [guess = guess_, states = states_, zero, time_of](double s, VectorXd& x) {
     const double t = time_of(s);
     x.setZero();
     for (std::size_t k = 0; k < states.size(); ++k) {
-      const std::size_t i = index_of(states[k]);
-      double& value = x[static_cast<Index>(k)];
-      value = guess[i]      ? value_of_time(*guess[i], t, zero).value
-              : integral[i] ? value_of_time(*guess[*integral[i]], t, zero).partial[0]
-                            : 0;
+      const std::optional<Program>& one = guess[index_of(states[k])];
+      if (one) x[static_cast<Index>(k)] = value_of(*one, t, zero);
     }
   };
   return start;

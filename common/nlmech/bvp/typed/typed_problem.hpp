@@ -54,9 +54,9 @@ class TypedProblem final : public Problem {
   };
 
   /// @param equations unknown constants are components k with k' = 0
-  /// @param guess initial guess as functions of time, separated by commas: "x = sin(pi t), k = 10"; a missing
-  ///   x' is the derivative of a given x, other missing components are 0, and a missing unknown end is the
-  ///   last known point + 1
+  /// @param guess initial guess as functions of time, separated by commas: "x = sin(pi t), k = 10"; missing
+  ///   x', x'', ... are derivatives of a given x, other missing components are 0, and a missing unknown end
+  ///   is the last known point + 1
   /// @throws InputError naming the option and what is wrong, for text that cannot be read, too many or too
   /// few
   ///   conditions, and times outside the interval
@@ -85,6 +85,9 @@ class TypedProblem final : public Problem {
   [[nodiscard]] bool is_infinite() const { return is_infinite_; }
   /// Sets the end of an infinite interval, later than all other points.
   void truncate(double end) { points_.back() = end; }
+  /// Time of the problem after which functions of time alone rest or change slowly, as after the last pulse:
+  /// searched up to 1e6 after the start.
+  [[nodiscard]] double last_pulse() const;
   /// Components with a condition on their value at infinity.
   [[nodiscard]] std::vector<int> components_at_infinity() const;
   /// Index of the parameter that is the end of the interval; none if the end is known.
@@ -142,6 +145,8 @@ class TypedProblem final : public Problem {
   void find_singular_ends();
   void map_singular_ends();
   void read_guess(const std::string& text);
+  /// Slopes of the equations, then integrands.
+  [[nodiscard]] std::vector<program::NodeId> integrated() const;
   [[nodiscard]] std::string unknown_end(const std::string& until) const;
   [[nodiscard]] Eigen::VectorXd arguments(const Eigen::MatrixXd& ends, const Eigen::VectorXd& p) const;
 

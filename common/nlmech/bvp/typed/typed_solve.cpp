@@ -70,9 +70,9 @@ Solution solve_finite(const TypedProblem& problem, Start start, double tolerance
   return solution;
 }
 
-/// The solution up to its end, continued linearly to @p end. Values that are rounding are 0: a negative one
-/// may have no root.
-Start extended(const Solution& solution, double end) {
+/// The solution up to its end, continued linearly to the end of @p problem. Values that are rounding are 0: a
+/// negative one may have no root.
+Start extended(const TypedProblem& problem, const Solution& solution) {
   const auto copy = std::make_shared<const Solution>(solution);
   const double last = copy->end();
   const VectorXd least = 1e-14 * copy->node_values().cwiseAbs().rowwise().maxCoeff();
@@ -85,7 +85,12 @@ Start extended(const Solution& solution, double end) {
     if (t > last) x += (t - last) * copy->unknowns.intervals.back().slopes.rightCols(1);
   };
   constexpr int parts = 8;
+  const double end = problem.points().back();
   for (int k = 1; k <= parts; ++k) start.mesh.push_back(last + (end - last) * k / parts);
+  for (const double t : problem.mesh()) {
+    if (t > last && t < end) start.mesh.push_back(t);
+  }
+  std::ranges::sort(start.mesh);
   return start;
 }
 
@@ -119,7 +124,7 @@ double change_after(const TypedProblem& problem, const Solution& solution, doubl
 Solution solve_infinite(TypedProblem& problem, const Start& start, double tolerance) {
   constexpr int least_doublings = 6, most_doublings = 40;
   const double from = problem.points().front();
-  const double near = std::max(1e-9, 10 * tolerance);
+  const double near = std::max(1e-9, 10 * tolerance), pulse = problem.last_pulse();
   double end = problem.points().back();
   Solution before = solve_finite(problem, start, tolerance);
   double change = 0;
@@ -127,14 +132,15 @@ Solution solve_infinite(TypedProblem& problem, const Start& start, double tolera
     const double middle = end;
     end = from + 2 * (end - from);
     problem.truncate(end);
-    Solution next = solve_finite(problem, before.status.ok() ? extended(before, end) : start, tolerance);
-    if (!next.status.ok() && (before.status.ok() || k > 2)) return next;
-    if (before.status.ok() && next.status.ok()) {
+    Solution next = solve_finite(problem, before.status.ok() ? extended(problem, before) : start, tolerance);
+    const bool has_all = middle >= pulse;
+    if (!next.status.ok() && has_all && (before.status.ok() || k > 2)) return next;
+    if (has_all && before.status.ok() && next.status.ok()) {
       change = change_after(problem, next, middle);
       if (change <= near && difference(before, next, from + (middle - from) / 2) <= near) return next;
     }
     before = std::move(next);
-    if (k >= least_doublings && change > 0.1) break;
+    if (has_all && k >= least_doublings && change > 0.1) break;
   }
   before.status = failed_with(Outcome::not_converged,
                               "the solution does not approach its values at infinity: up to t = {:.3g} they "
