@@ -1,4 +1,5 @@
 # Components, chapters and the facts that tests and programs need to know about the build.
+include(CheckLinkerFlag)
 include(GNUInstallDirs)
 
 add_library(nlmech_options INTERFACE)
@@ -17,6 +18,11 @@ target_compile_options(nlmech_options INTERFACE -Wall -Wextra -Wpedantic -Wconve
 # take a sixth of it.
 target_compile_options(nlmech_options INTERFACE $<$<CONFIG:Release>:-ffunction-sections -fdata-sections>)
 target_link_options(nlmech_options INTERFACE $<$<CONFIG:Release>:LINKER:--gc-sections,--strip-all>)
+# Addresses that the loader adjusts take a sixtieth of a program, as a bitmap nothing (binutils 2.38 and glibc 2.36).
+check_linker_flag(CXX LINKER:-z,pack-relative-relocs NLMECH_LINKER_PACKS_RELOCATIONS)
+if(NLMECH_LINKER_PACKS_RELOCATIONS)
+  target_link_options(nlmech_options INTERFACE $<$<CONFIG:Release>:LINKER:-z,pack-relative-relocs>)
+endif()
 if(NLMECH_SANITIZE)
   # Null pointers the address sanitizer stops at too, and Eigen asserts the alignment that it needs; checking both at every
   # access of a reference doubles the time to compile.
