@@ -111,8 +111,20 @@ An argument that touches zero, 1 - sin(t)^2, and one that would become negative:
 
   $ integrate "x' = cos(t); y' = sqrt(1 - x^2)" --initial "x=0, y=0" --until 3 | holds 'y = 2 - sin(3) +- 1e-6'
   $ integrate "y' = sqrt(1 - x); x' = 1" --initial "x=0, y=0" --until 3
-  integrators: outside_validity: the argument of a square root, a power with a fraction or an arc becomes negative at t = 1.00000000 +- 4e-08, and the equations do not define the solution beyond; end the run before
+  integrators: outside_validity: the argument of a square root, a power with a fraction, an arc or a logarithm leaves its domain at t = 1.00000000 +- 4e-08, and the equations do not define the solution beyond; end the run before
   [1]
+
+One that leaves its domain in time, or at the end of a run: asin(t), sqrt(sin(t)), asin(x) + 1 from 0, which is 1 at the integral of 1/(1 + asin(x)):
+
+  $ for f in "asin(t)" "log(1 - t)" "x*(1 - t)^1.5" "sqrt(sin(t))" "1/log(t)"; do integrate "x' = $f" --initial x=0 --until 4; done 2>&1 | grep -o 'leaves its domain at t = [^,]*\|becomes zero at t = [^,]*'
+  leaves its domain at t = 1
+  leaves its domain at t = 1
+  leaves its domain at t = 1
+  leaves its domain at t = 3.14159265
+  becomes zero at t = 1
+  $ integrate "x' = asin(x) + 1" --initial x=0 --until 4 2>&1 | grep -o 'leaves its domain at t = [0-9.]*'
+  leaves its domain at t = 0.67362110
+  $ for f in "if(t < 1, sqrt(1 - t), 0)" "sqrt(max(1 - t, 0))"; do integrate "x' = $f" --initial x=0 --until 2 --tolerance 1e-12 2> /dev/null | holds 'x = 2/3 +- 1e-8'; done
 
 The time has the digits that the tolerance leaves. This tank is empty at 2 - log(11)/5 = 1.5204209454:
 

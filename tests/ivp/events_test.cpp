@@ -152,7 +152,7 @@ RC_GTEST_PROP(Events, DoubleZerosOfTimeAreHits, ()) {
   const double at = *rc::gen::inRange(100, 900) / 1000.;
   Event square{[=](double t, const State&) { return (t - at) * (t - at); }};
   square.bounds = [=](const program::Interval& t, std::span<const program::Interval>) {
-    return Enclosure{program::square(t - at), 2 * (t - at)};
+    return Enclosure{program::square(t - program::Interval(at)), 2 * (t - program::Interval(at))};
   };
   const std::vector<Hit> hits = integrate_with_events(falling(), State{1, 0}, 0, 1, Series{}, {square}).hits;
   RC_ASSERT(hits.size() == 1U);

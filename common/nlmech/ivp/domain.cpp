@@ -71,6 +71,8 @@ Domain::Domain(const program::Equations& equations) {
     }
   }
   for (const program::NodeId id : domain.timed) timed.push_back(event_of(domain.graph, id, slopes));
+  for (const program::NodeId id : domain.timed_arguments)
+    timed_arguments.push_back(event_of(domain.graph, id, slopes));
   if (!arguments.empty())
     beyond.emplace(program::Problem(equations).with_slopes(domain.graph, domain.beyond));
 }

@@ -18,6 +18,8 @@
 ///    step passes through a zero of those that do not, as x^2 + y^2 of two bodies that collide. A run that
 ///    fails close to a zero of one, or of the argument of a logarithm, ends with `outside_validity` and the
 ///    time of that zero.
+///  - Arguments of roots, powers with a fraction, arcs and logarithms that depend on time only: the run ends
+///    with `outside_validity` at the time at which one leaves its domain.
 ///
 /// The times in messages have the digits that the accuracy of the states leaves.
 #pragma once
@@ -56,11 +58,14 @@ struct Domain {
   std::vector<Event> crossings;              ///< those factors that may become negative
   std::vector<std::size_t> sums;             ///< places in ends of the others, as x^2 + y^2
   std::vector<Event> timed;                  ///< factors of denominators that depend on time only
+  std::vector<Event> timed_arguments;        ///< arguments that depend on time only
 
   /// Must every step be checked?
-  [[nodiscard]] bool watches() const { return !arguments.empty() || !crossings.empty() || !timed.empty(); }
+  [[nodiscard]] bool watches() const {
+    return !arguments.empty() || !crossings.empty() || !timed.empty() || !timed_arguments.empty();
+  }
   /// Are there no events?
-  [[nodiscard]] bool empty() const { return arguments.empty() && ends.empty() && timed.empty(); }
+  [[nodiscard]] bool empty() const { return ends.empty() && !watches(); }
 };
 
 /// Wraps @p run so that it respects the domain of its equations; returns @p run itself if the domain is

@@ -168,6 +168,7 @@ class Guarded {
     }
     events.insert(events.end(), domain_.crossings.begin(), domain_.crossings.end());
     events.insert(events.end(), domain_.timed.begin(), domain_.timed.end());
+    events.insert(events.end(), domain_.timed_arguments.begin(), domain_.timed_arguments.end());
     return events;
   }
   static Event never() {
@@ -266,11 +267,7 @@ class Guarded {
     const Event& g = domain_.beyond_arguments[i];
     const double rate = std::abs(rate_at(g, all_.t, all_.x)), since = std::abs(all_.t - here.from);
     const double back = rate > 0 ? std::min(since, 2 * here.margin / rate) : 0;
-    all_.status = failed_with(Outcome::outside_validity,
-                              "the argument of a square root, a power with a fraction or an arc becomes "
-                              "negative at t = {}, and "
-                              "the equations do not define the solution beyond; end the run before",
-                              time_of_zero(g, all_.t - direction_ * back, all_.x, rate));
+    all_.status = end_of_argument(time_of_zero(g, all_.t - direction_ * back, all_.x, rate));
   }
 
   bool see(const System& system, const Step& step) {
@@ -288,8 +285,10 @@ class Guarded {
         stop_at(hit.t, hit.x, hit.event, step);
         return false;
       }
-      if (is_denominator && !is_near(hit.t, t0_) && !is_near(hit.t, t1_) && is_singular(system, hit.t, step))
-        return end_at(hit, step);
+      const bool is_inside = !is_near(hit.t, t0_) && !is_near(hit.t, t1_);
+      const bool is_end = is_denominator && (is_timed_argument(hit) ? leaves_domain(system, hit, step)
+                                                                    : is_singular(system, hit.t, step));
+      if (is_inside && is_end) return end_at(hit, step);
     }
     if (continues) return !observer_ || observer_(step) || stop_by_observer();
     if (finder_->ended()) {
@@ -382,8 +381,24 @@ class Guarded {
       time = time_of_zero(g, hit.t, hit.x, rate);
     }
     stop_at(hit.t, hit.x, 0, step);
-    stop_->status = zero_of_denominator(time);
+    stop_->status = is_timed_argument(hit) ? end_of_argument(time) : zero_of_denominator(time);
     return false;
+  }
+  [[nodiscard]] bool is_timed_argument(const Hit& hit) const {
+    return hit.event >= 2 * boundaries_.size() + domain_.crossings.size() + domain_.timed.size();
+  }
+  // Are the equations not defined beyond the zero of an argument?
+  static bool leaves_domain(const System& system, const Hit& hit, const Step& step) {
+    State f(hit.x.size());
+    system.rhs(hit.t + 1e-6 * (step.t1 - step.t0), hit.x, f);
+    return !f.allFinite();
+  }
+  static Status end_of_argument(const std::string& time) {
+    return failed_with(Outcome::outside_validity,
+                       "the argument of a square root, a power with a fraction, an arc or a logarithm leaves "
+                       "its domain at t = {}, and the equations do not define the solution beyond; end the "
+                       "run before",
+                       time);
   }
   [[nodiscard]] Status zero_of_denominator(const std::string& time) const {
     return failed_with(Outcome::outside_validity,
@@ -429,9 +444,11 @@ class Guarded {
   // The time of the zero of g beside which the run has failed; none if it has failed elsewhere.
   [[nodiscard]] std::optional<double> zero_beside(const Event& g) const {
     const double value = g.value(all_.t, all_.x), start = g.value(t0_, x0_);
+    const double away = value / rate_at(g, all_.t, all_.x);  // NaN beyond the zero of a logarithm
+    const bool is_at_zero = std::abs(away) <= 1e-6 * std::abs(all_.t - t0_);
+    if (start == 0) return is_at_zero && !is_near(all_.t, t0_) ? std::optional(all_.t - away) : std::nullopt;
     if (!(std::abs(value) < 1e-3 * std::abs(start))) return {};  // a solution that grows without end
-    const double away = value / rate_at(g, all_.t, all_.x);      // NaN beyond the zero of a logarithm
-    if (std::abs(away) <= 1e-6 * std::abs(all_.t - t0_)) return all_.t - away;
+    if (is_at_zero) return all_.t - away;
     const bool is_beyond = value * start <= 0 && std::abs(value) < 1e-6 * std::abs(start);
     return is_beyond ? std::optional(all_.t) : std::nullopt;
   }
@@ -458,6 +475,15 @@ class Guarded {
   void name_end() {
     const Outcome outcome = all_.status.outcome();
     if (outcome != Outcome::step_underflow && outcome != Outcome::non_finite) return;
+    for (std::size_t i = 0; i < domain_.corners; ++i) {
+      const Event& g = domain_.arguments[i];
+      if (const std::optional<double> t = zero_beside(g); t && !boundaries_[i].rests)
+        all_.status = end_of_argument(time_of_zero(g, *t, all_.x, rate_at(g, all_.t, all_.x)));
+    }
+    for (const Event& g : domain_.timed_arguments) {
+      if (const std::optional<double> t = zero_beside(g))
+        all_.status = end_of_argument(fmt::format("{:.9g}", *t));
+    }
     std::string time;
     for (const Event& g : domain_.timed) {
       if (const std::optional<double> t = zero_beside(g)) time = fmt::format("{:.9g}", *t);

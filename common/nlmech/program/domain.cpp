@@ -159,8 +159,9 @@ void Domain::add_conditions(NodeId id) {
   if (const std::optional<NodeId> argument = needs_positive(graph, node)) {
     const bool is_corner = is_never_negative(graph, *argument);
     const NodeId a = is_corner ? graph[*argument].decides : *argument;
-    if (depends_on_state(graph, a) && bounds_of(graph, a).low < 0)
-      add_once(is_corner ? corners : arguments, a);
+    const bool is_timed = !depends_on_state(graph, a);
+    if (bounds_of(graph, a).low < 0 && !(is_timed && (is_corner || graph.is_number(a))))
+      add_once(is_timed ? timed_arguments : is_corner ? corners : arguments, a);
   }
   if (const std::optional<NodeId> below = denominator_of(graph, node)) {
     std::vector<NodeId> factors;
@@ -170,7 +171,8 @@ void Domain::add_conditions(NodeId id) {
     }
   }
   const bool is_logarithm = node.operation == Operation::function && node.function == Function::log;
-  if (is_logarithm && may_be_zero(node.a)) add_once(logarithms, node.a);
+  if (is_logarithm && may_be_zero(node.a))
+    add_once(depends_on_state(graph, node.a) ? logarithms : timed_arguments, node.a);
 }
 
 }  // namespace nlmech::program

@@ -28,6 +28,8 @@ struct Domain {
   std::vector<NodeId> denominators;
   std::vector<NodeId> timed;       ///< such factors that depend on time only
   std::vector<NodeId> logarithms;  ///< arguments of logarithms that may become zero
+  /// Expressions of time only that must not become negative, also arguments of logarithms.
+  std::vector<NodeId> timed_arguments;
   /// The derivatives of the state with max(a, 0) for each argument a: the same equations within the domain,
   /// and finite beyond its boundary. Empty without arguments and corners.
   std::vector<NodeId> beyond;

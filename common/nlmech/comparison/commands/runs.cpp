@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <exception>
 #include <functional>
 #include <iterator>
 #include <limits>
@@ -568,9 +569,11 @@ Trajectory default_trajectory(const UserProblem& problem, const RunOptions& opti
     // Where two methods end the equations do: a third that goes on has stepped over the end. Where two
     // leave the range of numbers the solution does.
     int outside = 0, overflows = 0;
+    std::exception_ptr end;                       // the first such failure after the first one
     constexpr std::int64_t most_steps = 200'000;  // one that creeps towards an end leaves time to the others
+    const auto ends = [](const Failure& f) { return f.status().outcome() == Outcome::outside_validity; };
     const auto count = [&](const Failure& f) {
-      outside += f.status().outcome() == Outcome::outside_validity ? 1 : 0;
+      outside += ends(f) ? 1 : 0;
       const auto* run = dynamic_cast<const RunFailure*>(&f);
       const bool is_huge = run != nullptr && run->size() > 1e290;
       overflows += is_huge && f.status().outcome() == Outcome::non_finite ? 1 : 0;
@@ -587,11 +590,13 @@ Trajectory default_trajectory(const UserProblem& problem, const RunOptions& opti
       if (rest.limits.seconds <= 0 || outside > 1 || overflows > 1) break;
       try {
         if (Trajectory found = trajectory(problem, rest, other); !found.is_open) return found;
-      } catch (const Failure& failure) {  // the failure of the usual method is more informative
+      } catch (const Failure& failure) {
         count(failure);
+        if (!end && ends(failure)) end = std::current_exception();
       }
     }
-    throw;
+    if (outside > 1 && !ends(first)) std::rethrow_exception(end);
+    throw;  // the failure of the usual method is more informative
   }
 }
 
