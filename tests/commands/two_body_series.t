@@ -131,12 +131,14 @@ Rows stand in order of time, and the others have an empty cell:
   $ propagate $ellipse --until 5 --every 2 --events nodes,apsides | cut -d, -f 8 | paste -s -d '|'
   event||descending node|apoapsis|||ascending node|periapsis|
 
-In the field of an oblate body, near-circular, both integrators find the same:
+In the field of the Earth to J6, near-circular, both integrators find the same, at least 14 of each in 14.8 revolutions from a node:
 
-  $ for method in series rkn1210; do day 1.08262668e-3 --events nodes,apsides,altitude=6.1e5 --method $method > $method.csv; done
+  $ J=1.08262668e-3,-2.53265649e-6,-1.61962159e-6,-2.27296083e-7,5.40681239e-7
+  $ for method in series rkn1210; do day $J --events nodes,apsides,altitude=6.1e5 --method $method > $method.csv; done
   $ holds --each --like rkn1210.csv 1e-3 'n > 60' < series.csv
-  $ holds --where 'event=ascending node' 'z = 0 +- 1e-5' 'vz > 0' < series.csv
-  $ holds --where 'event=altitude=6.1e5 rising' 'norm([x, y, z]) = 6988137 +- 1e-5' < series.csv
+  $ holds --each --where 'event=ascending node' 'n = 14' 'z = 0 +- 1e-5' 'vz > 0' < series.csv
+  $ holds --each --where event=periapsis 'n >= 14' '(x*vx + y*vy + z*vz)/norm([x, y, z])/norm([vx, vy, vz]) = 0 +- 1e-12' < series.csv
+  $ holds --each --where 'event=altitude=6.1e5 rising' 'n >= 14' 'norm([x, y, z]) = 6988137 +- 1e-5' < series.csv
 
 What a motion does not determine is said: nodes in the plane of reference, apsides and altitude of a circle, the centre of a fall:
 
