@@ -168,13 +168,16 @@ cos q cosh q = 1, sin q = 0 and cos q = 0:
   $ unit 'root_stiffness = 0' zeros --count 2 | holds --each 'q := sqrt(imag)' 'tan(q) - tanh(q) = 0 +- 1e-11' 'q = [3.9266, 7.0686] +- 1e-4'
   $ unit 'tip_support = "pinned"' zeros --count 1 | holds 'sqrt(imag) = 3.926602312047919 +- 4e-12'
   $ unit 'tip_support = "guided"' zeros --count 1 | holds 'sqrt(imag) = 2.365020372431352 +- 3e-12'
+  $ unit 'root_stiffness = 0\ntip_support = "clamped"' zeros --count 1 | holds 'sqrt(imag) = 3.926602312047919 +- 4e-12'
   $ unit 'tip_support = "clamped"' zeros --count 1 | holds 'sqrt(imag) = 4.730040744862704 +- 5e-12'
   $ unit 'root_stiffness = 0\ntip_support = "pinned"' zeros --count 3 | holds --each 'sqrt(imag) = (i + 1)*pi +- 1e-11'
   $ unit 'root_stiffness = 0\ntip_support = "guided"' zeros --count 3 | holds --each 'sqrt(imag) = (i + 0.5)*pi +- 1e-11'
 
 The elastically hinged beam has k (1 + cos q cosh q) + q (cos q sinh q - sin q cosh q) = 0, a soft one is a rigid bar on a spring, omega^2 = 3 k:
 
-  $ unit 'root_stiffness = 2.5' zeros --count 3 | holds --each 'q := sqrt(imag)' '2.5*(1/cosh(q) + cos(q)) + q*(cos(q)*tanh(q) - sin(q)) = 0 +- 1e-10'
+  $ for k in 0.01 2.5 100; do
+  >   unit "root_stiffness = $k" zeros --count 4 | holds --each 'q := sqrt(imag)' "$k*(1/cosh(q) + cos(q)) + q*(cos(q)*tanh(q) - sin(q)) = 0 +- 1e-10"
+  > done
   $ unit 'root_stiffness = 1e-8' zeros --count 1 | holds 'imag^2 = 3e-8 +- 3e-16'
 
 A torque on each tip turns the rigid body of inertia 1 + 2/3 by t^2/J. At rest it bends the beams by 1/2, and the turn of the hub, whose inertial load is

@@ -21,47 +21,21 @@ column. A joint of stiffness 1 under the moment pi/4 turns by pi/4, and the cant
 Loads along members, and forces
 -------------------------------
 
-A beam of length 4 on supports at both ends and one in the middle under its own weight of 2.5 per length: in linear theory the middle carries 10/8 of
-a span's weight, with a moment of -w l^2/8 = -1.25; the spans have 9/128 w l^2. The member A-B has no load at its first end:
+A cantilever under its own load, in linear theory: the load at the support, -w l^2/2 there, and the greatest moment:
 
-  $ cat > spans.toml <<END
-  > [nodes]
-  > A = [0, 0]
-  > B = [2, 0]
-  > C = [4, 0]
-  > [[members]]
-  > nodes = ["A", "B"]
-  > EA = 1e9
-  > EI = 1e6
-  > mass = 0.25
-  > [[members]]
-  > nodes = ["B", "C"]
-  > EA = 1e9
-  > EI = 1e6
-  > mass = 0.25
-  > [supports]
-  > A = ["x", "y"]
-  > B = ["y"]
-  > C = ["y"]
-  > [loads]
-  > gravity = { y = -10 }
-  > END
-  $ frame spans.toml --at 1 --forces | sed '1s/[.-]/_/g' > forces.csv
-  $ head -1 forces.csv | tr , '\n' | grep -e force -e A_B
-  A_x_force
-  A_y_force
-  B_y_force
-  C_y_force
-  A_B_A_axial
-  A_B_A_shear
-  A_B_A_moment
-  A_B_B_axial
-  A_B_B_shear
-  A_B_B_moment
-  A_B_moment
-  $ holds 'B_y_force = 1.25*5 +- 1e-5' 'A_y_force = 3*5/8 +- 1e-5' 'A_B_A_shear = A_y_force +- 1e-5' 'A_B_B_moment = -1.25 +- 1e-5' 'A_B_A_moment = 0 +- 1e-5' < forces.csv
-  $ sed 's/A = \["x", "y"\]/A = ["x", "y", "rotation"]/; s/B = \["y"\]/B = ["y", "rotation"]/' spans.toml > clamped.toml
-  $ frame clamped.toml --at 1 --forces | sed '1s/[.-]/_/g' | holds 'A_rotation_force = 2.5*4/12 +- 1e-5' 'A_B_moment = -2.5*4/12 +- 1e-5' 'B_C_moment = -2.5*4/8 +- 1e-5'
+  $ frame frames/heavy-cantilever.toml --at 1e-3 --forces | sed '1s/[.-]/_/g' > forces.csv
+  $ head -1 forces.csv | tr , '\n' | grep -e force -e base_tip
+  base_x_force
+  base_y_force
+  base_rotation_force
+  base_tip_base_axial
+  base_tip_base_shear
+  base_tip_base_moment
+  base_tip_tip_axial
+  base_tip_tip_shear
+  base_tip_tip_moment
+  base_tip_moment
+  $ holds 'base_y_force = 1e-3 +- 1e-12' 'base_tip_base_shear = 1e-3 +- 1e-9' 'base_rotation_force = 5e-4 +- 1e-9' 'base_tip_moment = -5e-4 +- 1e-9' 'base_tip_tip_moment = 0 +- 1e-9' < forces.csv
 
 A clamped beam has no node that moves, and needs none for its forces: -w l^2/12 at its ends, w l^2/24 in its middle:
 
@@ -80,9 +54,8 @@ The deck's cantilever that sags by half of its length, by the elastica:
 A constant load is there before the others grow. Half of a column's own weight takes some of what its top can carry: here none of the load factor is
 left at Greenhill's weight:
 
-  $ sed 's/\[loads\]/[constant_loads]/; s/y = -1 }/y = -4 }\n[loads]\ntop = { y = -1 }/' frames/heavy-column.toml > both.toml
-  $ frame both.toml --at 0,0.5 --forces | sed '1s/[.-]/_/g' | holds --each 'base_y_force = 4 + load_factor +- 1e-10'
-  $ sed 's/-4 }/-8 }/' both.toml > heavy.toml
+  $ frame frames/loaded-column.toml --at 0,0.5 --forces | sed '1s/[.-]/_/g' | holds --each 'base_y_force = 4 + load_factor +- 1e-10'
+  $ sed 's/-4 }/-8 }/' frames/loaded-column.toml > heavy.toml
   $ homotopy frame heavy.toml
   homotopy: wrong_branch: frame: at 0.95* of the constant loads, before any others, the frame reaches a bifurcation; take smaller constant loads, or let them grow (glob)
   [1]
@@ -105,29 +78,15 @@ falls to zero there. Errors of the lumped masses and of the weight are m^-2; mes
   homotopy: wrong_branch: frame: at the load factor 9 the equilibrium is not stable, and has no modes; take a smaller load factor
   [1]
 
-A simple beam vibrates with the frequency pi/2 sqrt(1 - P/pi^2). Load factors beyond Euler's have no modes, the others do. In the fourth mode of 4
-elements of length l the nodes only rotate, alternately: 12 EI/l^2 and (48 EI/(m l^4))^0.5/(2 pi):
+Euler's column vibrates with the frequency pi/2 sqrt(1 - P). Load factors beyond 1 have no modes, the others do. In the fourth mode of 4 elements of
+length l the nodes only rotate, alternately: 12 EI/l^2 and (48 EI/(m l^4))^0.5/(2 pi):
 
-  $ cat > simple.toml <<END
-  > [nodes]
-  > A = [0, 0]
-  > B = [1, 0]
-  > [[members]]
-  > nodes = ["A", "B"]
-  > EA = 1e6
-  > EI = 1
-  > mass = 1
-  > [supports]
-  > A = ["x", "y"]
-  > B = ["y"]
-  > [loads]
-  > B = { x = -1 }
-  > END
-  $ homotopy frame simple.toml --modes 1 --elements 20 --at 10,0,5,9,9.8 > modes.csv
-  homotopy: wrong_branch: frame: at the load factor 10 the equilibrium is not stable, and has no modes; take a smaller load factor
+  $ homotopy frame frames/column.toml --modes 1 --elements 10 --at 1.1,0,0.5,0.9,0.99 > modes.csv
+  homotopy: wrong_branch: frame: at the load factor 1.1 the equilibrium is not stable, and has no modes; take a smaller load factor
   [1]
-  $ holds --where kind=vibration 'n = 4' 'load_factor = [0, 5, 9, 9.8]' 'value = pi/2*sqrt(1 - load_factor/pi^2) +- 2e-3' < modes.csv
-  $ homotopy frame simple.toml --modes 4 | sed '1s/[.]rotation//g' | grep -e mode, -e ,4, | holds --each 'value = [12*4^2, sqrt(48*4^4)/(2*pi)] +- 1e-8' 'A = 1 +- 1e-9' 'B = 1 +- 1e-9'
+  $ holds --where kind=vibration 'n = 4' 'load_factor = [0, 0.5, 0.9, 0.99]' 'value = pi/2*sqrt(1 - load_factor) +- 2e-3' < modes.csv
+  $ homotopy frame frames/column.toml --elements 2 --modes 4 | sed '1s/[.]rotation//g' | grep -e mode, -e ,4, |
+  >   holds --each 'value = [12*4^2/pi^2, sqrt(48*4^4)/(2*pi)] +- 1e-8' 'base = 1 +- 1e-9' 'top = 1 +- 1e-9'
 
 Dissipation of integrators
 --------------------------

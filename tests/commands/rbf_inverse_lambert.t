@@ -90,13 +90,14 @@ Derivatives of both velocities, against differences of the command itself; acros
   rbf_inverse: singular_matrix: lambert: the velocities have no derivatives: d(r_2)/d(v_1) is singular to rounding (a transfer by 180 degrees, or to a conjugate point, where two arcs merge); move a position, or change the time
   [1]
 
-Beside 180 degrees the plane through both positions is often not the one that is meant: 100 km at the arrival turn this arc over the pole. In the equator it
-is half of an ellipse, with the speed of Hohmann's transfer, and passes the arrival 100 km below; so it does the other way round:
+Beside 180 degrees the plane through both positions is often not the one that is meant: 100 km at the arrival turn this arc over the pole. In the equator
+(of the normal only the part across the departure counts) it is half of an ellipse, with the speed of Hohmann's transfer, and passes the arrival 100 km
+below; so it does the other way round:
 
   $ high="--from 6778,0,0 --to -42164,0,100 --mu 398600.4418 --time $(python3 -c 'from math import *; print(pi*sqrt(24471.**3/398600.4418))')"
   $ lambert $high | holds 'abs(vz0) > 10'
   $ hohmann='v := sqrt(2*398600.4418*42164/(6778*mpf(6778 + 42164)))'
-  $ lambert $high --plane 0,0,1 > equator.csv
+  $ lambert $high --plane 0.3,0,7 > equator.csv
   rbf_inverse: the arrival is 100 from the plane that is asked for; arcs end at its projection onto it
   $ holds "$hohmann" 'norm([vx0, vy0 - v, vz0]) <= 1e-13' 'vz0 = 0' 'miss = 100' < equator.csv
   $ for other in "--plane 0,0,-1" "--plane 0,0,1 --long-way" "--plane 0,0,1 --direction retrograde"; do

@@ -131,21 +131,19 @@ Rows stand in order of time, and the others have an empty cell:
   $ propagate $ellipse --until 5 --every 2 --events nodes,apsides | cut -d, -f 8 | paste -s -d '|'
   event||descending node|apoapsis|||ascending node|periapsis|
 
-In the field of an oblate body, near-circular, both integrators find the same:
+In the field of the Earth to J6, near-circular, both integrators find the same, at least 14 of each in 14.8 revolutions from a node:
 
-  $ for method in series rkn1210; do day 1.08262668e-3 --events nodes,apsides,altitude=6.1e5 --method $method > $method.csv; done
+  $ J=1.08262668e-3,-2.53265649e-6,-1.61962159e-6,-2.27296083e-7,5.40681239e-7
+  $ for method in series rkn1210; do day $J --events nodes,apsides,altitude=6.1e5 --method $method > $method.csv; done
   $ holds --each --like rkn1210.csv 1e-3 'n > 60' < series.csv
-  $ holds --where 'event=ascending node' 'z = 0 +- 1e-5' 'vz > 0' < series.csv
-  $ holds --where 'event=altitude=6.1e5 rising' 'norm([x, y, z]) = 6988137 +- 1e-5' < series.csv
+  $ holds --each --where 'event=ascending node' 'n = 14' 'z = 0 +- 1e-5' 'vz > 0' < series.csv
+  $ holds --each --where event=periapsis 'n >= 14' '(x*vx + y*vy + z*vz)/norm([x, y, z])/norm([vx, vy, vz]) = 0 +- 1e-12' < series.csv
+  $ holds --each --where 'event=altitude=6.1e5 rising' 'n >= 14' 'norm([x, y, z]) = 6988137 +- 1e-5' < series.csv
 
 What a motion does not determine is said: nodes in the plane of reference, apsides and altitude of a circle, the centre of a fall:
 
-  $ propagate $low --until 6500 --events nodes | cut -d, -f 1
-  two_body_series: nodes: z is 0 to within rounding from t = 0 to 6500: no row is determined there
-  t
-  0
-  6500
-  $ propagate --position 1,0,0 --velocity 0,1,0 --mu 1 --until 9 --radius 1 --events apsides,altitude=0 | wc -l
+  $ propagate --position 1,0,0 --velocity 0,1,0 --mu 1 --until 9 --radius 1 --events nodes,apsides,altitude=0 | wc -l
+  two_body_series: nodes: z is 0 to within rounding from t = 0 to 9: no row is determined there
   two_body_series: apsides: the distance stays the same to within rounding from t = 0 to 9: no row is determined there
   two_body_series: altitude=0: the altitude stays the same to within rounding from t = 0 to 9: no row is determined there
   3

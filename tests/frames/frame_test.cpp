@@ -56,13 +56,15 @@ TEST(Frame, RollsUpUnderAnEndMoment) {
   }
 }
 
+// With a joint, a spring between nodes and one against rotation.
 TEST(Frame, TangentIsTheHessianOfTheEnergy) {
-  const Frame frame({{0, 0}, {1, 0.2}, {1.5, 1}}, {{0, 1, 30, 2}, {1, 2, 40, 1}, {2, 0, 50, 3}},
-                    {{0, Motion::x}, {0, Motion::y}, {2, Motion::y}});
-  ASSERT_EQ(frame.size(), 6);
-  using DD = Dual<Dual<double, 6>, 6>;
-  Vector<double, 6> at;
-  at << 0.2, -0.1, 0.15, 0.4, 0.12, -0.3;
+  const Frame frame(
+      {{0, 0}, {1, 0.2}, {1.5, 1}}, {{0, 1, 30, 2, false, true, 0, 4}, {1, 2, 40, 1}, {2, 0, 50, 3}},
+      {{0, Motion::x}, {0, Motion::y}, {2, Motion::y}}, {{0, 2, 5, 0.6, 0.8, 0}, {-1, 1, 2, 0, 0, 1}});
+  ASSERT_EQ(frame.size(), 7);
+  using DD = Dual<Dual<double, 7>, 7>;
+  Vector<double, 7> at;
+  at << 0.2, -0.1, 0.15, 0.4, 0.12, -0.3, 0.25;
   const VectorXd x = at;
   VectorXd f;
   Eigen::SparseMatrix<double> k;
@@ -72,10 +74,10 @@ TEST(Frame, TangentIsTheHessianOfTheEnergy) {
   const auto energy = frame.energy<DD>(v);
   ASSERT_TRUE(energy.status.ok());
   const Eigen::MatrixXd dense = k;
-  for (int i = 0; i < 6; ++i) {
+  for (int i = 0; i < 7; ++i) {
     const auto& row = energy.value.partial[static_cast<std::size_t>(i)];
     EXPECT_NEAR(row.value, f[i], 1e-10 * f.cwiseAbs().maxCoeff());
-    for (int j = 0; j < 6; ++j)
+    for (int j = 0; j < 7; ++j)
       EXPECT_NEAR(row.partial[static_cast<std::size_t>(j)], dense(i, j), 1e-10 * dense.cwiseAbs().maxCoeff());
   }
   const double* const values = k.valuePtr();

@@ -10,6 +10,7 @@ A file holds [[case]] tables:
     run       the command; its first word is a program of the folder, which runs in a folder of its own
     input     standard input (optional)
     files     table: name = text, written into the working folder (optional)
+    files_of  id of an earlier case with the same files, in place of `files` (optional)
     exit      expected exit code (default 0)
     says      list of words that standard error holds (optional); silent = true: it is empty
     where     table: column = text; only rows of the output with this text count (optional)
@@ -30,8 +31,8 @@ import sys
 import tempfile
 import tomllib
 
-KEYS = {"id", "source", "run", "input", "files", "exit", "says", "silent", "where", "rows", "expect", "last",
-        "within", "because", "scale"}
+KEYS = {"id", "source", "run", "input", "files", "files_of", "exit", "says", "silent", "where", "rows", "expect",
+        "last", "within", "because", "scale"}
 
 
 def check_table(case):
@@ -103,6 +104,9 @@ def main(programs, file, *chosen):
     programs = pathlib.Path(programs).resolve()
     cases = tomllib.loads(pathlib.Path(file).read_text())["case"]
     ids = [case.get("id") for case in cases]
+    for case in cases:
+        if "files_of" in case:
+            case["files"] = cases[ids.index(case["files_of"])]["files"]
     failures = 0
     for case in cases:
         if chosen and case.get("id") not in chosen:

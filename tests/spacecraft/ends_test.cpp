@@ -5,9 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <string>
-#include <tuple>
 #include <vector>
 
 #include "nlmech/spacecraft/control/optimal_gains.hpp"
@@ -21,7 +19,6 @@
 namespace nlmech::spacecraft::ends_test {
 namespace {
 
-using std::numbers::pi;
 constexpr double clamped = std::numeric_limits<double>::infinity();
 
 /// Table 3.1 with other ends. @param root k L/EI
@@ -94,50 +91,6 @@ TEST(Ends, SeriesAndWavesAreOneFunction) {
                  relative_deflection(w, a.ratios(), xi, order));
         }
       }
-    }
-  }
-}
-
-/// |beta|^(1/4) L of the first frequencies of the appendage on a locked hub.
-std::vector<double> wave_numbers(const Parameters& p, int count) {
-  const Plant plant(p);
-  const Frequencies found = hub_zeros(plant, count);
-  EXPECT_TRUE(found.status.ok()) << found.status.text();
-  std::vector<double> q;
-  for (const double omega : found.omega)
-    q.push_back(std::sqrt(omega * std::sqrt(plant.appendage().beta_unit())));
-  return q;
-}
-
-// Zeros of the characteristic equations of single beams (R. D. Blevins, Formulas for Natural Frequency and
-// Mode Shape, 1979, table 8-1), to 16 digits by mpmath. 1e-12: the accuracy of hub_zeros().
-TEST(Ends, LockedFrequenciesAreThoseOfTheTextbooks) {
-  const double cantilever = 1.875104068711961, hinged = 3.926602312047919, fixed = 4.730040744862704,
-               sliding = 2.365020372431352;
-  for (const auto& [root, tip, first] : {std::tuple{clamped, TipSupport::free, cantilever},
-                                         {0., TipSupport::free, hinged},
-                                         {clamped, TipSupport::pinned, hinged},
-                                         {0., TipSupport::pinned, pi},
-                                         {clamped, TipSupport::guided, sliding},
-                                         {0., TipSupport::guided, pi / 2},
-                                         {clamped, TipSupport::clamped, fixed},
-                                         {0., TipSupport::clamped, hinged}})
-    EXPECT_NEAR(wave_numbers(craft(root, tip, false), 3)[0] / first, 1, 1e-12) << root;
-  // The elastically hinged, free beam: kappa (1 + cos cosh) + q (cos sinh - sin cosh) = 0.
-  for (const double kappa : {1e-9, 0.01, 1., 100.}) {
-    for (const double q : wave_numbers(craft(kappa, TipSupport::free, false), 4)) {
-      const auto f = [kappa](double z) {
-        return kappa * (1 + std::cos(z) * std::cosh(z)) +
-               z * (std::cos(z) * std::sinh(z) - std::sin(z) * std::cosh(z));
-      };
-      if (q > 0.1) {
-        EXPECT_LT(f(q * (1 - 1e-12)) * f(q * (1 + 1e-12)), 0) << kappa << ' ' << q;
-      }
-    }
-    // A rigid bar on a spring: omega^2 = 3 k/(rho L^3), to the first order in kappa.
-    if (kappa < 0.1) {
-      EXPECT_NEAR(wave_numbers(craft(kappa, TipSupport::free, false), 1)[0] / std::pow(3 * kappa, 0.25), 1,
-                  kappa);
     }
   }
 }
@@ -246,8 +199,6 @@ TEST(Ends, WhatIsForCantileversRefusesOthers) {
     EXPECT_TRUE(tests::holds(text, "clamped root and a free tip"));
   Parameters bad = table_3_1();
   bad.root_stiffness = -1;
-  EXPECT_THROW(require_physical(bad), std::invalid_argument);
-  bad.root_stiffness = 1e-200;
   EXPECT_THROW(require_physical(bad), std::invalid_argument);
   EXPECT_THROW((void)deflection_zeros(Plant(held), held.length, 100), std::invalid_argument);
   // At s = 0 the swinging appendage has a pole.

@@ -171,14 +171,15 @@ def root(chain, u, low, high, value):
     raise ArithmeticError("no convergence")
 
 
-def shot(name, motion, low, high=None, parts=10, first=None, whole=None):
+def shot(name, motion, low, high=None, parts=10, first=None, whole=None, wanted=3):
     """The load at a displacement, or between two of them a limit point of the chain or a branch point of the whole. @param first motion and
-    displacement by which to set out, where `motion` is of second order at rest"""
+    displacement by which to set out, where `motion` is of second order at rest
+    @param wanted at a displacement: 2 for the moment at the clamped first end instead of the load"""
     chain = Chain(name, motion)
     u = Chain(name, first[0]).reach(first[1], 10) if first else (0.0,) * 4
     u = chain.reach(low, parts, u)
     if high is None:
-        return chain.solve([D(c) for c in u], D(str(low)), D)[0][3]
+        return chain.solve([D(c) for c in u], D(str(low)), D)[0][wanted]
     if whole is None:
         return root(chain, u, low, high, lambda u, slope: slope[3])
     every = Chain(whole, motion)
@@ -194,12 +195,13 @@ def falling_zero(value, low, high):
     return low
 
 
-def heavy(weight, ea=D(10) ** 6):
-    """The rotation at the clamped base of a column under its weight, 1 at its free top, which is 0 where it branches: the power series of
-    theta'' = -w s (1 - w s/EA) theta over the distance s from the top."""
+def heavy(weight, load=D(0), ea=D(10) ** 6):
+    """The rotation at the clamped base of a column under its weight and a load on its free top, where it is 1; 0 where the column branches: the
+    power series of theta'' = -p (1 - p/EA) theta with p = P + w s over the distance s from the top."""
+    factors = load - load**2 / ea, weight - 2 * load * weight / ea, -(weight**2) / ea
     a = [D(1), D(0)]
     for n in range(80):
-        a.append((-weight * (a[n - 1] if n > 0 else 0) + weight**2 / ea * (a[n - 2] if n > 1 else 0)) / ((n + 1) * (n + 2)))
+        a.append(-sum(f * a[n - k] for k, f in enumerate(factors) if k <= n) / ((n + 1) * (n + 2)))
     return sum(a)
 
 
@@ -211,6 +213,13 @@ def shortened(load, ea=D(10) ** 6):
 def on_spring(x):
     c, z = cosine_sine(x)
     return x * z - c
+
+
+def braced(x):
+    """0 where a clamped column with a spring of stiffness 2 across its top branches: P = 2 a (1 - tan(x)/x), a = 1 - P/EA, x^2 = a P."""
+    load = shortened(x * x)
+    c, z = cosine_sine(x)
+    return load * x * c - 2 * (1 - load / 10**6) * (x * c - z)
 
 
 def main():
@@ -233,7 +242,8 @@ def main():
             ("deep-arch first maximum", shot("deep-arch", "crown.y", -110, -120, 60)),
             ("deep-arch load at -50", shot("deep-arch", "crown.y", -50, parts=30)),
             ("portal first maximum", shot("portal", "B.x", 0.76, 0.768, 125, aside)),
-            ("heavy-cantilever load at -0.5", shot("heavy-cantilever", "tip.y", -0.5, parts=20))):
+            ("heavy-cantilever load at -0.5", shot("heavy-cantilever", "tip.y", -0.5, parts=20)),
+            ("heavy-cantilever moment at -0.5", shot("heavy-cantilever", "tip.y", -0.5, parts=20, wanted=2))):
         row(name, load, 12)
     slope = (D(5) / 4).sqrt() ** -1
     truss = 2 * (1 - slope ** (D(2) / 3)) ** (D(3) / 2)
@@ -243,11 +253,18 @@ def main():
     brace = 1 / D(8).sqrt()  # of rigid columns of EA = 1e6
     row("inclined-brace first bifurcation", brace / (1 + brace / 10**6), 12)
     row("level-brace first bifurcation", 1 / (1 + D("1e-6")), 12)
+    squared = D("9.869604401089358618834490999876")  # pi^2
     for mode, name in enumerate(("first", "second", "third"), 1):
-        euler = D("9.869604401089358618834490999876") * mode**2  # P (1 - P/EA) = pi^2 EI n^2/l^2
+        euler = squared * mode**2  # P (1 - P/EA) = pi^2 EI n^2/l^2
         row(f"column {name} bifurcation", shortened(euler) / D("9.869604401089358"), 12)  # the load of the file
+    # The bent column vibrates with (2 pi a f)^2 = pi^2 (pi^2 - a P), a = 1 - P/EA.
+    load = D("9.869604401089358") / 2
+    stretch = 1 - load / 10**6
+    row("column first frequency at 0.5", (squared - stretch * load).sqrt() / (2 * stretch), 12)
     row("spring-column first bifurcation", shortened(falling_zero(on_spring, D("0.8"), D("0.9")) ** 2), 12)
+    row("braced-column first bifurcation", shortened(falling_zero(braced, D("1.6"), D("2.2")) ** 2), 12)
     row("heavy-column first bifurcation", falling_zero(heavy, D(7), D(8)), 12)
+    row("loaded-column first bifurcation", falling_zero(lambda load: heavy(D(4), load), D(1), D(2)), 12)
     # A moment of pi/4 turns a joint of stiffness 1 and bends the cantilever by pi/4 each.
     row("joint-cantilever load at 0.9003163", D("0.25"), 12)
 

@@ -31,41 +31,32 @@ Parameters with_ends(bool body, double root, TipSupport tip) {
   return p;
 }
 
-/// Ends, and the first wave number of a beam that has them.
-struct Ends {
+/// Ends, the first wave number of a beam that has them, and what is computed.
+struct Row {
   const char *root, *tip;
   double stiffness;
   TipSupport support;
-  double known;  ///< |beta|^(1/4) L on a locked hub without tip bodies
+  double known;                    ///< |beta|^(1/4) L on a locked hub without tip bodies
+  double wave_number = 0;          ///< the same, computed
+  std::vector<double> poles = {};  ///< with tip bodies, rad/s
+  double elements_error = 0;       ///< largest of finite elements, relative; 0: not computed
 };
 
 // Zeros of cos q cosh q + 1, tan q - tanh q, tan q + tanh q, cos q cosh q - 1, sin q and cos q.
-const std::array<Ends, 8> all_ends = {
-    {{"clamped", "free", clamped, TipSupport::free, 1.875104068711961},
-     {"pinned", "free", 0, TipSupport::free, 3.926602312047919},
-     {"clamped", "pinned", clamped, TipSupport::pinned, 3.926602312047919},
-     {"pinned", "pinned", 0, TipSupport::pinned, std::numbers::pi},
-     {"clamped", "guided", clamped, TipSupport::guided, 2.365020372431352},
-     {"pinned", "guided", 0, TipSupport::guided, std::numbers::pi / 2},
-     {"clamped", "clamped", clamped, TipSupport::clamped, 4.730040744862704},
-     {"pinned", "clamped", 0, TipSupport::clamped, 3.926602312047919}}};
+const std::array<Row, 8> all_ends = {{{"clamped", "free", clamped, TipSupport::free, 1.875104068711961},
+                                      {"pinned", "free", 0, TipSupport::free, 3.926602312047919},
+                                      {"clamped", "pinned", clamped, TipSupport::pinned, 3.926602312047919},
+                                      {"pinned", "pinned", 0, TipSupport::pinned, std::numbers::pi},
+                                      {"clamped", "guided", clamped, TipSupport::guided, 2.365020372431352},
+                                      {"pinned", "guided", 0, TipSupport::guided, std::numbers::pi / 2},
+                                      {"clamped", "clamped", clamped, TipSupport::clamped, 4.730040744862704},
+                                      {"pinned", "clamped", 0, TipSupport::clamped, 3.926602312047919}}};
 
-struct Row {
-  Ends ends;
-  double wave_number;
-  std::vector<double> poles;  ///< with tip bodies, rad/s
-  double elements_error;      ///< largest of finite elements, relative; 0: not computed
-
-  [[nodiscard]] const char* root() const { return ends.root; }
-  [[nodiscard]] const char* tip() const { return ends.tip; }
-};
-
-Row row_of(const Ends& e) {
-  const spacecraft::Plant bare(with_ends(false, e.stiffness, e.support));
-  const Parameters p = with_ends(true, e.stiffness, e.support);
-  const double locked = hub_zeros(bare, 1).omega.at(0);
-  Row row{e, std::sqrt(locked * std::sqrt(bare.appendage().beta_unit())),
-          poles(spacecraft::Plant(p), modes).omega, 0};
+Row computed(Row row) {
+  const spacecraft::Plant bare(with_ends(false, row.stiffness, row.support));
+  const Parameters p = with_ends(true, row.stiffness, row.support);
+  row.wave_number = std::sqrt(hub_zeros(bare, 1).omega.at(0) * std::sqrt(bare.appendage().beta_unit()));
+  row.poles = poles(spacecraft::Plant(p), modes).omega;
   if (p.swings()) return row;  // its stiffness matrix is singular
   const Eigen::VectorXd found = diagonalise(finite_elements(p, elements)).omega;
   for (std::size_t i = 0; i < row.poles.size(); ++i)
@@ -108,9 +99,9 @@ void put(scene::Show& show) {
   draw(show);
   std::vector<Row> rows;
   double worst = 0, of_elements = 0;
-  for (const Ends& e : all_ends) {
-    rows.push_back(row_of(e));
-    worst = std::max(worst, std::abs(rows.back().wave_number / e.known - 1));
+  for (const Row& ends : all_ends) {
+    rows.push_back(computed(ends));
+    worst = std::max(worst, std::abs(rows.back().wave_number / ends.known - 1));
     of_elements = std::max(of_elements, rows.back().elements_error);
   }
   show.table(rows, {{"root", &Row::root},
