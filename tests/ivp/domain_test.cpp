@@ -86,8 +86,12 @@ TEST(Domain, ATankFillsAgain) {
 TEST(Domain, LeavingIsAnEnd) {
   const Solution end = run("y' = sqrt(1 - x); x' = 1", State{0, 0}, 0, 3, 1e-9);
   EXPECT_EQ(end.status.outcome(), Outcome::outside_validity);
-  EXPECT_NE(end.status.text().find("becomes negative at t = 1.00000000 +- 4e-08,"), std::string::npos)
+  EXPECT_NE(end.status.text().find("leaves its domain at t = 1.00000000 +- 4e-08,"), std::string::npos)
       << end.status.text();
+  // Also in time alone, at once and exactly, but not where the equations are defined beyond.
+  for (const char* root : {"sqrt(1 - t)", "log(1 - t)", "asin(t)", "(1 - t)^1.5"})
+    EXPECT_EQ(run(std::string("x' = ") + root, State{0}, 0, 3, 1e-9).t, 1) << root;
+  EXPECT_TRUE(run("x' = sqrt(max(1 - t, 0))", State{0}, 0, 3, 1e-9).status.ok());
   // For h' = sin(t) - sqrt(h) the tank empties while the inflow is negative.
   const Solution drained = run("h' = sin(t) - sqrt(h)", State{0.5}, 0, 8, 1e-9);
   EXPECT_EQ(drained.status.outcome(), Outcome::outside_validity) << drained.status.text();
