@@ -90,7 +90,7 @@ TEST(Domain, LeavingIsAnEnd) {
       << end.status.text();
   // Also in time alone, at once and exactly, but not where the equations are defined beyond.
   for (const char* root : {"sqrt(1 - t)", "log(1 - t)", "asin(t)", "(1 - t)^1.5"})
-    EXPECT_EQ(run(std::string("x' = ") + root, State{0}, 0, 3, 1e-9).t, 1) << root;
+    EXPECT_NEAR(run(std::string("x' = ") + root, State{0}, 0, 3, 1e-9).t, 1, 4 * eps) << root;
   EXPECT_TRUE(run("x' = sqrt(max(1 - t, 0))", State{0}, 0, 3, 1e-9).status.ok());
   // For h' = sin(t) - sqrt(h) the tank empties while the inflow is negative.
   const Solution drained = run("h' = sin(t) - sqrt(h)", State{0.5}, 0, 8, 1e-9);

@@ -141,6 +141,7 @@ class CatalogueRun {
     for (std::size_t k = 0; k < states_.size(); ++k) {
       if (!std::isnan(row[k])) options.x0[static_cast<Eigen::Index>(k)] = row[k];
     }
+    options.start_with_changes();
     options.deadline = deadline_;
     return member;
   }

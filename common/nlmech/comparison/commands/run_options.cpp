@@ -17,17 +17,6 @@
 namespace nlmech::comparison {
 namespace {
 
-/// Applies changes of the state by events at the start, so that they are part of the initial state.
-void start_with_changes(RunOptions& r) {
-  const auto changes = [](const WantedEvent& e) { return static_cast<bool>(e.event.change); };
-  if (r.t1 < r.t0 && std::ranges::any_of(r.events, changes))
-    throw input_error("--until {}: is before the start, {}; events that change the state need a later end",
-                      r.t1, r.t0);
-  for (const WantedEvent& e : r.events) {
-    if (e.event.change && e.at == r.t0) e.event.change(r.t0, r.x0);
-  }
-}
-
 /// Value of an option; nothing if the option is not given.
 std::optional<double> time_of(const std::string& option, const std::string& typed,
                               const UserProblem& problem) {
@@ -51,6 +40,16 @@ std::vector<double> times_of_rows(const std::string& typed, const UserProblem& p
 }
 
 }  // namespace
+
+void RunOptions::start_with_changes() {
+  const auto changes = [](const WantedEvent& e) { return static_cast<bool>(e.event.change); };
+  if (t1 < t0 && std::ranges::any_of(events, changes))
+    throw input_error("--until {}: is before the start, {}; events that change the state need a later end", t1,
+                      t0);
+  for (const WantedEvent& e : events) {
+    if (e.event.change && e.at == t0) e.event.change(t0, x0);
+  }
+}
 
 void RunOptions::check_rows() const {
   if (std::min(t0, t1) < tables.first || std::max(t0, t1) > tables.second)
@@ -133,7 +132,7 @@ RunOptions run_options(const TypedOptions& typed, const UserProblem& problem, iv
   if (r.section) r.events = events_of("--section", typed.section, problem);
   for (const std::string& text : typed.changes) add_change("--set-at", text, problem, r.events);
   for (const EventLine& line : problem.event_lines) add_line(line, problem, r.events);
-  start_with_changes(r);
+  if (typed.states.empty()) r.start_with_changes();  // with --states each row is changed
   return r;
 }
 

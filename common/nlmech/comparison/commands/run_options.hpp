@@ -74,6 +74,10 @@ struct RunOptions {
   /// Checks the times of the rows. @throws InputError naming `--every` for more than ten million rows, `--at`
   /// for a time outside the run, and `--until` for a run beyond the tables of the equations
   void check_rows() const;
+
+  /// Applies changes of the state by events at the start to x0. @throws InputError naming `--until` for a run
+  /// backwards with events that change the state
+  void start_with_changes();
 };
 
 /// Result of @p work. @throws InputError with the name of the option instead of a std::invalid_argument
