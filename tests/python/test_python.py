@@ -8,6 +8,7 @@ import os
 import pickle
 import signal
 import threading
+import time
 
 import pytest
 
@@ -129,12 +130,12 @@ def test_wrong_arguments_are_value_errors(arguments, words):
     assert "--" not in str(raised.value)
 
 
-def test_wrong_shapes_are_value_errors():
-    for wrong in (lambda: nlmech.integrate(DUFFING, np.ones((3, 4)), until=1), lambda: nlmech.geodesy.reverse([1.0, 2.0]),
-                  lambda: nlmech.orbit.propagate(np.ones((2, 5)), 1), lambda: nlmech.orbit.propagate([LOW, LOW], [1, 2, 3]),
-                  lambda: nlmech.geodesy.reverse([1.0, 2, 3], "mars"), lambda: nlmech.geodesy.forward([91.0, 0, 0])):
-        with pytest.raises(ValueError):
-            wrong()
+@pytest.mark.parametrize("wrong", [
+    lambda: nlmech.integrate(DUFFING, np.ones((3, 4)), until=1), lambda: nlmech.geodesy.reverse([1.0, 2.0]),
+    lambda: nlmech.orbit.propagate(np.ones((2, 5)), 1), lambda: nlmech.orbit.propagate([LOW, LOW], [1, 2, 3]),
+    lambda: nlmech.geodesy.reverse([1.0, 2, 3], "mars"), lambda: nlmech.geodesy.forward([91.0, 0, 0])])
+def test_wrong_shapes_are_value_errors(wrong):
+    pytest.raises(ValueError, wrong)
 
 
 def test_a_failure_carries_what_was_computed():
@@ -170,37 +171,23 @@ def test_a_verification_can_be_interrupted():
         nlmech.integrate("x'' + sin(x) = 0", "x=3, x'=0", until=3000, progress=watch)
 
 
-def test_progress_grows_and_its_exception_ends_a_run():
-    shares = []
+def test_progress_grows_other_threads_run_and_an_exception_ends_a_run():
+    """A thread counts while another one computes: with Python's lock held it would not."""
+    shares, counts = [], []
 
     def watch(share):
         shares.append(share)
-        if len(shares) == 4:
+        if len(counts) > 20 and len(shares) > 3:
             raise LookupError("enough")
 
+    with concurrent.futures.ThreadPoolExecutor(1) as pool:
+        computed = pool.submit(nlmech.integrate, **LONG, progress=watch)
+        while not computed.done():
+            counts.append(1)
+            time.sleep(0.001)
     with pytest.raises(LookupError, match="enough"):
-        nlmech.integrate(**LONG, progress=watch)
+        computed.result()
     assert shares == sorted(shares) and 0 <= shares[0] < shares[-1] < 1
-
-
-def test_other_threads_run_during_a_call():
-    """A thread that counts while another computes: with Python's lock held it would not."""
-    counts = []
-
-    def watch(share):
-        if len(counts) > 20:
-            raise LookupError("enough")
-
-    def compute():
-        with pytest.raises(LookupError):
-            nlmech.integrate(**LONG, progress=watch)
-
-    worker = threading.Thread(target=compute)
-    worker.start()
-    while worker.is_alive():
-        counts.append(1)
-        worker.join(0.001)
-    assert len(counts) > 20
 
 
 def test_threads_give_the_same_bits():
