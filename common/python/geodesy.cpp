@@ -3,6 +3,7 @@
 #include <atomic>
 #include <cmath>
 #include <span>
+#include <utility>
 
 #include "common/python/module.hpp"
 #include "nlmech/geodesy/reverse_transform.hpp"
@@ -20,47 +21,40 @@ using geodesy::ReverseTransform;
 /// page apart, where loads wait for stores of the same offset.
 constexpr std::size_t block = 128, portion = 64 * block;
 
-/// Rows of three numbers in any order.
-using Rows = py::array_t<double, py::array::forcecast>;
-/// Rows of three numbers by columns: NumPy takes a column as a vector without gaps.
+/// Rows of three numbers in any order of memory.
+using Points = py::array_t<double, py::array::forcecast>;
+/// The same by columns: NumPy takes a column as a vector without gaps.
 using Columns = py::array_t<double, py::array::f_style>;
 
 /// Coordinates of the points of a block, each without gaps.
 using Block = std::array<std::array<double, block>, 3>;
 
+/// Result, and the number of points without a finite one.
+using Transformed = std::pair<Columns, std::size_t>;
+
 /// Runs `work(count, from, to)` for blocks of @p points: it reads @p from, writes columns of the result and
 /// returns the number of points without a finite result.
 template <class Work>
-Columns in_blocks(const char* name, const Rows& points, int threads, const Work& work) {
+Transformed in_blocks(const Points& points, int threads, const Work& work) {
   const auto count = static_cast<std::size_t>(points.shape(0));
   const auto value = points.unchecked<2>();
   Columns result({points.shape(0), py::ssize_t{3}});
   double* const data = result.mutable_data();
   const std::array<double*, 3> columns = {data, data + count, data + 2 * count};
   std::atomic<std::size_t> lost = 0;
-  unlocked([&] {
+  {
+    const py::gil_scoped_release release;
     share_out(count, portion, count > portion ? threads : 1, [&](std::size_t begin, std::size_t end) {
       Block from;
       for (std::size_t i = begin; i < end; i += block) {
         const std::size_t n = std::min(block, end - i);
         for (std::size_t k = 0; k < n; ++k)
           for (std::size_t c = 0; c < 3; ++c) from[c][k] = value(i + k, c);
-        const std::size_t none = work(n, from, std::array{columns[0] + i, columns[1] + i, columns[2] + i});
-        if (none > 0) lost += none;
+        lost += work(n, from, std::array{columns[0] + i, columns[1] + i, columns[2] + i});
       }
     });
-    return true;
-  });
-  if (lost == 0) return result;
-  const auto is_lost = [](double x) { return !std::isfinite(x); };
-  std::size_t first = count;
-  for (const double* column : columns)
-    first = std::min(first, static_cast<std::size_t>(std::find_if(column, column + count, is_lost) - column));
-  raise(failed_with(Outcome::non_finite,
-                    "{}: {} of {} points have no finite result, the first at index {}: a number is NaN or "
-                    "infinite, or the distance from the centre overflows",
-                    name, lost.load(), count, first),
-        result);
+  }
+  return {std::move(result), lost.load()};
 }
 
 /// Turns radians into degrees, with the same bits for each instruction set.
@@ -72,9 +66,9 @@ void to_degrees(std::span<double> angles) {
 }
 
 /// Degrees of latitude and longitude, and height, for rows x, y, z.
-Columns reverse(const Rows& points, const Ellipsoid& ellipsoid, int threads) {
+Transformed reverse(const Points& points, const Ellipsoid& ellipsoid, int threads) {
   const ReverseTransform transform(ellipsoid);
-  return in_blocks("geodesy.reverse", points, threads, [&](std::size_t n, const Block& from, const auto& to) {
+  return in_blocks(points, threads, [&](std::size_t n, const Block& from, const auto& to) {
     const std::span latitude(to[0], n), longitude(to[1], n);
     const auto report = transform({from[0].data(), n}, {from[1].data(), n}, {from[2].data(), n}, latitude,
                                   longitude, {to[2], n});
@@ -85,14 +79,14 @@ Columns reverse(const Rows& points, const Ellipsoid& ellipsoid, int threads) {
 }
 
 /// x, y, z for rows of degrees of latitude and longitude, and height.
-Columns forward(const Rows& points, const Ellipsoid& ellipsoid, int threads) {
+Transformed forward(const Points& points, const Ellipsoid& ellipsoid, int threads) {
   const auto value = points.unchecked<2>();
   for (py::ssize_t i = 0; i < value.shape(0); ++i) {
     if (std::abs(value(i, 0)) > 90)
       throw invalid_argument("geodesy.forward: the latitude {} at index {} is not between -90 and 90",
                              value(i, 0), i);
   }
-  return in_blocks("geodesy.forward", points, threads, [&](std::size_t n, const Block& from, const auto& to) {
+  return in_blocks(points, threads, [&](std::size_t n, const Block& from, const auto& to) {
     std::size_t lost = 0;
     for (std::size_t k = 0; k < n; ++k) {
       const SineCosine lat = sine_cosine_of_degrees(from[0][k]), lon = sine_cosine_of_degrees(from[1][k]);

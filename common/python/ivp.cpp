@@ -2,11 +2,13 @@
 #include <charconv>
 #include <chrono>
 #include <cmath>
-#include <iterator>
-#include <limits>
 #include <memory>
+#include <optional>
 #include <span>
+#include <string>
+#include <tuple>
 #include <utility>
+#include <vector>
 
 #include "common/python/module.hpp"
 #include "nlmech/comparison/commands/compare.hpp"
@@ -21,54 +23,40 @@ using comparison::RunOptions;
 using comparison::TypedOptions;
 using comparison::UserProblem;
 
-/// Rows of a run, `t,x,x',...` and perhaps `event`, as numbers: the names of the columns, their values, one
-/// row for each column, and the names of the events, one for each time.
-py::tuple columns_of(std::string_view rows, bool has_events) {
-  const auto take = [](std::string_view& text, char end) {
-    const std::string_view cell = text.substr(0, text.find(end));
-    text.remove_prefix(std::min(cell.size() + 1, text.size()));
-    return cell;
-  };
-  std::string_view header = take(rows, '\n');
-  std::vector<std::string> names;
-  while (!header.empty()) names.emplace_back(take(header, ','));
-  if (has_events) names.pop_back();
-  const auto count = static_cast<py::ssize_t>(std::ranges::count(rows, '\n'));
-  py::array_t<double> table({static_cast<py::ssize_t>(names.size()), count});
-  auto value = table.mutable_unchecked<2>();
+/// Header, values, one row for each column, and event of each row as printed.
+using Columns = std::tuple<std::string, Rows<>, std::vector<std::string>>;
+
+/// Rows of a run, `t,x,x',...` and perhaps `event`, by columns.
+Columns columns_of(const std::string& rows, bool has_events) {
+  if (rows.empty()) return {"t", Rows<>(1, 0), {}};
+  std::string header = rows.substr(0, rows.find('\n'));
+  const auto columns = std::ranges::count(header, ',') + (has_events ? 0 : 1);
+  std::vector<double> values;
   std::vector<std::string> events;
-  for (py::ssize_t k = 0; k < count; ++k) {
-    std::string_view line = take(rows, '\n');
-    for (py::ssize_t i = 0; i < table.shape(0); ++i) {
-      const std::string_view cell = take(line, ',');
-      value(i, k) = std::numeric_limits<double>::quiet_NaN();
-      std::from_chars(cell.data(), cell.data() + cell.size(), value(i, k));
-    }
-    if (line.starts_with('"')) {  // a quoted name, with "" for a quote
-      std::string name;
-      for (std::size_t c = 1; c + 1 < line.size(); ++c) {
-        name += line[c];
-        if (line[c] == '"') ++c;
-      }
-      events.push_back(name);
-    } else if (has_events) {
-      events.emplace_back(line);
-    }
+  const char* at = rows.data() + header.size() + 1;
+  const char* const end = rows.data() + rows.size();
+  while (at < end) {
+    for (auto k = columns; k > 0; --k) at = std::from_chars(at, end, values.emplace_back()).ptr + 1;
+    if (!has_events) continue;
+    const char* const line = std::find(at, end, '\n');
+    events.emplace_back(at, line);
+    at = line + 1;
   }
-  return py::make_tuple(names, table, events);
+  const Eigen::Map<const Eigen::MatrixXd> table(values.data(), columns, std::ssize(values) / columns);
+  return {std::move(header), table, std::move(events)};
 }
 
-py::tuple result_of(const comparison::Trajectory& run, const Status& status, const RunOptions& options,
-                    const std::vector<std::string>& remarks) {
-  std::vector<std::string> said = remarks;
-  said.insert(said.end(), {run.remark, run.small});
-  std::erase(said, "");
-  py::object verified = py::none();
-  if (options.verify && status.ok()) verified = py::bool_(!run.is_open);
-  py::object columns = py::none();  // of a failed one of many runs
-  if (!run.rows.empty()) columns = columns_of(run.rows, !options.events.empty());
-  return py::make_tuple(columns, std::string(to_string(status.outcome())), status.sentence(),
-                        std::string(run.method), verified, said);
+/// Columns of a run, also of a failed one, status, method, whether it is verified, remarks.
+using Result = std::tuple<Columns, StatusText, std::string, std::optional<bool>, std::vector<std::string>>;
+
+Result result_of(const comparison::Trajectory& run, const Status& status, const RunOptions& options,
+                 std::vector<std::string> remarks) {
+  remarks.insert(remarks.end(), {run.remark, run.small});
+  std::erase(remarks, "");
+  std::optional<bool> verified;
+  if (options.verify && status.ok()) verified = !run.is_open;
+  return {columns_of(run.rows, !options.events.empty()), text_of(status), std::string(run.method), verified,
+          std::move(remarks)};
 }
 
 /// Checked options with rows at the times @p at.
@@ -90,65 +78,58 @@ void watch(RunOptions& options, Job& job) {
   };
 }
 
-py::tuple integrate(const TypedOptions& typed, const std::vector<double>& at, const py::object& progress) {
+Result integrate(const TypedOptions& typed, const std::vector<double>& at, const py::object& progress) {
   const UserProblem problem = problem_of(typed)({});
   RunOptions options = options_of(typed, problem, problem.initial_state(typed.initial), at);
   const ivp::MethodInfo& method = method_of(typed, problem, options);
+  comparison::Trajectory run;
   try {
-    const comparison::Trajectory run = unlocked(progress, [&](Job& job) {
+    unlocked(progress, [&](Job& job) {
       watch(options, job);
-      return typed.method.empty() ? default_trajectory(problem, options, method)
-                                  : trajectory(problem, options, method);
+      run = typed.method.empty() ? default_trajectory(problem, options, method)
+                                 : trajectory(problem, options, method);
     });
-    return result_of(run, {}, options, remarks_on(problem, options));
   } catch (const comparison::RunFailure& failure) {
-    comparison::Trajectory part;
-    part.rows = failure.rows();
-    part.method = method.name;
-    raise(failure.status(), result_of(part, failure.status(), options, {}));
+    run.rows = failure.rows();
+    run.method = method.name;
+    return result_of(run, failure.status(), options, {});
   }
+  return result_of(run, {}, options, remarks_on(problem, options));
 }
 
 /// One run for each row of @p states.
-py::list integrate_all(const TypedOptions& typed, const Doubles& states, const std::vector<double>& at,
-                       const py::object& progress) {
+std::vector<Result> integrate_all(const TypedOptions& typed, const Rows<>& states,
+                                  const std::vector<double>& at, const py::object& progress) {
   const auto problem = std::make_shared<const UserProblem>(problem_of(typed)({}));
-  const auto size = static_cast<py::ssize_t>(problem->state_names.size());
-  if (states.shape(1) != size)
-    throw invalid_argument("initial: {} columns for {} components", states.shape(1), size);
+  if (states.cols() != problem->system.size())
+    throw invalid_argument("initial: {} columns for {} components", states.cols(), problem->system.size());
   std::vector<comparison::EnsembleMember> members;
-  for (py::ssize_t i = 0; i < states.shape(0); ++i) {
-    const ivp::State x0 = Eigen::Map<const Eigen::VectorXd>(states.data(i, 0), size);
-    if (members.empty() || !members.front().options.events.empty()) {
-      members.push_back({problem, options_of(typed, *problem, x0, at)});
-      continue;
+  for (Eigen::Index i = 0; i < states.rows(); ++i) {
+    if (i == 0 || !members.front().options.events.empty()) {  // which may change the state at the start
+      members.push_back({problem, options_of(typed, *problem, states.row(i), at)});
+    } else {
+      members.push_back(members.front());
+      members.back().options.x0 = states.row(i);
     }
-    members.push_back(members.front());
-    members.back().options.x0 = x0;
   }
-  if (members.empty()) return py::list();
+  std::vector<Result> results;
+  if (members.empty()) return results;
   const ivp::MethodInfo& method = method_of(typed, *problem, members.front().options);
-  constexpr std::size_t portion = 256;  // occupies all lanes and threads
-  const auto ends = unlocked(progress, [&](Job& job) {
+  unlocked(progress, [&](Job& job) {
     if (typed.limit) {
       using namespace std::chrono;
       const auto deadline = steady_clock::now() + duration_cast<steady_clock::duration>(
                                                       duration<double>(std::min(*typed.limit, 1e9)));
       for (auto& member : members) member.options.deadline = deadline;
     }
-    std::vector<comparison::EnsembleResult> all;
-    const std::span<comparison::EnsembleMember> left(members);
-    for (std::size_t i = 0; i < left.size(); i += portion) {
-      const auto some = left.subspan(i, std::min(portion, left.size() - i));
-      auto part = trajectories(some, method, typed.method.empty(), typed.threads.value_or(0));
-      std::ranges::move(part, std::back_inserter(all));
-      if (!job.reached(static_cast<double>(i + some.size()) / static_cast<double>(left.size()))) break;
+    constexpr std::size_t portion = 256;  // occupies all lanes and threads
+    for (std::size_t i = 0; i < members.size(); i = results.size()) {
+      const auto some = std::span(members).subspan(i, std::min(portion, members.size() - i));
+      for (auto& end : trajectories(some, method, typed.method.empty(), typed.threads.value_or(0)))
+        results.push_back(result_of(end.trajectory, end.status, members[results.size()].options, {}));
+      if (!job.reached(static_cast<double>(results.size()) / static_cast<double>(members.size()))) break;
     }
-    return all;
   });
-  py::list results;
-  for (std::size_t i = 0; i < ends.size(); ++i)
-    results.append(result_of(ends[i].trajectory, ends[i].status, members[i].options, {}));
   return results;
 }
 
@@ -161,76 +142,66 @@ std::pair<UserProblem, RunOptions> without_events(const TypedOptions& typed) {
   return {std::move(problem), std::move(options)};
 }
 
-/// CSV and messages.
-py::tuple compare(const TypedOptions& typed, const py::object& progress) {
+/// CSV.
+std::string compare(const TypedOptions& typed, const py::object& progress) {
   auto [problem, options] = without_events(typed);
   const std::vector<comparison::Choice> methods = choices(typed, problem, options);
-  std::vector<std::string> messages;
-  const auto say = [&messages](const std::string& message) { messages.push_back(message); };
-  const auto work = [&problem = problem, &options = options, &methods, &say](Job& job) {
+  std::string rows;
+  unlocked(progress, [&rows, &problem = problem, &options = options, &methods](Job& job) {
     watch(options, job);
-    return comparison::comparison(problem, options, methods, say).rows;
-  };
-  const std::string rows = unlocked(progress, work);
-  return py::make_tuple(rows, messages);
+    rows = comparison::comparison(problem, options, methods, [](const std::string& /*message*/) {}).rows;
+  });
+  return rows;
 }
 
-/// CSV and a remark.
-py::tuple choose(const TypedOptions& typed) {
+/// CSV.
+std::string choose(const TypedOptions& typed) {
   const auto [problem, options] = without_events(typed);
   if (options.t0 == options.t1)
     throw input_error("--until {}: is the start time; give another end", options.t1);
   comparison::ChoiceRequest request = choice_request(problem, options);
   if (const auto absolute = options.settings.absolute_tolerance)
     request.absolute = *absolute * std::pow(10, typed.digits);
-  const auto chosen = unlocked([&] { return comparison::choose(request, typed.digits, examine(request)); });
-  return py::make_tuple(choice_rows(chosen), choice_remark(chosen));
+  return choice_rows(comparison::choose(request, typed.digits, examine(request)));
 }
 
 }  // namespace
 
 void add_ivp(py::module_& module) {
-  py::class_<TypedOptions> options(module, "Options", "Options of integrate, compare and choose.");
-  options.def(py::init<>());
-  const auto add = [&options](const char* name, auto member) { options.def_readwrite(name, member); };
-  const auto setting = [&options](const char* name, auto member) {
-    options.def_property(
-        name, [member](const TypedOptions& o) { return o.settings.*member; },
-        [member](TypedOptions& o,
-                 const std::decay_t<decltype(std::declval<ivp::Settings>().*member)>& value) {
-          o.settings.*member = value;
-        });
-  };
-  add("problem", &TypedOptions::problem);
-  add("equation", &TypedOptions::equation);
-  add("file", &TypedOptions::file);
-  add("initial", &TypedOptions::initial);
-  add("method", &TypedOptions::method);
-  add("tolerances", &TypedOptions::tolerances);
-  add("until", &TypedOptions::until);
-  add("start", &TypedOptions::from);
-  add("every", &TypedOptions::every);
-  add("step", &TypedOptions::step);
-  add("limit", &TypedOptions::limit);
-  add("largest_step", &TypedOptions::largest_step);
-  add("set", &TypedOptions::set);
-  add("events", &TypedOptions::events);
-  add("changes", &TypedOptions::changes);
-  add("section", &TypedOptions::section);
-  add("columns", &TypedOptions::columns);
-  add("threads", &TypedOptions::threads);
-  add("no_verify", &TypedOptions::no_verify);
-  add("digits", &TypedOptions::digits);
-  setting("tolerance", &ivp::Settings::tolerance);
-  setting("absolute_tolerance", &ivp::Settings::absolute_tolerance);
-  setting("nodes", &ivp::Settings::nodes);
-  setting("shape", &ivp::Settings::shape);
-  setting("order", &ivp::Settings::order);
-  setting("points", &ivp::Settings::points);
+  py::class_<ivp::Settings>(module, "Settings")
+      .def_readwrite("tolerance", &ivp::Settings::tolerance)
+      .def_readwrite("absolute_tolerance", &ivp::Settings::absolute_tolerance)
+      .def_readwrite("nodes", &ivp::Settings::nodes)
+      .def_readwrite("shape", &ivp::Settings::shape)
+      .def_readwrite("order", &ivp::Settings::order)
+      .def_readwrite("points", &ivp::Settings::points);
+  py::class_<TypedOptions>(module, "Options", "Options of integrate, compare and choose.")
+      .def(py::init<>())
+      .def_readwrite("problem", &TypedOptions::problem)
+      .def_readwrite("equation", &TypedOptions::equation)
+      .def_readwrite("file", &TypedOptions::file)
+      .def_readwrite("initial", &TypedOptions::initial)
+      .def_readwrite("method", &TypedOptions::method)
+      .def_readwrite("tolerances", &TypedOptions::tolerances)
+      .def_readwrite("until", &TypedOptions::until)
+      .def_readwrite("start", &TypedOptions::from)
+      .def_readwrite("every", &TypedOptions::every)
+      .def_readwrite("step", &TypedOptions::step)
+      .def_readwrite("settings", &TypedOptions::settings)
+      .def_readwrite("limit", &TypedOptions::limit)
+      .def_readwrite("largest_step", &TypedOptions::largest_step)
+      .def_readwrite("set", &TypedOptions::set)
+      .def_readwrite("events", &TypedOptions::events)
+      .def_readwrite("changes", &TypedOptions::changes)
+      .def_readwrite("section", &TypedOptions::section)
+      .def_readwrite("columns", &TypedOptions::columns)
+      .def_readwrite("threads", &TypedOptions::threads)
+      .def_readwrite("no_verify", &TypedOptions::no_verify)
+      .def_readwrite("digits", &TypedOptions::digits);
   module.def("integrate", &integrate);
   module.def("integrate_all", &integrate_all);
   module.def("compare", &compare);
-  module.def("choose", &choose);
+  module.def("choose", &choose, Unlocked());
 }
 
 }  // namespace nlmech::python

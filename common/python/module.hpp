@@ -1,18 +1,16 @@
 /// @file
-/// Parts shared by the sources of the Python module: arrays, exceptions, and calls that Ctrl-C ends.
+/// Parts shared by the sources of the Python module: arrays, and calls without its lock, which Ctrl-C ends.
 #pragma once
 
+#include <pybind11/eigen.h>
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
 #include <chrono>
 #include <exception>
-#include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
-#include <vector>
 
 #include "nlmech/support/status.hpp"
 
@@ -20,15 +18,19 @@ namespace nlmech::python {
 
 namespace py = pybind11;
 
-/// Argument of doubles in C order; other types and orders are converted.
-using Doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
+/// Rows of numbers as NumPy has them.
+template <class Number = double, int columns = Eigen::Dynamic>
+using Rows = Eigen::Matrix<Number, Eigen::Dynamic, columns, Eigen::RowMajor>;
 
-/// A message of the library with arguments of Python in place of options: "--largest-step 1" becomes
-/// "largest_step 1".
-[[nodiscard]] std::string in_python(std::string_view message);
+/// Outcome, such as "success", and sentence.
+using StatusText = std::pair<std::string, std::string>;
+/// Both of a status.
+[[nodiscard]] inline StatusText text_of(const Status& status) {
+  return {std::string(to_string(status.outcome())), status.sentence()};
+}
 
-/// Raises nlmech.Failure. @param partial what was computed, or None
-[[noreturn]] void raise(const Status& status, const py::object& partial);
+/// Guard of functions without objects of Python: they run without its lock.
+using Unlocked = py::call_guard<py::gil_scoped_release>;
 
 /// Lets a computation without Python's lock report how far it is, and end after Ctrl-C. For one thread, the
 /// one that Python called.
@@ -65,27 +67,18 @@ class Job {
       std::chrono::steady_clock::now() + std::chrono::milliseconds(50);
 };
 
-/// Result of `work(job)` without Python's lock. @param progress see Job
+/// Calls `work(job)` without Python's lock. @param progress see Job
 template <class Work>
-auto unlocked(const py::object& progress, const Work& work) {
+void unlocked(const py::object& progress, const Work& work) {
   Job job(progress);
   try {
-    std::optional<decltype(work(job))> result;
-    {
-      const py::gil_scoped_release release;
-      result.emplace(work(job));
-    }
-    job.raise();
-    return std::move(*result);
+    const py::gil_scoped_release release;
+    work(job);
   } catch (...) {
     job.raise();  // rather than the failure of a computation that was interrupted
     throw;
   }
-}
-/// The same for work that nothing interrupts.
-template <class Work>
-auto unlocked(const Work& work) {
-  return unlocked(py::none(), [&work](Job& /*job*/) { return work(); });
+  job.raise();
 }
 
 void add_ivp(py::module_& module);         ///< integrate, compare, choose

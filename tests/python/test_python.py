@@ -8,6 +8,7 @@ import os
 import pickle
 import signal
 import threading
+import time
 
 import pytest
 
@@ -37,8 +38,10 @@ def command(name, *words, **options):
     return columns
 
 
-def csv_of(names, rows):
-    return "\n".join([",".join(names), *(",".join(repr(float(v)) for v in row) for row in rows)]) + "\n"
+def table(file, names, rows):
+    """Writes a CSV file."""
+    write(file, "\n".join([",".join(names), *(",".join(repr(float(v)) for v in row) for row in rows)]) + "\n")
+    return file
 
 
 def same(found, printed):
@@ -92,8 +95,8 @@ def test_dense_output_backwards_and_of_a_run_that_an_event_ends():
 @pytest.mark.parametrize("method", [None, "series", "ode45"])
 def test_many_runs_have_the_bits_of_a_file_of_states(folder, method):
     states = np.column_stack([np.linspace(-2, 2, 700), np.linspace(1, -1, 700)])  # three portions
-    write(folder / "states.csv", csv_of(["x", "x'"], states))
-    printed = command("integrators", "integrate", "--equation", DUFFING, "--until", "5", "--at", "2.5", "--states", folder / "states.csv",
+    file = table(folder / "states.csv", ["x", "x'"], states)
+    printed = command("integrators", "integrate", "--equation", DUFFING, "--until", "5", "--at", "2.5", "--states", file,
                       *(["--method", method] if method else []))
     found = nlmech.integrate(DUFFING, states, until=5, at=[2.5], method=method)
     assert {one.status for one in found} == set(printed["status"]) == {"success"}
@@ -129,12 +132,12 @@ def test_wrong_arguments_are_value_errors(arguments, words):
     assert "--" not in str(raised.value)
 
 
-def test_wrong_shapes_are_value_errors():
-    for wrong in (lambda: nlmech.integrate(DUFFING, np.ones((3, 4)), until=1), lambda: nlmech.geodesy.reverse([1.0, 2.0]),
-                  lambda: nlmech.orbit.propagate(np.ones((2, 5)), 1), lambda: nlmech.orbit.propagate([LOW, LOW], [1, 2, 3]),
-                  lambda: nlmech.geodesy.reverse([1.0, 2, 3], "mars"), lambda: nlmech.geodesy.forward([91.0, 0, 0])):
-        with pytest.raises(ValueError):
-            wrong()
+@pytest.mark.parametrize("wrong", [
+    lambda: nlmech.integrate(DUFFING, np.ones((3, 4)), until=1), lambda: nlmech.geodesy.reverse([1.0, 2.0]),
+    lambda: nlmech.orbit.propagate(np.ones((2, 5)), 1), lambda: nlmech.orbit.propagate([LOW, LOW], [1, 2, 3]),
+    lambda: nlmech.geodesy.reverse([1.0, 2, 3], "mars"), lambda: nlmech.geodesy.forward([91.0, 0, 0])])
+def test_wrong_shapes_are_value_errors(wrong):
+    pytest.raises(ValueError, wrong)
 
 
 def test_a_failure_carries_what_was_computed():
@@ -170,37 +173,23 @@ def test_a_verification_can_be_interrupted():
         nlmech.integrate("x'' + sin(x) = 0", "x=3, x'=0", until=3000, progress=watch)
 
 
-def test_progress_grows_and_its_exception_ends_a_run():
-    shares = []
+def test_progress_grows_other_threads_run_and_an_exception_ends_a_run():
+    """A thread counts while another one computes: with Python's lock held it would not."""
+    shares, counts = [], []
 
     def watch(share):
         shares.append(share)
-        if len(shares) == 4:
+        if len(counts) > 20 and len(shares) > 3:
             raise LookupError("enough")
 
+    with concurrent.futures.ThreadPoolExecutor(1) as pool:
+        computed = pool.submit(nlmech.integrate, **LONG, progress=watch)
+        while not computed.done():
+            counts.append(1)
+            time.sleep(0.001)
     with pytest.raises(LookupError, match="enough"):
-        nlmech.integrate(**LONG, progress=watch)
+        computed.result()
     assert shares == sorted(shares) and 0 <= shares[0] < shares[-1] < 1
-
-
-def test_other_threads_run_during_a_call():
-    """A thread that counts while another computes: with Python's lock held it would not."""
-    counts = []
-
-    def watch(share):
-        if len(counts) > 20:
-            raise LookupError("enough")
-
-    def compute():
-        with pytest.raises(LookupError):
-            nlmech.integrate(**LONG, progress=watch)
-
-    worker = threading.Thread(target=compute)
-    worker.start()
-    while worker.is_alive():
-        counts.append(1)
-        worker.join(0.001)
-    assert len(counts) > 20
 
 
 def test_threads_give_the_same_bits():
@@ -257,12 +246,10 @@ def test_bvp_with_an_unknown_constant_and_in_a_parameter():
 def test_geodesy_has_the_bits_of_the_command(folder):
     draws = np.random.default_rng(1)
     points = 6.4e6 * draws.uniform(-1.2, 1.2, (2000, 3))
-    write(folder / "points.csv", csv_of("xyz", points))
-    printed = command("geodesy", "reverse", folder / "points.csv")
+    printed = command("geodesy", "reverse", table(folder / "points.csv", "xyz", points))
     found = nlmech.geodesy.reverse(points)
     same(found.T, [printed[name] for name in ("latitude_deg", "longitude_deg", "height_m")])
-    write(folder / "back.csv", csv_of(["lat", "lon", "h"], found))
-    printed = command("geodesy", "forward", folder / "back.csv", "--ellipsoid", "GRS 80")
+    printed = command("geodesy", "forward", table(folder / "back.csv", ["lat", "lon", "h"], found), "--ellipsoid", "GRS 80")
     same(nlmech.geodesy.forward(found, "GRS 80").T, [printed[name] for name in "xyz"])
     same(nlmech.geodesy.reverse(points[7]), found[7])
     many = np.tile(points, (150, 1))  # more than one portion
@@ -282,8 +269,8 @@ def test_geodesy_has_the_bits_of_the_command(folder):
     (["--every", "700", "--stm", *ZONAL], {"every": 700, "stm": True, **FIELD})])
 def test_orbits_have_the_bits_of_the_command(folder, words, arguments):
     states = np.array(LOW) * np.linspace(1, 1.1, 50)[:, None]
-    write(folder / "states.csv", csv_of(["x", "y", "z", "vx", "vy", "vz"], states))
-    printed = command("two_body_series", "propagate", "--states", folder / "states.csv", "--until", "5000", *words)
+    file = table(folder / "states.csv", ["x", "y", "z", "vx", "vy", "vz"], states)
+    printed = command("two_body_series", "propagate", "--states", file, "--until", "5000", *words)
     found = nlmech.orbit.propagate(states, 5000, **arguments)
     rows = np.column_stack([printed[name] for name in ("x", "y", "z", "vx", "vy", "vz")])
     same(found.x, rows.reshape(found.x.shape))

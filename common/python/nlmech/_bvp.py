@@ -67,15 +67,13 @@ def bvp(equation: str | None = None, conditions: str = "", *, unknown: str = "",
         raise ValueError(f"starts {starts}: must be from 1 to 10000")
     if starts is not None and from_parameter is not None:
         raise ValueError("starts: cannot be combined with from_parameter")
-    text = _core.BoundaryText()
+    name = "equation"
     if file is not None:
-        text.name = file_of(file)
+        name = file_of(file)
         with open(file, encoding="utf-8") as source:
-            text.equations = source.read()
-    else:
-        text.name, text.equations = "equation", equation
-    text.settings = {name: float(value) for name, value in (set or {}).items()}
-    text.conditions, text.unknowns, text.start, text.until = conditions, unknown, text_of(start), text_of(until)
+            equation = source.read()
+    settings = {name: float(value) for name, value in (set or {}).items()}
+    text = _core.BoundaryText(name, equation, settings, conditions, unknown, "", text_of(start), text_of(until))
     times: list[float] = []
     values = np.empty((0, 0))
     if isinstance(guess, BoundarySolution):

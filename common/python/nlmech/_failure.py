@@ -1,7 +1,17 @@
 """The exception of failed computations."""
 from __future__ import annotations
 
+import re
 from typing import Any
+
+# Arguments that are not named as the options are.
+RENAMED = {"from": "start", "event": "events", "set-at": "changes", "no-verify": "verify=False", "plane": "normal",
+           "final-angle": "angle"}
+
+
+def in_python(message: str) -> str:
+    """A message of the library with arguments in place of options: "--largest-step 1" becomes "largest_step 1"."""
+    return re.sub("--([a-z][a-z-]*)", lambda option: RENAMED.get(option[1], option[1]).replace("-", "_"), message)
 
 
 class Failure(RuntimeError):
@@ -12,6 +22,7 @@ class Failure(RuntimeError):
     """
 
     def __init__(self, sentence: str, status: str = "not_converged", partial: Any = None):
+        sentence = in_python(sentence)
         super().__init__(f"{status}: {sentence}")
         self.sentence, self.status, self.partial = sentence, status, partial
 

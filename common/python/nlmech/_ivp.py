@@ -57,14 +57,13 @@ class Solution:
     `solution(t)` evaluates the solution at other times.
     """
 
-    def __init__(self, found: tuple, again: Callable[[list[float]], tuple]):
-        columns, self.status, self.sentence, self.method, self.verified, self.remarks = found
-        names, table, events = columns or (["t"], np.empty((1, 0)), [])
-        self.names: tuple[str, ...] = tuple(names[1:])
+    def __init__(self, found: tuple, again: Callable[[list[float]], Solution]):
+        (header, table, events), (self.status, self.sentence), self.method, self.verified, self.remarks = found
+        self.names: tuple[str, ...] = tuple(header.split(",")[1:table.shape[0]])
         self.t: np.ndarray = table[0]
         self.x: np.ndarray = table[1:]
-        self.events = [Event(name, float(self.t[k]), dict(zip(self.names, self.x[:, k].tolist())))
-                       for k, name in enumerate(events) if name]
+        self.events = [Event(name[0], float(self.t[k]), dict(zip(self.names, self.x[:, k].tolist())))
+                       for k, name in enumerate(csv.reader(events)) if name]
         self._again = again
 
     def __getitem__(self, name: str) -> np.ndarray:
@@ -83,14 +82,14 @@ class Solution:
         low, high = min(self.t[0], self.t[-1]), max(self.t[0], self.t[-1])
         if t.size and not (low <= t.min() and t.max() <= high):
             raise ValueError(f"t: {t.min()} to {t.max()} is not within the run, from {low} to {high}")
-        _, table, _ = self._again(t.ravel().tolist())[0]
-        times = table[0] if table[0, 0] <= table[0, -1] else -table[0]
-        wanted = t.ravel() if table[0, 0] <= table[0, -1] else -t.ravel()
+        rows = self._again(t.ravel().tolist())
+        sign = 1 if rows.t[0] <= rows.t[-1] else -1
+        times, wanted = sign * rows.t, sign * t.ravel()
         # The last row at or before a time; an event within rounding of it has replaced a row.
         found = np.clip(np.searchsorted(times, wanted, side="right") - 1, 0, None)
         after = np.minimum(found + 1, times.size - 1)
         found = np.where(np.abs(times[after] - wanted) < np.abs(times[found] - wanted), after, found)
-        return {name: table[1 + i, found].reshape(t.shape) for i, name in enumerate(self.names)}
+        return {name: column[found].reshape(t.shape) for name, column in zip(self.names, rows.x)}
 
     def __repr__(self) -> str:
         return f"<Solution: {', '.join(self.names)} at {self.t.size} times, {self.status}>"
@@ -104,13 +103,16 @@ def _options(given: dict) -> _core.Options:
         initial = ", ".join(f"{name}={text_of(value)}" for name, value in initial.items())
     given |= {"initial": initial, "set": assignments_of(given["set"]), "file": file_of(given["file"])}
     for name, value in given.items():
-        if value is not None and hasattr(options, name):
-            now = getattr(options, name)
+        if value is None:
+            continue
+        owner = options if hasattr(options, name) else options.settings
+        if hasattr(owner, name):
+            now = getattr(owner, name)
             if isinstance(now, list):
                 value = lines_of(value)
             elif isinstance(now, str):
                 value = text_of(value) if np.isscalar(value) else ",".join(map(text_of, value))
-            setattr(options, name, value)
+            setattr(owner, name, value)
     return options
 
 
@@ -157,14 +159,15 @@ def integrate(equation: str | None = None, initial=None, *, until: Number | None
     if np.ndim(initial) == 2:
         states = np.ascontiguousarray(initial, dtype=float)
         found = _core.integrate_all(options, states, times, progress)
-        return [Solution(one, lambda t, x=x: _core.integrate_all(options, x[None], t, None)[0]) for one, x in zip(found, states)]
-    again = lambda t: _core.integrate(options, t, None)  # noqa: E731
-    try:
-        return Solution(_core.integrate(options, times, progress), again)
-    except Failure as failure:
-        if isinstance(failure.partial, tuple):
-            failure.partial = Solution(failure.partial, again)
-        raise
+        return [Solution(one, lambda t, x=x: Solution(_core.integrate_all(options, x[None], t, None)[0], None))
+                for one, x in zip(found, states)]
+
+    def run(times: list[float], progress: Callable[[float], object] | None = None) -> Solution:
+        found = Solution(_core.integrate(options, times, progress), run)
+        if found.status != "success":
+            raise Failure(found.sentence, found.status, found)
+        return found
+    return run(times, progress)
 
 
 def compare(equation: str | None = None, initial=None, *, until: Number | None = None, start: Number | None = None,
@@ -180,7 +183,7 @@ def compare(equation: str | None = None, initial=None, *, until: Number | None =
     limit: wall time of all runs together, s (default 60). Other arguments as for integrate().
     progress: called about every 50 ms with the share of the current run. Returns a Run for each method and tolerance.
     """
-    rows, _ = _core.compare(_options(locals() | {"method": methods}), progress)
+    rows = _core.compare(_options(locals() | {"method": methods}), progress)
     return [Run(row["method"], row["setting"], row["status"], float(row["digits"] or "nan"), float(row["seconds"] or "nan"),
                 int(row["right_hand_sides"] or 0), row["note"]) for row in csv.DictReader(rows.splitlines())]
 
@@ -192,6 +195,6 @@ def choose(equation: str | None = None, initial=None, *, until: Number | None = 
 
     Other arguments as for integrate(). Returns a Choice for each method, best first.
     """
-    rows, _ = _core.choose(_options(locals()))
+    rows = _core.choose(_options(locals()))
     return [Choice(int(row["rank"]), row["method"], float(row["tolerance"]), float(row["seconds"] or "nan"), row["reason"])
             for row in csv.DictReader(rows.splitlines())]

@@ -36,8 +36,11 @@ def path(file: str | os.PathLike, *, load_case: str | None = None, elements: int
                                    ("turn", turn, 1e-3, 1)):
         if not low <= value <= high:
             raise ValueError(f"{name} {value}: must be from {low} to {high}")
-    try:
-        return Path(**_core.path(file_of(file), load_case, elements, steps, until, branches, turn, float(limit)))
-    except Failure as failure:
-        failure.partial = Path(**failure.partial) if failure.partial else None
-        raise
+    (status, sentence), names, displacements, forces, is_held, load, mesh_error, branch, negative, kind = _core.path(
+        file_of(file), load_case, elements, steps, until, branches, turn, float(limit))
+    force = {name: row for name, row, held in zip(names, forces, is_held) if held}
+    found = Path(np.array(load), dict(zip(names, displacements)), force, np.array(mesh_error, dtype=float),
+                 np.array(branch, dtype=np.int32), np.array(negative, dtype=np.int32), kind)
+    if status != "success":
+        raise Failure(sentence, status, found)
+    return found

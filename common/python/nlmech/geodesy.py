@@ -4,6 +4,7 @@ from __future__ import annotations
 import numpy as np
 
 from . import _core
+from ._failure import Failure
 from ._text import rows_of
 
 
@@ -16,6 +17,15 @@ def _ellipsoid(ellipsoid: str | tuple[float, float]) -> _core.Ellipsoid:
     return _core.ellipsoids[name]
 
 
+def _points(name: str, transformed: tuple[np.ndarray, int], single: bool) -> np.ndarray:
+    result, lost = transformed
+    if lost:
+        first = np.flatnonzero(~np.isfinite(result).all(axis=1))[0]
+        raise Failure(f"{name}: {lost} of {len(result)} points have no finite result, the first at index {first}: a number is NaN or "
+                      "infinite, or the distance from the centre overflows", "non_finite", result)
+    return result[0] if single else result
+
+
 def reverse(xyz, ellipsoid: str | tuple[float, float] = "wgs84", *, threads: int = 0) -> np.ndarray:
     """Latitude and longitude in degrees and height in metres of positions x, y, z in metres.
 
@@ -26,8 +36,7 @@ def reverse(xyz, ellipsoid: str | tuple[float, float] = "wgs84", *, threads: int
     Raises Failure if points have no finite result; `partial` is the array.
     """
     points, single = rows_of("xyz", xyz, 3)
-    result = _core.reverse(points, _ellipsoid(ellipsoid), threads)
-    return result[0] if single else result
+    return _points("geodesy.reverse", _core.reverse(points, _ellipsoid(ellipsoid), threads), single)
 
 
 def forward(geodetic, ellipsoid: str | tuple[float, float] = "wgs84", *, threads: int = 0) -> np.ndarray:
@@ -36,5 +45,4 @@ def forward(geodetic, ellipsoid: str | tuple[float, float] = "wgs84", *, threads
     geodetic: shape (3,) or (n, 3); latitudes from -90 to 90. ellipsoid, threads: as for reverse(). Same bits as `geodesy forward`.
     """
     points, single = rows_of("geodetic", geodetic, 3)
-    result = _core.forward(points, _ellipsoid(ellipsoid), threads)
-    return result[0] if single else result
+    return _points("geodesy.forward", _core.forward(points, _ellipsoid(ellipsoid), threads), single)

@@ -96,11 +96,11 @@ def propagate(states, until, *, mu=None, zonal: Sequence[float] = (), radius: fl
     mus = np.full(n, np.nan) if mu is None else each("mu", mu, n)
     if mu is not None and not np.all((mus > 0) & np.isfinite(mus)):
         raise ValueError(f"mu {mu}: must be positive and finite")
-    x, reached, phi, faults = _core.propagate(x0, ends, mus, *_field(zonal, radius), every or math.inf, times, tolerance, threads,
+    x, reached, phi, faults = _core.propagate(x0, ends, mus, _field(zonal, radius), every or math.inf, times, tolerance, threads,
                                               float(limit), verify, stm, progress)
-    if every is None:
-        x, phi = x[:, 0], phi[:, 0] if stm else None
     status, sentence = _texts(n, faults)
+    shape = (n,) if every is None else (n, len(times))
+    x, phi = x.reshape(*shape, 6), phi.reshape(*shape, 6, 6) if stm else None
     if not single:
         return Orbits(reached if every is None else times, x, status, sentence, phi)
     found = Orbits(reached[0] if every is None else times, x[0], status, sentence, phi[0] if stm else None)
@@ -125,8 +125,8 @@ def lambert(r1, r2, time, *, mu: float = EARTH_MU, long_way: bool = False, revol
         raise ValueError(f"r1 and r2: shapes {start.shape} and {end.shape} differ")
     if (revolutions > 0) != (branch is not None) or branch not in (None, "low", "high"):
         raise ValueError(f'revolutions {revolutions}, branch {branch}: branch "low" or "high" is for one revolution or more')
-    *found, faults = _core.lambert(start, end, each("time", time, len(start)), _positive("mu", mu), *_field(zonal, radius), long_way,
-                                   revolutions, branch == "high", None if normal is None else [float(c) for c in normal], threads)
+    *found, faults = _core.lambert(start, end, each("time", time, len(start)), _positive("mu", mu), _field(zonal, radius), long_way,
+                                   revolutions, branch == "high", normal, threads)
     status, sentence = _texts(len(start), faults)
     if not single:
         return Transfer(*found, status, sentence)
@@ -142,6 +142,6 @@ def porkchop(departure, arrival, departures: tuple[float, float, int], arrivals:
     departure, arrival: states x, y, z, vx, vy, vz of the two bodies at their `epochs`. departures, arrivals: first time, last
     time and number of times. mu: of the centre. revolutions: largest number of whole ones. Same bits as `rbf_inverse porkchop`.
     """
-    bodies = (rows_of("departure", departure, 6)[0], rows_of("arrival", arrival, 6)[0])
+    bodies = (rows_of("departure", departure, 6)[0][0], rows_of("arrival", arrival, 6)[0][0])
     return Porkchop(*map(np.asarray, _core.porkchop(bodies, tuple(map(float, epochs)), _positive("mu", mu), departures, arrivals,
                                                     revolutions, threads)))

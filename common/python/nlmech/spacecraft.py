@@ -19,16 +19,6 @@ def _craft(spacecraft: Spacecraft) -> tuple[str, str]:
     return file_of(spacecraft), ""
 
 
-def _numbers(values: Sequence[float] | None) -> list[float] | None:
-    return None if values is None else [float(value) for value in np.ravel(values)]
-
-
-def _gains(gains: Sequence[float] | None) -> list[float] | None:
-    if gains is not None and len(gains) != 3:
-        raise ValueError(f"gains: {len(gains)} numbers; needs three, k1, k2, k3")
-    return _numbers(gains)
-
-
 def response(omega, *, spacecraft: Spacecraft = None, gains: Sequence[float] | None = None,
              at: Sequence[float] = ()) -> tuple[np.ndarray, np.ndarray]:
     """Transfer functions at s = j omega: theta/u and y/u, or with gains theta/theta_f and y/theta_f.
@@ -40,4 +30,6 @@ def response(omega, *, spacecraft: Spacecraft = None, gains: Sequence[float] | N
     """
     if np.any(np.asarray(omega) == 0):
         raise ValueError("omega 0: is the double pole of a free body")
-    return _core.response(*_craft(spacecraft), _numbers(omega), _gains(gains), _numbers(at))
+    if gains is not None and len(gains) != 3:
+        raise ValueError(f"gains: {len(gains)} numbers; needs three, k1, k2, k3")
+    return _core.response(*_craft(spacecraft), *(np.ravel(np.asarray(values, dtype=float)) for values in (omega, at)), gains)
