@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -152,7 +154,7 @@ scene::Figure basin_picture(const std::vector<Runs>& all, const std::vector<Eige
   std::vector<Eigen::VectorXd> roots;
   for (std::size_t k = 0; k < count; ++k) {
     const std::vector<TypedSolution>& runs = all[k].all;
-    std::vector<std::vector<double>> x(1), y(1);  // the first: no root
+    std::map<std::size_t, std::array<std::vector<double>, 2>> groups;  // 0: no root
     for (std::size_t i = 0; i < starts.size(); ++i) {
       std::size_t group = 0;
       if (runs[i].status.ok()) {
@@ -162,19 +164,15 @@ scene::Figure basin_picture(const std::vector<Runs>& all, const std::vector<Eige
         group = static_cast<std::size_t>(same - roots.begin()) + 1;
         if (same == roots.end()) roots.push_back(runs[i].root.x);
       }
-      if (x.size() <= group) x.resize(group + 1), y.resize(group + 1);
-      x[group].push_back(starts[i][0]);
-      y[group].push_back(starts[i][1]);
+      groups[group][0].push_back(starts[i][0]);
+      groups[group][1].push_back(starts[i][1]);
     }
     scene::Panel& panel =
         plot.panel(scene::without_markup(system.names()[0]), scene::without_markup(system.names()[1]))
             .caption(scene::without_markup(all[k].solver))
             .key("off");
-    for (std::size_t group = 0; group < x.size(); ++group) {
-      if (!x[group].empty())
-        panel.curve("", x[group], y[group],
-                    scene::points(group == 0 ? 8 : static_cast<int>((group - 1) % 7) + 1));
-    }
+    for (const auto& [group, x] : groups)
+      panel.curve("", x[0], x[1], scene::points(group == 0 ? 8 : static_cast<int>((group - 1) % 7) + 1));
   }
   return *show.take().figure;
 }

@@ -216,15 +216,15 @@ AllRoots all_roots(const TypedSystem& system, const Box& box, const AllRootsOpti
       throw invalid_argument("all_roots: a side from {} to {}; it must be finite and not empty", side.low,
                              side.high);
   }
-  Box allowed = box;
-  for (std::size_t i = 0; i < box.size(); ++i) {
-    const auto component = static_cast<Eigen::Index>(i);
-    const double low = std::max(box[i].low, system.lower()[component]),
-                 high = std::min(box[i].high, system.upper()[component]);
-    if (!(low < high)) return {};
-    allowed[i] = {low, high};
-  }
-  return RootSearch(system, allowed, options).run();
+  Box bounds;
+  for (Eigen::Index i = 0; i < system.size(); ++i) bounds.emplace_back(system.lower()[i], system.upper()[i]);
+  const std::optional<Box> allowed = common_part(box, bounds);
+  if (!allowed) return {};
+  if (std::ranges::any_of(*allowed, [](const Interval& side) { return side.width() == 0; }))
+    return {{{*allowed, false}},
+            failed_with(Outcome::singular_matrix,
+                        "the bounds leave a single value of an unknown in the box; define it as a number")};
+  return RootSearch(system, *allowed, options).run();
 }
 
 }  // namespace nlmech::algebraic

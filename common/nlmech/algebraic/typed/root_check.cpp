@@ -7,7 +7,8 @@
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "nlmech/support/doubles.hpp"
 
 namespace nlmech::algebraic {
 namespace {
@@ -17,7 +18,6 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using program::Interval;
 
-constexpr double eps = std::numeric_limits<double>::epsilon();
 /// Halving from the largest to the smallest double takes 2100 iterations; longer steps skip most of them.
 constexpr int most_iterations = 2500;
 
@@ -254,12 +254,8 @@ bool is_stationary(const TypedSystem& system, const VectorXd& x, const VectorXd&
 }
 
 std::string_view to_string(CheckedRoot::Kind kind) noexcept {
-  switch (kind) {
-    case CheckedRoot::Kind::proved: return "proved";
-    case CheckedRoot::Kind::singular: return "singular";
-    case CheckedRoot::Kind::unproved: return "unproved";
-    default: return "none";
-  }
+  constexpr std::string_view names[] = {"none", "proved", "singular", "unproved"};
+  return names[static_cast<int>(kind)];
 }
 
 bool is_inside(const Box& inner, const Box& outer) {

@@ -62,7 +62,7 @@ struct Krawczyk {
   Box image;              ///< holds every root in the box; if it is inside the box, exactly one
 };
 
-/// Applies the operator. @p f and @p j are enclosures of F and dF/dx over the box.
+/// Applies the operator. @param j enclosure of dF/dx over the box
 [[nodiscard]] Krawczyk krawczyk(const TypedSystem& system, const Box& box, const Box& j);
 
 /// Is @p inner in the interior of @p outer?

@@ -34,8 +34,8 @@ std::string joined(const std::vector<std::string>& names) {
 
 }  // namespace
 
-std::vector<NamedRange> read_ranges(const std::string& option, const std::string& text) {
-  std::vector<NamedRange> all;
+NamedRanges read_ranges(const std::string& option, const std::string& text) {
+  NamedRanges all;
   std::size_t begin = 0;
   while (begin <= text.size()) {
     const std::size_t end = std::min(text.find(',', begin), text.size());
@@ -46,17 +46,14 @@ std::vector<NamedRange> read_ranges(const std::string& option, const std::string
       throw input_error("{} {}: write a range as x = -5:5, and separate several by commas", option,
                         quoted_input(piece));
     const std::set<std::string> name = assigned_names(option, piece.substr(0, sign + 1) + "0");
-    const NamedRange range{name.empty() ? "" : *name.begin(),
-                           number_of(option, piece.substr(sign + 1, colon - sign - 1)),
-                           number_of(option, piece.substr(colon + 1))};
-    if (range.low == range.high)
-      throw input_error("{} {}: both limits are {}; give a range", option, quoted_input(piece), range.low);
-    for (const NamedRange& other : all) {
-      if (other.name == range.name)
-        throw input_error("{} {}: {} has a range already", option, quoted_input(piece),
-                          quoted_input(range.name));
-    }
-    all.push_back(range);
+    const double first = number_of(option, piece.substr(sign + 1, colon - sign - 1)),
+                 last = number_of(option, piece.substr(colon + 1));
+    if (first == last)
+      throw input_error("{} {}: both limits are {}; give a range", option, quoted_input(piece), first);
+    const auto [range, is_new] = all.try_emplace(name.empty() ? "" : *name.begin(), first, last);
+    if (!is_new)
+      throw input_error("{} {}: {} has a range already", option, quoted_input(piece),
+                        quoted_input(range->first));
   }
   return all;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <map>
 #include <set>
 #include <string>
 #include <utility>
@@ -16,16 +17,12 @@ namespace nlmech::algebraic {
 /// An interval for each unknown.
 using Box = std::vector<program::Interval>;
 
-/// Range of a name: "x = -5:5".
-struct NamedRange {
-  std::string name;  ///< unknown or parameter
-  double low;        ///< first value
-  double high;       ///< last value
-};
+/// First and last value of names.
+using NamedRanges = std::map<std::string, std::pair<double, double>>;
 
 /// Reads "x = -5:5, y = 0:2 pi". @throws InputError that names @p option for a range that is not written so
 /// or has a limit that is not finite
-[[nodiscard]] std::vector<NamedRange> read_ranges(const std::string& option, const std::string& text);
+[[nodiscard]] NamedRanges read_ranges(const std::string& option, const std::string& text);
 
 /// Names on the left sides of "x=1, y=-1". @throws InputError with the position of a mistake
 [[nodiscard]] std::set<std::string> assigned_names(const std::string& option, const std::string& text);
