@@ -64,10 +64,9 @@ class RootSearch {
     for (std::size_t i = 0; i < box.size(); ++i)
       wide.push_back(box[i].inflated(0.1 * box[i].width() + least_width(i) / 10));
     if (system_.enclose(wide, f, j) == TypedSystem::Domain::smooth) {
-      const Krawczyk k = krawczyk(system_, wide, j);
-      if (k.is_valid) {
-        if (is_inside(k.image, wide) && prove(k.image, wide)) return;
-        const std::optional<Box> rest = common_part(k.image, box);
+      if (const std::optional<Box> image = krawczyk(system_, wide, j)) {
+        if (is_inside(*image, wide) && prove(*image, wide)) return;
+        const std::optional<Box> rest = common_part(*image, box);
         if (!rest) return;
         if (widest(*rest).second < 0.7 * widest(box).second) {
           open_.push_back(*rest);
@@ -91,8 +90,8 @@ class RootSearch {
       Box f, j, wide;
       for (const Interval& side : root) wide.push_back(side.inflated(1e-3 * side.width() + 1e-300));
       static_cast<void>(system_.enclose(wide, f, j));
-      const Krawczyk next = krawczyk(system_, wide, j);
-      const std::optional<Box> smaller = next.is_valid ? common_part(next.image, root) : std::nullopt;
+      const std::optional<Box> next = krawczyk(system_, wide, j),
+                               smaller = next ? common_part(*next, root) : std::nullopt;
       if (!smaller || !(widest(*smaller).second < 0.9 * widest(root).second)) break;
       root = *smaller;
     }

@@ -87,14 +87,14 @@ class TypedSystem {
   friend class SystemReader;
   /// Operands whose enclosures decide on the Domain of a box.
   struct Guard {
-    program::Operation operation;  ///< choice, power, any_power, atan2, or a function with a bounded domain
-    program::Function function;    ///< the function
-    std::size_t output;            ///< index of the first operand among the outputs of all_
+    program::Operation
+        operation;       ///< choice, floor or atan2; another one has an operand that must be positive
+    std::size_t output;  ///< index of the first operand among the outputs of all_
   };
 
   program::SourceText source_;
   std::vector<std::string> names_;
-  std::vector<std::pair<std::string, double>> starts_;
+  std::map<std::string, double> starts_;
   program::Program values_, all_, energy_;
   std::vector<std::pair<int, int>> entries_;  // row and column of each output of all_ after the residuals
   std::vector<Guard> guards_;
