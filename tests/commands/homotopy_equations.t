@@ -242,6 +242,10 @@ Mistakes
   homotopy: --start:1:6: no unknown; these are x
     x=1, z=2
          ^
+  $ wrong solve --equation "x^2 = 2; x(0) = 1; x(0) = 2"
+  homotopy: --equation:1:20: given twice
+    x^2 = 2; x(0) = 1; x(0) = 2
+                       ^^^^
   $ wrong solve --equation "x^2 = 2"
   homotopy: --start: a start value of x is missing; add x=1
   $ wrong solve --equation "x^2 = 2" --start x=1 --method magic
