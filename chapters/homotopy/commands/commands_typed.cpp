@@ -15,20 +15,8 @@
 #include "nlmech/support/sentences.hpp"
 
 namespace nlmech::chapters::homotopy {
-namespace {
 
-/// A solver of another library, with the tolerance checked as for those of this one.
-template <class Run>
-algebraic::TypedSolver peer(const std::string& name, Run run) {
-  return {name, [name, run](double tolerance, std::int64_t iterations, algebraic::Equations& equations,
-                            Eigen::VectorXd& x) {
-            algebraic::Report report = run(tolerance, iterations, equations, x);
-            const algebraic::NamedSolver method{.name = name, .tolerance = tolerance, .to_rounding = true};
-            return checked_against_tolerance(method, equations, x, std::move(report));
-          }};
-}
-
-}  // namespace
+using algebraic::TypedSolver;
 
 void declare_roots(scene::Options& options, TypedRoots& typed) {
   options.add(
@@ -65,58 +53,60 @@ algebraic::TypedSystem system_of(const TypedRoots& typed, std::set<std::string> 
   return system;
 }
 
-std::vector<algebraic::TypedSolver> solvers_of(const algebraic::TypedSystem& system) {
-  std::vector<algebraic::TypedSolver> all = typed_solvers(system);
+std::vector<TypedSolver> solvers_of(const algebraic::TypedSystem& system, const std::string& option,
+                                    const std::vector<std::string>& names) {
+  std::vector<TypedSolver> all = typed_solvers(system);
+  // A solver of another library; its end is checked as those of this one.
+  const auto add_peer = [&](const std::string& name, const auto& method_of) {
+    all.push_back(
+        {name,
+         [=](double tolerance, std::int64_t iterations, algebraic::Equations& equations, Eigen::VectorXd& x) {
+           algebraic::Report report =
+               find_root(method_of(tolerance, iterations, equations.size()), equations, x);
+           const algebraic::NamedSolver method{.name = name, .tolerance = tolerance, .to_rounding = true};
+           return checked_against_tolerance(method, equations, x, std::move(report));
+         }});
+  };
   if (peers::kinsol_available())
-    all.push_back(peer("kinsol", [](double tolerance, std::int64_t iterations,
-                                    algebraic::Equations& equations, Eigen::VectorXd& x) {
+    add_peer("kinsol", [](double tolerance, std::int64_t iterations, Eigen::Index n) {
       // KINSOL measures the largest component, nlmech the Euclidean norm.
-      const double components = std::sqrt(static_cast<double>(equations.size()));
-      return find_root(peers::Kinsol{.tolerance = tolerance / components, .iterations = iterations},
-                       equations, x);
-    }));
+      return peers::Kinsol{.tolerance = tolerance / std::sqrt(static_cast<double>(n)),
+                           .iterations = iterations};
+    });
   if (peers::gsl_hybrid_available())
-    all.push_back(peer("gsl-hybrid", [](double tolerance, std::int64_t iterations,
-                                        algebraic::Equations& equations, Eigen::VectorXd& x) {
-      return find_root(peers::GslHybrid{.tolerance = tolerance, .iterations = iterations}, equations, x);
-    }));
-  return all;
-}
-
-std::vector<algebraic::TypedSolver> solvers_of(const algebraic::TypedSystem& system,
-                                               const std::string& option,
-                                               const std::vector<std::string>& names) {
-  std::vector<algebraic::TypedSolver> all = solvers_of(system);
-  if (names.empty()) return all;
-  std::vector<algebraic::TypedSolver> chosen;
+    add_peer("gsl-hybrid", [](double tolerance, std::int64_t iterations, Eigen::Index) {
+      return peers::GslHybrid{.tolerance = tolerance, .iterations = iterations};
+    });
+  std::vector<TypedSolver> chosen;
   for (const std::string& name : names) {
-    const auto found = std::ranges::find(all, name, &algebraic::TypedSolver::name);
+    const auto found = std::ranges::find(all, name, &TypedSolver::name);
     if (found == all.end()) {
       std::vector<std::string> known;
-      for (const algebraic::TypedSolver& solver : all) known.push_back(solver.name);
+      for (const TypedSolver& solver : all) known.push_back(solver.name);
       throw input_error("{} {}: no such solver{}; the solvers are {}", option, quoted_input(name),
                         name == "energy-trust-region" ? " for equations without an energy" : "",
                         fmt::join(known, ", "));
     }
     chosen.push_back(*found);
   }
-  return chosen;
+  return names.empty() ? all : chosen;
 }
 
 std::set<std::string> names_in_box(const std::string& box) {
   std::set<std::string> names;
   if (box.empty()) return names;
-  for (const algebraic::NamedRange& range : algebraic::read_ranges("--box", box)) names.insert(range.name);
+  for (const auto& [name, range] : algebraic::read_ranges("--box", box)) names.insert(name);
   return names;
 }
 
 algebraic::Box box_of(const algebraic::TypedSystem& system, const std::string& box) {
-  const std::vector<algebraic::NamedRange> ranges = algebraic::read_ranges("--box", box);
+  const algebraic::NamedRanges ranges = algebraic::read_ranges("--box", box);
   algebraic::Box all;
   for (const std::string& name : system.names()) {
-    const auto range = std::ranges::find(ranges, name, &algebraic::NamedRange::name);
+    const auto range = ranges.find(name);
     if (range == ranges.end()) throw input_error("--box {}: {} needs a range", box, quoted_input(name));
-    all.emplace_back(std::min(range->low, range->high), std::max(range->low, range->high));
+    const auto [low, high] = std::minmax(range->second.first, range->second.second);
+    all.emplace_back(low, high);
   }
   if (ranges.size() != all.size()) throw input_error("--box {}: has a name that is no unknown", box);
   return all;

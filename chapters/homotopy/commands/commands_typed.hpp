@@ -26,13 +26,11 @@ void declare_roots(scene::Options& options, TypedRoots& typed);
 [[nodiscard]] algebraic::TypedSystem system_of(const TypedRoots& typed, std::set<std::string> unknowns = {},
                                                const std::string& parameter = {});
 
-/// The library's solvers that apply, then kinsol and gsl-hybrid if the build has them.
-[[nodiscard]] std::vector<algebraic::TypedSolver> solvers_of(const algebraic::TypedSystem& system);
-
-/// The named solvers, all for no name. @throws InputError for a name that is none, with all names
+/// The named solvers; for no name the library's solvers that apply, then kinsol and gsl-hybrid if the build
+/// has them. @throws InputError naming @p option for a name that is none of these
 [[nodiscard]] std::vector<algebraic::TypedSolver> solvers_of(const algebraic::TypedSystem& system,
-                                                             const std::string& option,
-                                                             const std::vector<std::string>& names);
+                                                             const std::string& option = {},
+                                                             const std::vector<std::string>& names = {});
 
 /// Names in a box "x=-5:5, y=0:2"; none in an empty text. @throws InputError
 [[nodiscard]] std::set<std::string> names_in_box(const std::string& box);

@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -43,15 +45,8 @@ void declare(scene::Options& options, CompareOptions& typed) {
       "root, for the first six methods");
 }
 
-/// Runs of one solver from all starts.
-struct Runs {
-  std::string solver;
-  std::vector<TypedSolution> all;
-
-  [[nodiscard]] auto successes() const {
-    return std::ranges::count_if(all, [](const TypedSolution& run) { return run.status.ok(); });
-  }
-};
+/// Runs of one solver from all starts, at least one.
+using Runs = std::vector<TypedSolution>;
 
 double iterations_of(const TypedSolution& run) {
   return static_cast<double>(run.report.statistics.steps + run.report.statistics.rejected);
@@ -63,7 +58,7 @@ double evaluations_of(const TypedSolution& run) {
 /// Median of a quantity of the successful runs, as text; empty without one.
 std::string median_text(const Runs& runs, double (*quantity)(const TypedSolution&)) {
   std::vector<double> values;
-  for (const TypedSolution& run : runs.all) {
+  for (const TypedSolution& run : runs) {
     if (run.status.ok()) values.push_back(quantity(run));
   }
   return values.empty() ? "" : fmt::format("{:.3g}", median(values));
@@ -99,9 +94,9 @@ TypedSolution timed_run(const TypedSolver& solver, const TypedSystem& system, co
 std::string single_rows(const std::vector<Runs>& all) {
   std::string text = "method,outcome,root,digits,iterations,evaluations,jacobians,seconds\n";
   for (const Runs& runs : all) {
-    const TypedSolution& run = runs.all.front();
+    const TypedSolution& run = runs.front();
     text +=
-        fmt::format("{},{},{},{},{},{},{},{:.2g}\n", runs.solver, to_string(run.status.outcome()),
+        fmt::format("{},{},{},{},{},{},{},{:.2g}\n", run.solver, to_string(run.status.outcome()),
                     to_string(run.root.kind), run.status.ok() ? fmt::format("{:.1f}", run.digits) : "",
                     iterations_of(run), evaluations_of(run), run.report.statistics.jacobians, run.seconds);
   }
@@ -111,9 +106,10 @@ std::string single_rows(const std::vector<Runs>& all) {
 std::string share_rows(const std::vector<Runs>& all) {
   std::string text = "method,starts,arrived,share,iterations,evaluations,seconds\n";
   for (const Runs& runs : all) {
-    const auto arrived = runs.successes();
-    text += fmt::format("{},{},{},{:.3g},{},{},{}\n", runs.solver, runs.all.size(), arrived,
-                        static_cast<double>(arrived) / static_cast<double>(runs.all.size()),
+    const auto arrived =
+        std::ranges::count_if(runs, [](const TypedSolution& run) { return run.status.ok(); });
+    text += fmt::format("{},{},{},{:.3g},{},{},{}\n", runs.front().solver, runs.size(), arrived,
+                        static_cast<double>(arrived) / static_cast<double>(runs.size()),
                         median_text(runs, iterations_of), median_text(runs, evaluations_of),
                         median_text(runs, [](const TypedSolution& run) { return run.seconds; }));
   }
@@ -151,8 +147,8 @@ scene::Figure basin_picture(const std::vector<Runs>& all, const std::vector<Eige
   plot.size(static_cast<int>(200 + 320 * count), 420).columns({"panel", "curve", "x", "y"});
   std::vector<Eigen::VectorXd> roots;
   for (std::size_t k = 0; k < count; ++k) {
-    const std::vector<TypedSolution>& runs = all[k].all;
-    std::vector<std::vector<double>> x(1), y(1);  // the first: no root
+    const Runs& runs = all[k];
+    std::map<std::size_t, std::array<std::vector<double>, 2>> groups;  // 0: no root
     for (std::size_t i = 0; i < starts.size(); ++i) {
       std::size_t group = 0;
       if (runs[i].status.ok()) {
@@ -162,19 +158,15 @@ scene::Figure basin_picture(const std::vector<Runs>& all, const std::vector<Eige
         group = static_cast<std::size_t>(same - roots.begin()) + 1;
         if (same == roots.end()) roots.push_back(runs[i].root.x);
       }
-      if (x.size() <= group) x.resize(group + 1), y.resize(group + 1);
-      x[group].push_back(starts[i][0]);
-      y[group].push_back(starts[i][1]);
+      groups[group][0].push_back(starts[i][0]);
+      groups[group][1].push_back(starts[i][1]);
     }
     scene::Panel& panel =
         plot.panel(scene::without_markup(system.names()[0]), scene::without_markup(system.names()[1]))
-            .caption(scene::without_markup(all[k].solver))
+            .caption(scene::without_markup(runs.front().solver))
             .key("off");
-    for (std::size_t group = 0; group < x.size(); ++group) {
-      if (!x[group].empty())
-        panel.curve("", x[group], y[group],
-                    scene::points(group == 0 ? 8 : static_cast<int>((group - 1) % 7) + 1));
-    }
+    for (const auto& [group, x] : groups)
+      panel.curve("", x[0], x[1], scene::points(group == 0 ? 8 : static_cast<int>((group - 1) % 7) + 1));
   }
   return *show.take().figure;
 }
@@ -193,12 +185,11 @@ void compare_solvers(const CompareOptions& typed) {
                       system.size());
   std::vector<Runs> all;
   for (const TypedSolver& solver : solvers) {
-    Runs runs{solver.name, {}};
+    Runs& runs = all.emplace_back();
     for (const Eigen::VectorXd& start : starts)
-      runs.all.push_back(
-          typed.starts == 0 ? timed_run(solver, system, start, typed.roots)
-                            : solve_by(solver, system, start, typed.roots.tolerance, typed.roots.iterations));
-    all.push_back(std::move(runs));
+      runs.push_back(typed.starts == 0
+                         ? timed_run(solver, system, start, typed.roots)
+                         : solve_by(solver, system, start, typed.roots.tolerance, typed.roots.iterations));
   }
   scene::print_result(typed.starts == 0 ? single_rows(all) : share_rows(all));
   if (!picture.wanted()) return;

@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
 #include <string>
+#include <tuple>
+#include <utility>
 
 #include "chapters/homotopy/commands/commands.hpp"
 #include "chapters/homotopy/commands/commands_typed.hpp"
@@ -52,19 +54,18 @@ scene::Figure path_picture(const algebraic::TypedSystem& system, const std::stri
     put(
         branch == 0 ? "from the start" : fmt::format("branch {}", branch),
         [&](const TypedPathPoint& p) { return p.branch == branch; }, scene::lines(branch % 7 + 1));
-  for (const auto kind :
-       {TypedPathPoint::Kind::maximum, TypedPathPoint::Kind::minimum, TypedPathPoint::Kind::bifurcation})
+  for (const auto& [kind, symbol] : {std::pair{TypedPathPoint::Kind::maximum, 5},
+                                     {TypedPathPoint::Kind::minimum, 4},
+                                     {TypedPathPoint::Kind::bifurcation, 3}})
     put(
-        std::string(to_string(kind)), [&](const TypedPathPoint& p) { return p.kind == kind; },
-        scene::large_points(kind == TypedPathPoint::Kind::maximum   ? 5
-                            : kind == TypedPathPoint::Kind::minimum ? 4
-                                                                    : 3));
+        std::string(to_string(kind)), [wanted = kind](const TypedPathPoint& p) { return p.kind == wanted; },
+        scene::large_points(symbol));
   return *show.take().figure;
 }
 
 /// A root at the first value of the parameter.
-Eigen::VectorXd root_at_start(PathCommand typed, const algebraic::NamedRange& range) {
-  typed.roots.set.push_back(fmt::format("{}={:.17g}", range.name, range.low));
+Eigen::VectorXd root_at_start(PathCommand typed, const std::string& parameter, double value) {
+  typed.roots.set.push_back(fmt::format("{}={:.17g}", parameter, value));
   // The equations are sound for the range, so only the value can make them unsound.
   const algebraic::TypedSystem system = [&] {
     try {
@@ -73,7 +74,7 @@ Eigen::VectorXd root_at_start(PathCommand typed, const algebraic::NamedRange& ra
       throw Failure(failed_with(Outcome::singular_matrix,
                                 "path: at {} = {:.10g} an equation loses its unknowns, and no single root "
                                 "exists there; begin the range at another value",
-                                range.name, range.low));
+                                parameter, value));
     }
   }();
   int tried = 0;
@@ -81,35 +82,34 @@ Eigen::VectorXd root_at_start(PathCommand typed, const algebraic::NamedRange& ra
       solve_by_several(system, system.start("--start", typed.roots.start), typed.roots.tolerance,
                        typed.roots.iterations, tried);
   if (!found.status.ok())
-    throw Failure(Status::failure(
-        found.status.outcome(),
-        fmt::format("path: no root at {} = {:.10g}: {}", range.name, range.low, found.status.sentence())));
+    throw Failure(failed_with(found.status.outcome(), "path: no root at {} = {:.10g}: {}", parameter, value,
+                              found.status.sentence()));
   return found.root.x;
 }
 
 void follow_typed(const PathCommand& typed) {
-  const std::vector<algebraic::NamedRange> ranges = algebraic::read_ranges("--parameter", typed.parameter);
+  const algebraic::NamedRanges ranges = algebraic::read_ranges("--parameter", typed.parameter);
   if (ranges.size() != 1)
     throw input_error("--parameter {}: one name with its range", quoted_input(typed.parameter));
-  const algebraic::NamedRange& range = ranges.front();
-  const algebraic::TypedSystem system = system_of(typed.roots, {}, range.name);
+  const std::string& parameter = ranges.begin()->first;
+  const algebraic::TypedSystem system = system_of(typed.roots, {}, parameter);
   const scene::Picture picture(typed.plot);
   algebraic::TypedPathOptions options = typed.path;
-  options.from = range.low;
-  options.until = range.high;
-  const algebraic::TypedPaths paths = follow_paths(system, root_at_start(typed, range), options);
+  std::tie(options.from, options.until) = ranges.begin()->second;
+  const algebraic::TypedPaths paths =
+      follow_paths(system, root_at_start(typed, parameter, options.from), options);
   if (paths.points.empty()) throw Failure(paths.status);
   const bool is_stable_known = system.has_energy();
-  std::string text = fmt::format("branch,kind,{},{}", scene::csv_field(range.name), columns_of(system));
-  text.back() = '\n';
-  if (is_stable_known) text.replace(text.size() - 1, 1, ",negative_eigenvalues\n");
+  std::string text = fmt::format("branch,kind,{},{}", scene::csv_field(parameter), columns_of(system));
+  text.pop_back();
+  text += is_stable_known ? ",negative_eigenvalues\n" : "\n";
   for (const TypedPathPoint& p : paths.points) {
     text += fmt::format("{},{},{:.15g}", p.branch, to_string(p.kind), p.parameter);
     for (const double x : p.x) text += fmt::format(",{:.15g}", x);
     text += is_stable_known ? fmt::format(",{}\n", p.negative) : "\n";
   }
   scene::print_result(text);
-  if (picture.wanted()) picture.draw([&] { return path_picture(system, range.name, paths); });
+  if (picture.wanted()) picture.draw([&] { return path_picture(system, parameter, paths); });
   if (paths.unfollowed > 0)
     scene::print_message(
         fmt::format("path: {} half branches leave the paths and are not followed; --branches {} "
@@ -121,10 +121,9 @@ void follow_typed(const PathCommand& typed) {
         "there, or is singular all along the other branch",
         paths.unresolved, paths.unresolved == 1 ? "" : "s"));
   if (!paths.status.ok())
-    throw Failure(
-        Status::failure(paths.status.outcome(),
-                        fmt::format("all points found are printed, but a branch did not reach its end: {}",
-                                    paths.status.sentence())));
+    throw Failure(failed_with(paths.status.outcome(),
+                              "all points found are printed, but a branch did not reach its end: {}",
+                              paths.status.sentence()));
 }
 
 }  // namespace

@@ -93,9 +93,8 @@ void solve_all(const SolveOptions& typed) {
   }
   scene::print_result(text);
   if (!found.status.ok())
-    throw Failure(Status::failure(
-        found.status.outcome(),
-        fmt::format("solve: all that was found is printed, but {}", found.status.sentence())));
+    throw Failure(failed_with(found.status.outcome(), "solve: all that was found is printed, but {}",
+                              found.status.sentence()));
   const bool has_bounds = system.lower().array().isFinite().any() || system.upper().array().isFinite().any();
   scene::print_message(
       fmt::format("solve: {} in the box{}, proved by interval arithmetic (boxes examined: {})",

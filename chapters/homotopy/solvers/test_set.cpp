@@ -89,10 +89,6 @@ Trial trial_of(const TestSystem& system, const TypedSolution& run) {
 TestSet compute() {
   TestSet set;
   set.systems = test_systems();
-  const auto trials_of = [&](const std::string& name) -> SolverTrials& {
-    const auto found = std::ranges::find(set.solvers, name, &SolverTrials::name);
-    return found == set.solvers.end() ? set.solvers.emplace_back(SolverTrials{name, {}}) : *found;
-  };
   for (std::size_t i = 0; i < set.systems.size(); ++i) {
     const TestSystem& test = set.systems[i];
     const algebraic::TypedSystem system(program::SourceText(test.name, test.text));
@@ -100,9 +96,11 @@ TestSet compute() {
     for (std::size_t k = 0; k < scales.size(); ++k) {
       const VectorXd from = scaled_start(start, scales[k]);
       const auto put = [&](const std::string& name, const TypedSolution& run) {
-        SolverTrials& row = trials_of(name);
-        row.trials.resize(set.systems.size());
-        row.trials[i][k] = trial_of(test, run);
+        auto row = std::ranges::find(set.solvers, name, &SolverTrials::name);
+        if (row == set.solvers.end())
+          row = set.solvers.insert(row,
+                                   {name, std::vector<std::array<Trial, scales.size()>>(set.systems.size())});
+        row->trials[i][k] = trial_of(test, run);
       };
       int tried = 0;
       put("automatic", solve_by_several(system, from, tolerance, iterations, tried));
@@ -156,10 +154,9 @@ void put(const TestSet& set, scene::Show& show) {
       beyond += !newton.trials[i][k].has_arrived &&
                 (fixed_point.trials[i][k].has_arrived || homotopy.trials[i][k].has_arrived);
   }
-  const std::string reason = "a count of the systems";
-  show.between("systems that newton solves, standard starts", newton.arrived(0), 0, count, reason);
-  show.between("systems that fixed-point solves, standard starts", fixed_point.arrived(0), 0, count, reason);
-  show.between("systems that newton-homotopy solves, standard starts", homotopy.arrived(0), 0, count, reason);
+  for (const SolverTrials* solver : {&newton, &fixed_point, &homotopy})
+    show.between(fmt::format("systems that {} solves, standard starts", solver->name), solver->arrived(0), 0,
+                 count, "a count of the systems");
   show.between("cases of a scalar homotopy where newton fails", beyond, 0, 3 * count,
                "a count of systems and starts");
   for (const std::string peer : {"kinsol", "gsl-hybrid"}) {

@@ -1,150 +1,71 @@
 #include "chapters/homotopy/solvers/test_systems.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <functional>
-#include <utility>
+#include <string_view>
 
 namespace nlmech::chapters::homotopy {
 namespace {
 
-/// The text of equation i = 1..n and the start of unknown i.
-std::string system_text(int n, const std::function<std::string(int)>& equation,
-                        const std::function<double(int)>& start) {
-  std::string text;
-  for (int i = 1; i <= n; ++i) text += fmt::format("{} = 0\nx{}(0) = {:.17g}\n", equation(i), i, start(i));
+/// The text for i from @p first to @p last: {i}, {b} the number before it, {a} the one after it; "0" for
+/// none.
+std::string each(int first, int last, const std::string& text, std::string_view between = "") {
+  std::vector<std::string> all;
+  for (int i = first; i <= last; ++i)
+    all.push_back(
+        fmt::format(fmt::runtime(text), fmt::arg("i", i), fmt::arg("b", i - 1), fmt::arg("a", i + 1)));
+  return all.empty() ? "0" : fmt::format("{}", fmt::join(all, between));
+}
+
+constexpr const char* ends = "x0 = 0; x11 = 0\n";  // beyond the unknowns
+
+std::string discrete_integral() {
+  std::string text = each(1, 10, "c{i} = (x{i} + {i}/11 + 1)^3\n");
+  for (int i = 1; i <= 10; ++i)
+    text += fmt::format("x{0} + ((11 - {0})/11*({1}) + {0}/11*({2}))/22 = 0\n", i,
+                        each(1, i, "{i}/11*c{i}", " + "), each(i + 1, 10, "(11 - {i})/11*c{i}", " + "));
   return text;
 }
 
-/// "a(1) + a(2) + ..." for the indices from @p first to @p last for which the text is not empty.
-std::string sum_of(int first, int last, const std::function<std::string(int)>& term) {
-  std::string text;
-  for (int i = first; i <= last; ++i) {
-    const std::string here = term(i);
-    if (!here.empty()) text += (text.empty() ? "" : " + ") + here;
-  }
-  return text.empty() ? "0" : text;
-}
-
-/// x_i, or 0 beyond the ends.
-std::string x_or_0(int i, int n) { return i < 1 || i > n ? "0" : fmt::format("x{}", i); }
-
-/// Start of the two discrete boundary value problems: t (t - 1).
-double parabola(int i, int n) {
-  const double t = static_cast<double>(i) / (n + 1);
-  return t * (t - 1);
-}
-
-std::string discrete_boundary_value(int n) {
-  return system_text(
-      n,
-      [n](int i) {
-        return fmt::format("2 x{0} - {1} - {2} + (x{0} + {0}/{3} + 1)^3/(2*{3}^2)", i, x_or_0(i - 1, n),
-                           x_or_0(i + 1, n), n + 1);
-      },
-      [n](int i) { return parabola(i, n); });
-}
-
-std::string discrete_integral(int n) {
-  const auto cube = [n](int j) { return fmt::format("(x{0} + {0}/{1} + 1)^3", j, n + 1); };
-  return system_text(
-      n,
-      [&](int i) {
-        const std::string below =
-            sum_of(1, i, [&](int j) { return fmt::format("{}/{}*{}", j, n + 1, cube(j)); });
-        const std::string above =
-            sum_of(i + 1, n, [&](int j) { return fmt::format("{}/{}*{}", n + 1 - j, n + 1, cube(j)); });
-        return fmt::format("x{0} + ({1}/{2}*({3}) + {0}/{2}*({4}))/(2*{2})", i, n + 1 - i, n + 1, below,
-                           above);
-      },
-      [n](int i) { return parabola(i, n); });
-}
-
-std::string broyden_tridiagonal(int n) {
-  return system_text(
-      n,
-      [n](int i) {
-        return fmt::format("(3 - 2 x{0}) x{0} - {1} - 2*{2} + 1", i, x_or_0(i - 1, n), x_or_0(i + 1, n));
-      },
-      [](int) { return -1.; });
-}
-
-std::string broyden_banded(int n) {
-  return system_text(
-      n,
-      [n](int i) {
-        const std::string others = sum_of(std::max(1, i - 5), std::min(n, i + 1), [i](int j) {
-          return j == i ? std::string() : fmt::format("x{0} (1 + x{0})", j);
-        });
-        return fmt::format("x{0} (2 + 5 x{0}^2) + 1 - ({1})", i, others);
-      },
-      [](int) { return -1.; });
-}
-
-std::string brown_almost_linear(int n) {
-  const std::string sum = sum_of(1, n, [](int j) { return fmt::format("x{}", j); });
-  return system_text(
-      n,
-      [&](int i) {
-        if (i < n) return fmt::format("x{} + {} - {}", i, sum, n + 1);
-        std::string product = "x1";
-        for (int j = 2; j <= n; ++j) product += fmt::format("*x{}", j);
-        return product + " - 1";
-      },
-      [](int) { return 0.5; });
-}
-
-std::string trigonometric(int n) {
-  const std::string cosines = sum_of(1, n, [](int j) { return fmt::format("cos(x{})", j); });
-  return system_text(
-      n, [&](int i) { return fmt::format("{0} - ({1}) + {2} (1 - cos(x{2})) - sin(x{2})", n, cosines, i); },
-      [n](int) { return 1. / n; });
-}
-
-std::string variably_dimensioned(int n) {
-  const std::string sum = sum_of(1, n, [](int j) { return fmt::format("{0} (x{0} - 1)", j); });
-  return fmt::format("s = {}\n", sum) +
-         system_text(
-             n, [](int i) { return fmt::format("x{0} - 1 + {0} s (1 + 2 s^2)", i); },
-             [n](int i) { return 1 - static_cast<double>(i) / n; });
+std::string broyden_banded() {
+  std::string text = ends + each(1, 11, "p{i} = x{i} (1 + x{i})\n") + each(1, 10, "x{i}(0) = -1\n");
+  for (int i = 1; i <= 10; ++i)
+    text += fmt::format("x{0} (2 + 5 x{0}^2) + 1 - ({1} + p{2}) = 0\n", i,
+                        each(std::max(1, i - 5), i - 1, "p{i}", " + "), i + 1);
+  return text;
 }
 
 /// Chebyshev's polynomials of 2 x - 1 by their recurrence: Ti_j is T_i at unknown j.
 std::string chebyquad(int n) {
-  std::string text;
-  for (int j = 1; j <= n; ++j) {
-    text += fmt::format("T0_{0} = 1\nT1_{0} = 2 x{0} - 1\n", j);
-    for (int i = 2; i <= n; ++i)
-      text += fmt::format("T{0}_{1} = 2 T1_{1} T{2}_{1} - T{3}_{1}\n", i, j, i - 1, i - 2);
+  std::string text =
+      each(1, n, fmt::format("T0_{{i}} = 1; T1_{{i}} = 2 x{{i}} - 1; x{{i}}(0) = {{i}}/{}\n", n + 1));
+  for (int i = 1; i <= n; ++i) {
+    if (i > 1)
+      text += each(1, n, fmt::format("T{}_{{i}} = 2 T1_{{i}} T{}_{{i}} - T{}_{{i}}\n", i, i - 1, i - 2));
+    text += fmt::format("({})/{} + {} = 0\n", each(1, n, fmt::format("T{}_{{i}}", i), " + "), n,
+                        i % 2 == 0 ? fmt::format("1/{}", i * i - 1) : "0");
   }
-  return text +
-         system_text(
-             n,
-             [n](int i) {
-               const std::string sum = sum_of(1, n, [i](int j) { return fmt::format("T{}_{}", i, j); });
-               return fmt::format("({})/{} + {}", sum, n, i % 2 == 0 ? fmt::format("1/{}", i * i - 1) : "0");
-             },
-             [n](int j) { return static_cast<double>(j) / (n + 1); });
+  return text;
 }
 
 /// The gradient of the sum of squares, as an energy.
-std::string watson(int n) {
+std::string watson() {
   std::string text = "energy = x1^2 + (x2 - x1^2 - 1)^2";
-  for (int i = 1; i <= 29; ++i) {
-    const std::string slope =
-        sum_of(2, n, [i](int j) { return fmt::format("{}*x{}*({}/29)^{}", j - 1, j, i, j - 2); });
-    const std::string value = sum_of(1, n, [i](int j) { return fmt::format("x{}*({}/29)^{}", j, i, j - 1); });
-    text += fmt::format(" + ({} - ({})^2 - 1)^2", slope, value);
-  }
-  for (int j = 1; j <= n; ++j) text += fmt::format("\nx{}(0) = 0", j);
-  return text;
+  for (int k = 1; k <= 29; ++k)
+    text +=
+        fmt::format(" + ({} - ({})^2 - 1)^2", each(1, 5, fmt::format("{{i}}*x{{a}}*({}/29)^{{b}}", k), " + "),
+                    each(1, 6, fmt::format("x{{i}}*({}/29)^{{b}}", k), " + "));
+  return text + each(1, 6, "\nx{i}(0) = 0");
 }
 
 }  // namespace
 
 std::vector<TestSystem> test_systems() {
   const std::vector<double> ones(10, 1.);
+  const std::string parabola = each(1, 10, "x{i}(0) = {i}/11*({i}/11 - 1)\n");
+  const std::string sum = each(1, 10, "x{i}", " + "), cosines = each(1, 10, "cos(x{i})", " + ");
   return {
       {"rosenbrock", "10 (y - x^2) = 0; 1 - x = 0; x(0) = -1.2; y(0) = 1", {{1, 1}}, true},
       {"freudenstein-roth",
@@ -172,23 +93,36 @@ std::vector<TestSystem> test_systems() {
        "x(0) = -3; y(0) = -1; z(0) = -3; w(0) = -1",
        {{1, 1, 1, 1}}},
       // oracle: homotopy_systems watson *
-      {"watson", watson(6), {{-0.015725086401458457, 0.99299643243113452}}},
+      {"watson", watson(), {{-0.015725086401458457, 0.99299643243113452}}},
       // oracle: homotopy_systems chebyquad-7 *
       {"chebyquad-7", chebyquad(7), {{0.058069149620975482, 0.94193085037902452}}},
       {"chebyquad-8", chebyquad(8), {}, false, false},
-      {"brown-almost-linear", brown_almost_linear(10), {ones}},
+      {"brown-almost-linear",
+       each(1, 9, "x{i} + " + sum + " - 11 = 0\n") + each(1, 10, "x{i}", "*") + " - 1 = 0" +
+           each(1, 10, "\nx{i}(0) = 0.5"),
+       {ones}},
       // oracle: homotopy_systems discrete-boundary-value *
       {"discrete-boundary-value",
-       discrete_boundary_value(10),
+       ends + parabola + each(1, 10, "2 x{i} - x{b} - x{a} + (x{i} + {i}/11 + 1)^3/242 = 0\n"),
        {{-0.043164982518764871, -0.075416533685892084}}},
       // oracle: homotopy_systems discrete-integral-equation *
-      {"discrete-integral-equation", discrete_integral(10), {{-0.043164982518764871, -0.075416533685892084}}},
-      {"trigonometric", trigonometric(10), {std::vector<double>(10, 0.)}},
-      {"variably-dimensioned", variably_dimensioned(10), {ones}, true},
+      {"discrete-integral-equation",
+       discrete_integral() + parabola,
+       {{-0.043164982518764871, -0.075416533685892084}}},
+      {"trigonometric",
+       each(1, 10, "10 - (" + cosines + ") + {i} (1 - cos(x{i})) - sin(x{i}) = 0; x{i}(0) = 0.1\n"),
+       {std::vector<double>(10, 0.)}},
+      {"variably-dimensioned",
+       "s = " + each(1, 10, "{i} (x{i} - 1)", " + ") +
+           each(1, 10, "\nx{i} - 1 + {i} s (1 + 2 s^2) = 0; x{i}(0) = 1 - {i}/10"),
+       {ones},
+       true},
       // oracle: homotopy_systems broyden-tridiagonal *
-      {"broyden-tridiagonal", broyden_tridiagonal(10), {{-0.57072213201122479, -0.41641225752869335}}},
+      {"broyden-tridiagonal",
+       ends + each(1, 10, "(3 - 2 x{i}) x{i} - x{b} - 2*x{a} + 1 = 0; x{i}(0) = -1\n"),
+       {{-0.57072213201122479, -0.41641225752869335}}},
       // oracle: homotopy_systems broyden-banded *
-      {"broyden-banded", broyden_banded(10), {{-0.42830286358725027, -0.58646927072043507}}},
+      {"broyden-banded", broyden_banded(), {{-0.42830286358725027, -0.58646927072043507}}},
       {"himmelblau", "x^2 + y = 11; x + y^2 = 7; x(0) = 0; y(0) = 0", {{3, 2}}},
       {"no-root", "x^2 + y^2 = -1e-6; x = y; x(0) = 3; y(0) = 1", {}, false, false}};
 }

@@ -64,10 +64,9 @@ class RootSearch {
     for (std::size_t i = 0; i < box.size(); ++i)
       wide.push_back(box[i].inflated(0.1 * box[i].width() + least_width(i) / 10));
     if (system_.enclose(wide, f, j) == TypedSystem::Domain::smooth) {
-      const Krawczyk k = krawczyk(system_, wide, j);
-      if (k.is_valid) {
-        if (is_inside(k.image, wide) && prove(k.image, wide)) return;
-        const std::optional<Box> rest = common_part(k.image, box);
+      if (const std::optional<Box> image = krawczyk(system_, wide, j)) {
+        if (is_inside(*image, wide) && prove(*image, wide)) return;
+        const std::optional<Box> rest = common_part(*image, box);
         if (!rest) return;
         if (widest(*rest).second < 0.7 * widest(box).second) {
           open_.push_back(*rest);
@@ -91,8 +90,8 @@ class RootSearch {
       Box f, j, wide;
       for (const Interval& side : root) wide.push_back(side.inflated(1e-3 * side.width() + 1e-300));
       static_cast<void>(system_.enclose(wide, f, j));
-      const Krawczyk next = krawczyk(system_, wide, j);
-      const std::optional<Box> smaller = next.is_valid ? common_part(next.image, root) : std::nullopt;
+      const std::optional<Box> next = krawczyk(system_, wide, j),
+                               smaller = next ? common_part(*next, root) : std::nullopt;
       if (!smaller || !(widest(*smaller).second < 0.9 * widest(root).second)) break;
       root = *smaller;
     }
@@ -216,15 +215,15 @@ AllRoots all_roots(const TypedSystem& system, const Box& box, const AllRootsOpti
       throw invalid_argument("all_roots: a side from {} to {}; it must be finite and not empty", side.low,
                              side.high);
   }
-  Box allowed = box;
-  for (std::size_t i = 0; i < box.size(); ++i) {
-    const auto component = static_cast<Eigen::Index>(i);
-    const double low = std::max(box[i].low, system.lower()[component]),
-                 high = std::min(box[i].high, system.upper()[component]);
-    if (!(low < high)) return {};
-    allowed[i] = {low, high};
-  }
-  return RootSearch(system, allowed, options).run();
+  Box bounds;
+  for (Eigen::Index i = 0; i < system.size(); ++i) bounds.emplace_back(system.lower()[i], system.upper()[i]);
+  const std::optional<Box> allowed = common_part(box, bounds);
+  if (!allowed) return {};
+  if (std::ranges::any_of(*allowed, [](const Interval& side) { return side.width() == 0; }))
+    return {{{*allowed, false}},
+            failed_with(Outcome::singular_matrix,
+                        "the bounds leave a single value of an unknown in the box; define it as a number")};
+  return RootSearch(system, *allowed, options).run();
 }
 
 }  // namespace nlmech::algebraic

@@ -7,7 +7,8 @@
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "nlmech/support/doubles.hpp"
 
 namespace nlmech::algebraic {
 namespace {
@@ -17,7 +18,6 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using program::Interval;
 
-constexpr double eps = std::numeric_limits<double>::epsilon();
 /// Halving from the largest to the smallest double takes 2100 iterations; longer steps skip most of them.
 constexpr int most_iterations = 2500;
 
@@ -123,13 +123,12 @@ bool prove(const TypedSystem& system, CheckedRoot& root) {
     const Box box = box_around(root.x, radius);
     Box f, j;
     if (system.enclose(box, f, j) != TypedSystem::Domain::smooth) return false;
-    const Krawczyk k = krawczyk(system, box, j);
-    if (!k.is_valid) return false;
+    const std::optional<Box> image = krawczyk(system, box, j);
+    if (!image) return false;
     VectorXd reach(n);
     for (Index i = 0; i < n; ++i)
-      reach[i] =
-          std::max(std::abs(at(k.image, i).low - root.x[i]), std::abs(at(k.image, i).high - root.x[i]));
-    if (is_inside(k.image, box)) {
+      reach[i] = std::max(std::abs(at(*image, i).low - root.x[i]), std::abs(at(*image, i).high - root.x[i]));
+    if (is_inside(*image, box)) {
       root.bound = reach * (1 + 4 * eps);
       return true;
     }
@@ -254,12 +253,8 @@ bool is_stationary(const TypedSystem& system, const VectorXd& x, const VectorXd&
 }
 
 std::string_view to_string(CheckedRoot::Kind kind) noexcept {
-  switch (kind) {
-    case CheckedRoot::Kind::proved: return "proved";
-    case CheckedRoot::Kind::singular: return "singular";
-    case CheckedRoot::Kind::unproved: return "unproved";
-    default: return "none";
-  }
+  constexpr std::string_view names[] = {"none", "proved", "singular", "unproved"};
+  return names[static_cast<int>(kind)];
 }
 
 bool is_inside(const Box& inner, const Box& outer) {
@@ -269,11 +264,10 @@ bool is_inside(const Box& inner, const Box& outer) {
   return true;
 }
 
-Krawczyk krawczyk(const TypedSystem& system, const Box& box, const Box& j) {
+std::optional<Box> krawczyk(const TypedSystem& system, const Box& box, const Box& j) {
   const auto n = static_cast<Index>(box.size());
-  Krawczyk result;
   MatrixXd middle(n, n);
-  Box point;
+  Box point, image;
   for (const Interval& side : box) point.emplace_back(side.low + (side.high - side.low) / 2);
   for (Index i = 0; i < n; ++i) {
     for (Index k = 0; k < n; ++k) {
@@ -281,9 +275,9 @@ Krawczyk krawczyk(const TypedSystem& system, const Box& box, const Box& j) {
       middle(i, k) = entry.low + (entry.high - entry.low) / 2;
     }
   }
-  if (!middle.allFinite()) return result;
+  if (!middle.allFinite()) return {};
   const MatrixXd inverse = middle.partialPivLu().inverse();
-  if (!inverse.allFinite()) return result;
+  if (!inverse.allFinite()) return {};
   Box f, unused;
   static_cast<void>(system.enclose(point, f, unused));
   for (Index i = 0; i < n; ++i) {
@@ -294,11 +288,10 @@ Krawczyk krawczyk(const TypedSystem& system, const Box& box, const Box& j) {
       for (Index l = 0; l < n; ++l) rest = rest - inverse(i, l) * at(j, l * n + k);
       sum = sum + rest * (at(box, k) - at(point, k));
     }
-    if (!std::isfinite(sum.low) || !std::isfinite(sum.high)) return result;
-    result.image.push_back(sum);
+    if (!std::isfinite(sum.low) || !std::isfinite(sum.high)) return {};
+    image.push_back(sum);
   }
-  result.is_valid = true;
-  return result;
+  return image;
 }
 
 CheckedRoot check_root(const TypedSystem& system, const VectorXd& start, const VectorXd& typical) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <string>
 
 #include "nlmech/algebraic/typed/typed_system.hpp"
@@ -57,13 +58,9 @@ struct CheckedRoot {
 
 /// Krawczyk's operator m - C F(m) + (1 - C dF/dx(box)) (box - m), where m is the middle of @p box and C the
 /// inverse of the matrix in the middle.
-struct Krawczyk {
-  bool is_valid = false;  ///< is the box smooth, and the result finite?
-  Box image;              ///< holds every root in the box; if it is inside the box, exactly one
-};
-
-/// Applies the operator. @p f and @p j are enclosures of F and dF/dx over the box.
-[[nodiscard]] Krawczyk krawczyk(const TypedSystem& system, const Box& box, const Box& j);
+/// @param j enclosure of dF/dx over the box, in which F is smooth
+/// @return holds every root in the box; if it is inside the box, exactly one. Empty if it is not finite
+[[nodiscard]] std::optional<Box> krawczyk(const TypedSystem& system, const Box& box, const Box& j);
 
 /// Is @p inner in the interior of @p outer?
 [[nodiscard]] bool is_inside(const Box& inner, const Box& outer);

@@ -31,9 +31,8 @@ VectorXd sizes_of(const VectorXd& start, const VectorXd& end) {
 template <class Base>
 class ScaledEquations : public Base {
  public:
-  ScaledEquations(const TypedSystem& system, const VectorXd& start)
-      : system_(system), unit_(start.cwiseAbs()), f_(start.size()) {
-    for (double& unit : unit_) unit = unit > 0 ? unit : 1;
+  ScaledEquations(const TypedSystem& system, const VectorXd& start, const VectorXd& unit)
+      : system_(system), unit_(unit), f_(start.size()) {
     system_.residual(start, f_);
     system_.derivative(start, j_);
     rows_ = (j_.leftCols(size()) * unit_.asDiagonal()).cwiseAbs().rowwise().sum().cwiseMax(f_.cwiseAbs());
@@ -42,12 +41,9 @@ class ScaledEquations : public Base {
     for (double& row : rows_) row = std::isfinite(row) && row > 1e-300 ? row : 1;
   }
 
-  [[nodiscard]] VectorXd typed(const VectorXd& y) const { return unit_.cwiseProduct(y); }
-  [[nodiscard]] VectorXd scaled(const VectorXd& x) const { return x.cwiseQuotient(unit_); }
-
   [[nodiscard]] Index size() const override { return unit_.size(); }
   void residual(const VectorXd& y, VectorXd& f) override {
-    const VectorXd x = typed(y);
+    const VectorXd x = unit_.cwiseProduct(y);
     if (system_.contains(x))
       system_.residual(x, f);
     else
@@ -55,7 +51,7 @@ class ScaledEquations : public Base {
     f.array() /= rows_.array();
   }
   void linearise(const VectorXd& y) override {
-    system_.derivative(typed(y), j_);
+    system_.derivative(unit_.cwiseProduct(y), j_);
     b_ = rows_.cwiseInverse().asDiagonal() * j_.leftCols(size()) * unit_.asDiagonal();
   }
   void apply(const VectorXd& v, VectorXd& out) const override { out.noalias() = b_ * v; }
@@ -66,7 +62,7 @@ class ScaledEquations : public Base {
 
  protected:
   [[nodiscard]] double scaled_energy(const VectorXd& y) const {
-    const VectorXd x = typed(y);
+    const VectorXd x = unit_.cwiseProduct(y);
     return system_.contains(x) ? system_.energy(x) / (rows_[0] * unit_[0]) : HUGE_VAL;
   }
 
@@ -81,16 +77,6 @@ class ScaledPotential final : public ScaledEquations<Potential> {
   using ScaledEquations::ScaledEquations;
   [[nodiscard]] double energy(const VectorXd& y) override { return scaled_energy(y); }
 };
-
-template <class Scaled>
-Report run_scaled(const TypedSolver& solver, const TypedSystem& system, const VectorXd& start,
-                  double tolerance, std::int64_t iterations, VectorXd& end) {
-  Scaled equations(system, start);
-  VectorXd y = equations.scaled(start);
-  Report report = solver.run(tolerance, iterations, equations, y);
-  end = equations.typed(y);
-  return report;
-}
 
 /// Is there a root, to the tolerance?
 Status status_of_root(const TypedSolution& all, double tolerance) {
@@ -139,10 +125,12 @@ TypedSolution solve_from(const TypedSolver& solver, const TypedSystem& system, c
   TypedSolution all;
   all.solver = solver.name;
   const Stopwatch time;
-  all.report =
-      system.has_energy()
-          ? run_scaled<ScaledPotential>(solver, system, start, tolerance, iterations, all.end)
-          : run_scaled<ScaledEquations<Equations>>(solver, system, start, tolerance, iterations, all.end);
+  const VectorXd unit = start.unaryExpr([](double x) { return x != 0 ? std::abs(x) : 1; });
+  VectorXd y = start.cwiseQuotient(unit);
+  const auto run = [&](Equations&& equations) { return solver.run(tolerance, iterations, equations, y); };
+  all.report = system.has_energy() ? run(ScaledPotential(system, start, unit))
+                                   : run(ScaledEquations<Equations>(system, start, unit));
+  all.end = unit.cwiseProduct(y);
   all.seconds = time.seconds();
   all.typical = sizes_of(own, all.end);
   const bool is_near = all.report.status.ok() || all.report.last <= 1e-4 * all.report.first;

@@ -88,24 +88,17 @@ class LoadedSystem final : public Loaded {
   Status status_;
 };
 
-/// Path options for a range of the parameter and unknowns of the sizes at @p x.
-PathMethod path_method(const TypedPathOptions& options, const VectorXd& x) {
-  VectorXd scale(x.size());
-  const double largest = x.cwiseAbs().maxCoeff();
-  for (Index i = 0; i < x.size(); ++i)
-    scale[i] = 1 / (std::abs(x[i]) > 1e-3 * largest && x[i] != 0 ? std::abs(x[i])
-                    : largest > 0                                ? largest
-                                                                 : 1);
-  return {.first = std::abs(options.until - options.from) / 100,
-          .turn = options.turn,
-          .longest = 10,
-          .iterations = 12,
-          .scale = scale};
+/// Reciprocal sizes of the unknowns at @p x: a small one has the size of the largest.
+VectorXd scale_at(const VectorXd& x) {
+  const double largest = x.cwiseAbs().maxCoeff(), least = 1e-3 * largest;
+  return x.unaryExpr([=](double v) {
+    return 1 / (std::abs(v) > least && v != 0 ? std::abs(v) : largest > 0 ? largest : 1);
+  });
 }
 
 /// Sizes of the unknowns, rounded to powers of 2.
-VectorXd sizes_at(const TypedPathOptions& options, const VectorXd& x) {
-  return path_method(options, x).scale.unaryExpr([](double s) { return std::ldexp(1, -std::ilogb(s)); });
+VectorXd sizes_at(const VectorXd& x) {
+  return scale_at(x).unaryExpr([](double s) { return std::ldexp(1, -std::ilogb(s)); });
 }
 
 /// Follows all branches of typed equations.
@@ -115,8 +108,8 @@ class BranchTracer {
       : options_(options),
         low_(std::min(options.from, options.until)),
         high_(std::max(options.from, options.until)),
-        equations_(system, sizes_at(options, root), root, options.from),
-        scale_(path_method(options, root.cwiseQuotient(equations_.sizes())).scale),
+        equations_(system, sizes_at(root), root, options.from),
+        scale_(scale_at(root.cwiseQuotient(equations_.sizes()))),
         path_(path_from(root.cwiseQuotient(equations_.sizes()), options.from)) {}
 
   TypedPaths run() {
@@ -182,21 +175,18 @@ class BranchTracer {
   }
 
   Status along() {
-    listed_ = 0;
-    is_at_end_ = false;
-    met_.clear();
     first_ = path_->now();
     taken_ = next_resize_ = 0;
     Status status;
-    do {
+    while (!is_late()) {
       if (has_outgrown()) resize();
-      has_no_step_ = true;
+      std::vector<CriticalPoint> met;
+      bool has_step = false;
       status = follow(
-          *path_, [this](const Path&) { return list() || is_late() || has_outgrown(); }, options_.steps + 1,
-          met_);
-    } while (status.ok() && lost_.ok() && !is_at_end_);
-    if (!lost_.ok()) return std::exchange(lost_, {});
-    if (status.ok()) return status;
+          *path_, [&](const Path&) { return std::exchange(has_step, true); }, 2, met);
+      if (!status.ok() || add_points(met)) break;
+    }
+    if (status.ok()) return std::exchange(lost_, {});
     if (Crossing* const met = near(path_->now(), 2 * length_of_step());
         met != nullptr && met->branch != branch_ &&
         path_->now().tangent.dot(difference(met->point.at, path_->now().at)) > 0) {
@@ -209,7 +199,11 @@ class BranchTracer {
   }
 
   [[nodiscard]] std::unique_ptr<Path> path_from(const VectorXd& x, double load) {
-    PathMethod method = path_method(options_, x);
+    PathMethod method{.first = (high_ - low_) / 100,
+                      .turn = options_.turn,
+                      .longest = 10,
+                      .iterations = 12,
+                      .scale = scale_at(x)};
     auto path = std::make_unique<Path>(method, equations_, x, load);
     // Shorter steps would be rounding of the unknowns.
     const double least = 1e-8 * path->system().scaled(x, 0).norm() / path->system().load_scale();
@@ -228,7 +222,7 @@ class BranchTracer {
     next_resize_ = taken_ + 5;
     const PathPoint now = path_->now();
     std::unique_ptr<Path> next = path_from(now.x, now.load);
-    const VectorXd change = path_method(options_, now.x).scale.cwiseQuotient(scale_);
+    const VectorXd change = scale_at(now.x).cwiseQuotient(scale_);
     if (!next->start(now.slope > 0).ok() ||
         !(next->now().tangent.y.dot(now.tangent.y.cwiseProduct(change)) > 0))
       return;
@@ -243,13 +237,12 @@ class BranchTracer {
     }
   }
 
-  /// Adds the points of the last step. @return true at the end of the branch
-  bool list() { return is_at_end_ = add_points(); }
-  bool add_points() {
-    if (std::exchange(has_no_step_, false)) return false;
+  /// Adds the points of the last step, with those that Path has found in it. @return true at the end of the
+  /// branch
+  bool add_points(const std::vector<CriticalPoint>& of_path) {
     ++taken_;
     PathPoint before = path_->before();
-    for (const Critical& found : critical_points()) {
+    for (const Critical& found : critical_points(of_path)) {
       const CriticalPoint& c = found.critical;
       if (has_left(before, c.point)) return true;
       before = c.point;
@@ -338,15 +331,11 @@ class BranchTracer {
   [[nodiscard]] double length_of_step() const {
     return path_->before().at.y.size() == 0 ? 0 : difference(path_->now().at, path_->before().at).norm();
   }
-  Crossing* near(const PathPoint& point, double least) {
-    Crossing* found = nullptr;
-    for (Crossing& k : crossings_) {
-      const double off = difference(k.point.at, point.at).norm();
-      if (off > least) continue;
-      least = off;
-      found = &k;
-    }
-    return found;
+  /// The nearest crossing within @p farthest; null if there is none.
+  Crossing* near(const PathPoint& point, double farthest) {
+    const auto distance = [&](const Crossing& k) { return difference(k.point.at, point.at).norm(); };
+    const auto nearest = std::ranges::min_element(crossings_, {}, distance);
+    return nearest == crossings_.end() || distance(*nearest) > farthest ? nullptr : &*nearest;
   }
   /// The half branch towards @p at is followed.
   static void close(Crossing& k, const PathVector& at) {
@@ -382,10 +371,10 @@ class BranchTracer {
 
   /// Critical points of the last step in order: those of Path, and bifurcations where the least singular
   /// value of dF/d(x, load) has a minimum of 0: two that cancel each other, or without change of sign.
-  [[nodiscard]] std::vector<Critical> critical_points() {
+  [[nodiscard]] std::vector<Critical> critical_points(const std::vector<CriticalPoint>& met) {
     std::vector<Critical> all;
-    for (; listed_ < met_.size(); ++listed_) all.push_back({met_[listed_], part_of(met_[listed_].point.at)});
-    for (Critical& c : all) {
+    for (const CriticalPoint& found : met) {
+      Critical& c = all.emplace_back(Critical{found, part_of(found.point.at)});
       if (c.critical.kind != CriticalPoint::Kind::bifurcation) continue;
       const PathVector& d = c.critical.across;
       if ((!refine(c) || c.halves.empty()) && d.y.size() > 0)
@@ -481,11 +470,8 @@ class BranchTracer {
   std::unique_ptr<Path> path_;
   TypedPaths out_;
   std::vector<Crossing> crossings_;
-  std::vector<CriticalPoint> met_;
-  std::size_t listed_ = 0;
   PathPoint first_;
   Status lost_;
-  bool is_at_end_ = false, has_no_step_ = true;
   int branch_ = 0, taken_ = 0, next_resize_ = 0;
 };
 

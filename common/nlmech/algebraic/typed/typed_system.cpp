@@ -9,6 +9,7 @@
 #include <map>
 #include <optional>
 
+#include "nlmech/program/domain.hpp"
 #include "nlmech/program/syntax.hpp"
 #include "nlmech/support/quoted_input.hpp"
 #include "nlmech/support/sentences.hpp"
@@ -34,8 +35,8 @@ std::string joined(const std::vector<std::string>& names) {
 
 }  // namespace
 
-std::vector<NamedRange> read_ranges(const std::string& option, const std::string& text) {
-  std::vector<NamedRange> all;
+NamedRanges read_ranges(const std::string& option, const std::string& text) {
+  NamedRanges all;
   std::size_t begin = 0;
   while (begin <= text.size()) {
     const std::size_t end = std::min(text.find(',', begin), text.size());
@@ -46,17 +47,14 @@ std::vector<NamedRange> read_ranges(const std::string& option, const std::string
       throw input_error("{} {}: write a range as x = -5:5, and separate several by commas", option,
                         quoted_input(piece));
     const std::set<std::string> name = assigned_names(option, piece.substr(0, sign + 1) + "0");
-    const NamedRange range{name.empty() ? "" : *name.begin(),
-                           number_of(option, piece.substr(sign + 1, colon - sign - 1)),
-                           number_of(option, piece.substr(colon + 1))};
-    if (range.low == range.high)
-      throw input_error("{} {}: both limits are {}; give a range", option, quoted_input(piece), range.low);
-    for (const NamedRange& other : all) {
-      if (other.name == range.name)
-        throw input_error("{} {}: {} has a range already", option, quoted_input(piece),
-                          quoted_input(range.name));
-    }
-    all.push_back(range);
+    const double first = number_of(option, piece.substr(sign + 1, colon - sign - 1)),
+                 last = number_of(option, piece.substr(colon + 1));
+    if (first == last)
+      throw input_error("{} {}: both limits are {}; give a range", option, quoted_input(piece), first);
+    const auto [range, is_new] = all.try_emplace(name.empty() ? "" : *name.begin(), first, last);
+    if (!is_new)
+      throw input_error("{} {}: {} has a range already", option, quoted_input(piece),
+                        quoted_input(range->first));
   }
   return all;
 }
@@ -158,17 +156,16 @@ class SystemReader {
   }
 
   void find_unknowns() {
-    std::map<std::string, std::size_t> first;
+    std::map<std::size_t, std::string> by_place;
     for (const Syntax& node : tree_.nodes) {
       const bool is_known = node.kind != SyntaxKind::name || node.name == "pi" ||
                             definitions_.contains(node.name) || input_.settings.contains(node.name) ||
                             node.name == input_.parameter;
-      if (is_known) continue;
-      const auto entry = first.try_emplace(node.name, node.place.begin).first;
-      entry->second = std::min(entry->second, node.place.begin);
+      if (!is_known) by_place.emplace(node.place.begin, node.name);
     }
-    for (const auto& [name, place] : first) made_.names_.push_back(name);
-    std::ranges::sort(made_.names_, {}, [&](const std::string& name) { return first[name]; });
+    for (const auto& [place, name] : by_place) {
+      if (std::ranges::find(made_.names_, name) == made_.names_.end()) made_.names_.push_back(name);
+    }
     if (!input_.parameter.empty() && !occurs(input_.parameter))
       throw input_error("--parameter {}: the equations have no such name", quoted_input(input_.parameter));
     for (std::size_t i = 0; i < made_.names_.size(); ++i) add_component(made_.names_[i], i);
@@ -239,28 +236,23 @@ class SystemReader {
     add_guards(graph, f, outputs);
     made_.all_ = Program(graph, outputs);
   }
-  [[nodiscard]] static bool needs_guard(const Node& node) {
-    switch (node.operation) {
-      case Operation::choice:
-      case Operation::floor:  // ceil, round, frac and mod are made of it
-      case Operation::atan2:
-      case Operation::any_power: return true;
-      case Operation::power: return node.c != std::floor(node.c);
-      case Operation::function:
-        return node.function == Function::sqrt || node.function == Function::log ||
-               node.function == Function::asin || node.function == Function::acos;
-      default: return false;
-    }
-  }
-  void add_guards(const Graph& graph, const std::vector<NodeId>& f, std::vector<NodeId>& outputs) {
+  void add_guards(Graph& graph, const std::vector<NodeId>& f, std::vector<NodeId>& outputs) {
     const std::vector<bool> needed = parts_of(graph, f);
     for (NodeId id = 0; id < static_cast<NodeId>(needed.size()); ++id) {
-      const Node& node = graph[id];
-      if (!needed[index(id)] || !needs_guard(node)) continue;
-      made_.guards_.push_back({node.operation, node.function, outputs.size()});
-      made_.has_choices_ = made_.has_choices_ || node.operation == Operation::choice;
-      outputs.push_back(node.operation == Operation::choice ? node.decides : node.a);
-      if (node.operation == Operation::atan2) outputs.push_back(node.b);
+      if (!needed[index(id)]) continue;
+      const Node node = graph[id];
+      const bool is_choice = node.operation == Operation::choice,
+                 is_angle = node.operation == Operation::atan2,
+                 is_log = node.operation == Operation::function && node.function == Function::log;
+      std::optional<NodeId> operand = is_log ? node.a : needs_positive(graph, node);
+      if (is_choice) operand = node.decides;
+      // ceil, round, frac and mod are made of floor.
+      if (is_angle || node.operation == Operation::floor) operand = node.a;
+      if (!operand) continue;
+      made_.guards_.push_back({node.operation, outputs.size()});
+      made_.has_choices_ = made_.has_choices_ || is_choice;
+      outputs.push_back(*operand);
+      if (is_angle) outputs.push_back(node.b);
     }
   }
 
@@ -270,7 +262,8 @@ class SystemReader {
         throw source_.mistake(given.place, "a start value is written x(0) = 1");
       if (!symbols_.numbers.contains(given.name))
         throw source_.mistake(given.place, fmt::format("no unknown; these are {}", joined(made_.names_)));
-      made_.starts_.emplace_back(given.name, meaning.number(given.value, "a start value"));
+      if (!made_.starts_.emplace(given.name, meaning.number(given.value, "a start value")).second)
+        throw source_.mistake(given.place, "given twice");
     }
   }
   void take_conditions(const SourceText& source, const SyntaxTree& tree, Meaning& meaning) {
@@ -313,7 +306,7 @@ Eigen::VectorXd TypedSystem::start(const std::string& option, const std::string&
   Graph graph(0);
   Names names;
   Meaning meaning(graph, names, source, tree);
-  std::map<std::string, double> given(starts_.begin(), starts_.end());
+  std::map<std::string, double> given = starts_;
   std::set<std::string> typed;
   for (const Statement& statement : tree.statements) {
     const Syntax& left = tree.nodes[statement.left];
@@ -357,7 +350,6 @@ double TypedSystem::energy(const Eigen::VectorXd& x) const {
 
 TypedSystem::Domain TypedSystem::domain_of(const Guard& guard, const Box& outputs) const {
   const Interval& a = outputs[guard.output];
-  const auto is_inside = [&](double low, double high) { return a.low > low && a.high < high; };
   const auto decide = [&](bool is_outside, bool is_smooth) {
     // Beside a choice the operand may be one that is not chosen.
     return is_outside && !has_choices_ ? Domain::outside : is_smooth ? Domain::smooth : Domain::rough;
@@ -366,12 +358,7 @@ TypedSystem::Domain TypedSystem::domain_of(const Guard& guard, const Box& output
     case Operation::choice: return decide(false, a.low > 0 || a.high < 0);
     case Operation::floor: return decide(false, std::floor(a.low) == std::floor(a.high));
     case Operation::atan2: return decide(false, !(a.has(0) && outputs[guard.output + 1].low <= 0));
-    case Operation::power:
-    case Operation::any_power: return decide(a.high<0, a.low> 0);
-    default:
-      if (guard.function == Function::asin || guard.function == Function::acos)
-        return decide(a.low > 1 || a.high < -1, is_inside(-1, 1));
-      return decide(a.high<0, a.low> 0);
+    default: return decide(a.high<0, a.low> 0);
   }
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <map>
 #include <set>
 #include <string>
 #include <utility>
@@ -16,16 +17,12 @@ namespace nlmech::algebraic {
 /// An interval for each unknown.
 using Box = std::vector<program::Interval>;
 
-/// Range of a name: "x = -5:5".
-struct NamedRange {
-  std::string name;  ///< unknown or parameter
-  double low;        ///< first value
-  double high;       ///< last value
-};
+/// First and last value of names.
+using NamedRanges = std::map<std::string, std::pair<double, double>>;
 
 /// Reads "x = -5:5, y = 0:2 pi". @throws InputError that names @p option for a range that is not written so
 /// or has a limit that is not finite
-[[nodiscard]] std::vector<NamedRange> read_ranges(const std::string& option, const std::string& text);
+[[nodiscard]] NamedRanges read_ranges(const std::string& option, const std::string& text);
 
 /// Names on the left sides of "x=1, y=-1". @throws InputError with the position of a mistake
 [[nodiscard]] std::set<std::string> assigned_names(const std::string& option, const std::string& text);
@@ -90,14 +87,14 @@ class TypedSystem {
   friend class SystemReader;
   /// Operands whose enclosures decide on the Domain of a box.
   struct Guard {
-    program::Operation operation;  ///< choice, power, any_power, atan2, or a function with a bounded domain
-    program::Function function;    ///< the function
-    std::size_t output;            ///< index of the first operand among the outputs of all_
+    program::Operation
+        operation;       ///< choice, floor or atan2; another one has an operand that must be positive
+    std::size_t output;  ///< index of the first operand among the outputs of all_
   };
 
   program::SourceText source_;
   std::vector<std::string> names_;
-  std::vector<std::pair<std::string, double>> starts_;
+  std::map<std::string, double> starts_;
   program::Program values_, all_, energy_;
   std::vector<std::pair<int, int>> entries_;  // row and column of each output of all_ after the residuals
   std::vector<Guard> guards_;

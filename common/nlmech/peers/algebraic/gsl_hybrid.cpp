@@ -15,6 +15,9 @@ namespace {
 using algebraic::Report;
 using Eigen::VectorXd;
 
+/// A vector of GSL without gaps, as those that it allocates.
+Eigen::Map<VectorXd> of(const gsl_vector* v) { return {v->data, static_cast<Eigen::Index>(v->size)}; }
+
 /// User data of the callbacks.
 struct RootCalls {
   algebraic::Equations& equations;
@@ -24,21 +27,19 @@ struct RootCalls {
   std::exception_ptr exception;
 
   int residual(const gsl_vector* at, gsl_vector* out) {
-    for (Eigen::Index i = 0; i < x.size(); ++i) x[i] = gsl_vector_get(at, static_cast<std::size_t>(i));
+    x = of(at);
     equations.residual(x, f);
     ++report.statistics.right_hand_sides;
-    for (Eigen::Index i = 0; i < x.size(); ++i) gsl_vector_set(out, static_cast<std::size_t>(i), f[i]);
+    of(out) = f;
     return f.allFinite() ? GSL_SUCCESS : GSL_EBADFUNC;
   }
   int matrix(const gsl_vector* at, gsl_matrix* out) {
-    for (Eigen::Index i = 0; i < x.size(); ++i) x[i] = gsl_vector_get(at, static_cast<std::size_t>(i));
+    x = of(at);
     equations.linearise(x);
     equations.matrix(b);
     ++report.statistics.jacobians;
-    for (Eigen::Index i = 0; i < x.size(); ++i) {
-      for (Eigen::Index j = 0; j < x.size(); ++j)
-        gsl_matrix_set(out, static_cast<std::size_t>(i), static_cast<std::size_t>(j), b(i, j));
-    }
+    // By rows, without gaps.
+    Eigen::Map<Eigen::MatrixXd>(out->data, b.rows(), b.cols()) = b.transpose();
     return b.allFinite() ? GSL_SUCCESS : GSL_EBADFUNC;
   }
 
@@ -94,15 +95,9 @@ Report find_root(const GslHybrid& method, algebraic::Equations& equations, Vecto
   const std::unique_ptr<gsl_vector, void (*)(gsl_vector*)> start(gsl_vector_alloc(n), gsl_vector_free);
   const std::unique_ptr<gsl_multiroot_fdfsolver, void (*)(gsl_multiroot_fdfsolver*)> solver(
       gsl_multiroot_fdfsolver_alloc(gsl_multiroot_fdfsolver_hybridsj, n), gsl_multiroot_fdfsolver_free);
-  for (std::size_t i = 0; i < n; ++i) gsl_vector_set(start.get(), i, x[static_cast<Eigen::Index>(i)]);
-  const auto norm = [&] {
-    const gsl_vector* const f = gsl_multiroot_fdfsolver_f(solver.get());
-    double sum = 0;
-    for (std::size_t i = 0; i < n; ++i) sum = std::hypot(sum, gsl_vector_get(f, i));
-    return sum;
-  };
+  of(start.get()) = x;
+  const auto norm = [&] { return of(gsl_multiroot_fdfsolver_f(solver.get())).stableNorm(); };
   int status = gsl_multiroot_fdfsolver_set(solver.get(), &function, start.get());
-  Report report;
   double last = status == GSL_SUCCESS ? norm() : NAN;
   const double first = last;
   std::int64_t steps = 0;
@@ -111,11 +106,10 @@ Report find_root(const GslHybrid& method, algebraic::Equations& equations, Vecto
     ++steps;
     last = norm();
   }
-  for (std::size_t i = 0; i < n; ++i)
-    x[static_cast<Eigen::Index>(i)] = gsl_vector_get(gsl_multiroot_fdfsolver_root(solver.get()), i);
+  x = of(gsl_multiroot_fdfsolver_root(solver.get()));
   gsl_set_error_handler(before);
   if (calls.exception) std::rethrow_exception(calls.exception);
-  report = std::move(calls.report);
+  Report report = std::move(calls.report);
   report.statistics.steps = steps;
   report.first = first;
   report.last = report.least = last;
