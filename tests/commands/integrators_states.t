@@ -87,6 +87,12 @@ An initial state is asked for if an unknown has no column:
     x' = -a*x; v' = 0; a = 2
     ^^
 
+Changes of the state at the start are made in each row:
+
+  $ printf 'x\n1\n2\n' > starts.csv
+  $ integrate --equation "x' = -x" --states starts.csv --until 0.25 --event "dose: t = 0:0.5:1" --set-at "dose: x = x + 3" |
+  >   holds --where t=0.25 'x = (4 + i)*exp(-0.25) +- 1e-8'
+
 Without --method it is one for the farthest end, not for a run of no length:
 
   $ printf 'a,until\n1,0\n1,1000\n' > ends.csv

@@ -44,8 +44,8 @@ std::vector<double> times_of_rows(const std::string& typed, const UserProblem& p
 void RunOptions::start_with_changes() {
   const auto changes = [](const WantedEvent& e) { return static_cast<bool>(e.event.change); };
   if (t1 < t0 && std::ranges::any_of(events, changes))
-    throw input_error("--until {}: is before the start, {}; events that change the state need a later end", t1,
-                      t0);
+    throw input_error("--until {}: is before the start, {}; events that change the state need a later end",
+                      t1, t0);
   for (const WantedEvent& e : events) {
     if (e.event.change && e.at == t0) e.event.change(t0, x0);
   }
