@@ -40,7 +40,7 @@ So it is for functions of the state, and for those that jump between two zeros, 
   $ holds --where 'event=if(x < 3, x - 1, x - 5)=0' 't = [1, 5] +- 1e-12' < jump.csv
   $ steady 'mod(t, 1)=0.25' | holds --where 'event=mod(t, 1)=0.25' 't = i + 0.25 +- 1e-12' 'n = 10'
   $ steady 'floor(t)=3' > rows.csv
-  integrators: floor(t)=3 cannot be distinguished from zero between t = 3 and 4: rows may be missing, and those there may be none
+  integrators: floor(t)=3 stays at zero from t = 3 to 4
 
 A function that only tends to zero ends nothing and changes nothing, and where bounds are wide near a point without a value there is no event:
 
@@ -108,6 +108,17 @@ One that comes to rest at zero has a row, and may end the run there:
   integrators: empty stays at zero from t = 2.0* to 3 (glob)
   $ holds --where event=empty 'n = 1' 't = 2 +- 5e-4' 'h = 0' < rows.csv
   $ tank --event "empty: h=0 falling end" 2> said.txt | holds 't = 2 +- 5e-4' 'h = 0'
+
+Also where it jumps there, or reaches it at a corner:
+
+  $ for rest in "floor(x) = 2" "max(2 - x, 0)" "if(t < 2, 1, 0)" "min(t - 2, 0)"; do
+  >   steady "rest: $rest end" 2> words | holds 't = 2 +- 1e-7'
+  >   grep -c "rest stays at zero from t = [12]" words
+  > done
+  1
+  1
+  1
+  1
 
 The wrap of a phase, where mod jumps onto zero, and jumps past a value, which are none:
 

@@ -248,8 +248,10 @@ class EventFinder::Scan {
     const double t = first_of(a, b, [&](double at) { return sign_at(at) != before; });
     if (!f_.status_.ok()) return;
     if (!is_zero(t, a, b)) {
-      if (value_at(t) == 0)  // it jumps to zero and stays there for some time
-        f_.add_open(event_, t, first_of(t, b, [&](double at) { return sign_at(at) == after; }));
+      if (value_at(t) != 0) return;
+      // It jumps to zero and stays there for some time.
+      come_to_rest(-before, false, t, first_of(t, b, [&](double at) { return sign_at(at) == after; }));
+      sign = after;
     } else if (counts(-before)) {
       add(t, -before);
     }
@@ -297,8 +299,10 @@ class EventFinder::Scan {
     }
     if (!f_.status_.ok()) return;
     if (is_at_rest(open_from_)) {
-      if (is_at_rest(open_to_)) return come_to_rest(-before, starts_at_zero);
+      if (is_at_rest(open_to_)) return come_to_rest(-before, starts_at_zero, open_from_, open_to_);
       if (starts_at_zero) return;  // it leaves its rest
+    } else if (const double t = rest_from(); t != open_to_) {
+      return come_to_rest(-before, false, t, open_to_);
     }
     if (is_hidden()) return f_.add_open(event_, open_from_, open_to_);
     const int first = slope_at(open_from_), last = slope_at(open_to_);
@@ -347,16 +351,22 @@ class EventFinder::Scan {
     if (value_at(t) != 0) return false;
     return event().bounds ? at_point(t, 0).rate.has(0) : slope_near(t) == 0;
   }
+  // The time in the undecided part from which on the function is zero, as max(x, 0) is; the end if it is not.
+  double rest_from() {
+    if (!is_at_rest(open_to_)) return open_to_;
+    const double t = first_of(open_from_, open_to_, [&](double at) { return value_at(at) == 0; });
+    return is_at_rest(t + (open_to_ - t) / 2) ? t : open_to_;
+  }
   // A function that is zero in this part. If it was not before, the part before in which it could not be
   // distinguished from zero belongs to its way there.
-  void come_to_rest(int direction, bool is_there) {
+  void come_to_rest(int direction, bool is_there, double t, double to) {
     f_.signs_[event_] = 0;
     if (!is_there) {
       std::erase_if(f_.open_,
                     [this](const OpenEvent& open) { return open.event == event_ && open.t1 == open_from_; });
-      if (counts(direction)) add(open_from_, direction);
+      if (counts(direction)) add(t, direction);
     }
-    f_.add_open(event_, open_from_, open_to_, true);
+    f_.add_open(event_, t, to, true);
   }
   // The function comes close to zero in the open part and leaves it again: it jumps onto zero, as mod(x, 1)
   // does, or past it, or touches it. False if this is undecided.
