@@ -120,6 +120,16 @@ Also where it jumps there, or reaches it at a corner:
   1
   1
 
+A fall with drag passes 19 m/s at 2 log(19.62/0.62):
+
+  $ integrate "v' = 9.81 - 0.5 v" --initial v=0 --until 400 --event "rest: floor(v) = 19 end" 2> words | holds 't = 2*log(19.62/0.62) +- 1e-6'
+
+Functions that rounding makes zero end nothing:
+
+  $ for rest in "tanh(t) = 1" "exp(-30 t^2)" "1 - tanh(2 x)" "tanh(3 x) = 1"; do
+  >   integrate "x' = 1" --initial x=0 --until 100 --event "rest: $rest end" 2> words | holds 't = 100'
+  > done
+
 The wrap of a phase, where mod jumps onto zero, and jumps past a value, which are none:
 
   $ steady 'mod(x, 2)=0' | holds --where 'event=mod(x, 2)=0' 't = 2*(i + 1) +- 1e-12' 'n = 4'

@@ -351,11 +351,14 @@ class EventFinder::Scan {
     if (value_at(t) != 0) return false;
     return event().bounds ? at_point(t, 0).rate.has(0) : slope_near(t) == 0;
   }
-  // The time in the undecided part from which on the function is zero, as max(x, 0) is; the end if it is not.
+  // The time in the undecided part from which on the function stays at zero, as max(x, 0) and floor(x) do;
+  // the end if it does not. A function that only tends to zero, as 1 - tanh(t) does, is zero by rounding, and
+  // the bounds on its rate are not.
   double rest_from() {
-    if (!is_at_rest(open_to_)) return open_to_;
+    const auto stays = [this](double t) { return value_at(t) == 0 && at_point(t, 0).rate.magnitude() == 0; };
+    if (!event().bounds || !stays(open_to_)) return open_to_;
     const double t = first_of(open_from_, open_to_, [&](double at) { return value_at(at) == 0; });
-    return is_at_rest(t + (open_to_ - t) / 2) ? t : open_to_;
+    return stays(t + (open_to_ - t) / 2) ? t : open_to_;
   }
   // A function that is zero in this part. If it was not before, the part before in which it could not be
   // distinguished from zero belongs to its way there.

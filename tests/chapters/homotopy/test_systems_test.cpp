@@ -1,11 +1,10 @@
-/// Classical systems: the default finds their roots. The scene solvers-on-test-set checks the successes of
-/// all solvers.
+/// Classical systems: every success of every solver is a root.
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "chapters/homotopy/commands/commands_typed.hpp"
 #include "chapters/homotopy/solvers/test_systems.hpp"
-#include "nlmech/algebraic/typed/solve_typed.hpp"
 
 namespace nlmech::chapters::homotopy {
 namespace {
@@ -44,6 +43,20 @@ TEST(TestSystems, TheDefaultFindsAKnownRootOfEachOrSaysWhyNone) {
       EXPECT_EQ(found.root.kind, algebraic::CheckedRoot::Kind::proved) << test.name;  // they have other roots
     else
       EXPECT_LE(distance(test, found.root.x), 1e-10) << test.name << " by " << found.solver;
+  }
+}
+
+TEST(TestSystems, NoSolverEndsWithAPointThatIsNoRoot) {
+  for (const TestSystem& test : test_systems()) {
+    const TypedSystem system(program::SourceText(test.name, test.text));
+    const Eigen::VectorXd start = system.start("--start", "");
+    for (const algebraic::TypedSolver& solver : solvers_of(system)) {
+      const TypedSolution found = solve_by(solver, system, start, 1e-10, 200);
+      if (!found.status.ok()) continue;
+      EXPECT_TRUE(test.has_root) << test.name << " by " << solver.name;
+      if (!test.is_complete) continue;
+      EXPECT_LE(distance(test, found.root.x), 1e-9) << test.name << " by " << solver.name;
+    }
   }
 }
 
