@@ -10,12 +10,18 @@
 namespace nlmech::orbit {
 namespace {
 
+struct Inverse {
+  Matrix<double, 3> matrix;
+  double condition;  ///< in the Frobenius norm
+};
+
 /// Inverse with one correction, which makes its error that of a backward-stable method.
-Matrix<double, 3> inverse_of(const Matrix<double, 3>& m) {
-  // In units of the largest entry, so that the determinant neither overflows nor underflows.
+Inverse inverse_of(const Matrix<double, 3>& m) {
+  // In units of the largest entry, so that neither the determinant nor a norm overflows or underflows.
   const double unit = m.cwiseAbs().maxCoeff();
-  const Matrix<double, 3> scaled = m / unit, first = scaled.inverse();
-  return (first + first * (Matrix<double, 3>::Identity() - scaled * first)) / unit;
+  const Matrix<double, 3> scaled = m / unit, first = scaled.inverse(),
+                          second = first + first * (Matrix<double, 3>::Identity() - scaled * first);
+  return {second / unit, scaled.norm() * second.norm()};
 }
 
 }  // namespace
@@ -23,8 +29,8 @@ Matrix<double, 3> inverse_of(const Matrix<double, 3>& m) {
 LambertPartials lambert_partials(const TransitionMatrix& transition, const State& arrival,
                                  const Gravity& gravity) {
   LambertPartials p;
-  const Matrix<double, 3> reach = transition.topRightCorner<3, 3>(), inverse = inverse_of(reach);
-  p.condition = reach.stableNorm() * inverse.stableNorm();
+  const auto [inverse, condition] = inverse_of(transition.topRightCorner<3, 3>());
+  p.condition = condition;
   if (!(64 * std::numeric_limits<double>::epsilon() * p.condition < 1)) {
     p.condition = std::numeric_limits<double>::infinity();
     p.status = Status::failure(
