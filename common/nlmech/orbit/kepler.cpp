@@ -57,35 +57,46 @@ KeplerCondition condition_of(const Scaled& s) {
   return {sum_of_effects(k.state.position, 0), sum_of_effects(k.state.velocity, 3)};
 }
 
-/// Condition number of the mean anomaly of an ellipse. At an apoapsis the position does not depend on it to
-/// first order.
-double phase_condition(const Scaled& s) {
-  const double r0 = s.start.position.norm(), v0 = s.start.velocity.norm(), circular = s.mu / r0;
-  const double share = v0 * v0 / circular, alpha = 2 - share;
-  if (!(alpha > 0)) return 0;
-  return std::abs(s.time) * std::sqrt(circular * alpha) * alpha / r0 * (2 + 1.5 * (2 + share) / alpha);
-}
+/// Sizes at the start, in the units of Scaled.
+struct Sizes {
+  double r, v, time;       ///< distance, speed, |time|
+  double circular, share;  ///< mu/r and v^2 r/mu
+
+  explicit Sizes(const Scaled& s)
+      : r(s.start.position.norm()),
+        v(s.start.velocity.norm()),
+        time(std::abs(s.time)),
+        circular(s.mu / r),
+        share(v * v / circular) {}
+  /// Condition number of the mean anomaly of an ellipse. At an apoapsis the position does not depend on it to
+  /// first order.
+  [[nodiscard]] double phase_condition() const {
+    const double alpha = 2 - share;
+    if (!(alpha > 0)) return 0;
+    return time * std::sqrt(circular * alpha) / r * (2 * alpha + 1.5 * (2 + share));
+  }
+};
 
 /// Can kappa be large? Estimate from the distance travelled relative to the final distance, with the error of
 /// the energy; from the final distance from the centre; and from the closest passage of a fast body.
-bool may_be_large(const Scaled& s, const State& end, double limit) {
-  const double r0 = s.start.position.norm(), v0 = s.start.velocity.norm(), r = end.position.norm(),
-               v = end.velocity.norm(), time = std::abs(s.time), circular = s.mu / r0;
-  const double share = v0 * v0 / circular, alpha = 2 - share;
+bool may_be_large(const Scaled& s, const Sizes& at, const State& end, double limit) {
+  const double r = end.position.norm(), v = end.velocity.norm(), share = at.share, alpha = 2 - share;
   // Rounding changes 2 - share = r_0/a by (2 + share) eps. The end changes in proportion to the relative
   // error; near the parabola, before one period, in proportion to the final distance.
-  const bool swings = alpha > 0 && time * std::sqrt(circular * alpha) * alpha > r0;
+  const bool swings = alpha > 0 && at.time * std::sqrt(at.circular * alpha) * alpha > at.r;
   const double of_energy = 1 / std::abs(alpha),
-               growth = 1 + (2 + share) * (swings ? of_energy : std::min(of_energy, 1 + r / r0));
-  if (!((r0 + v0 * time + v * time * growth) / r < limit) || phase_condition(s) > limit) return true;
-  return share > 3 && !(cross(s.start.position, s.start.velocity).norm() > r0 * v0 / limit);
+               growth = 1 + (2 + share) * (swings ? of_energy : std::min(of_energy, 1 + r / at.r));
+  if (!((at.r + at.v * at.time + v * at.time * growth) / r < limit) || at.phase_condition() > limit)
+    return true;
+  return share > 3 && !(cross(s.start.position, s.start.velocity).norm() > at.r * at.v / limit);
 }
 
 /// kappa of the position, or of the mean anomaly if larger, if it is at least @p least; else 0.
 double condition_if_large(const Scaled& s, const State& end, double least) {
   // The estimate is rough: safety factor 1e4.
-  if (!may_be_large(s, end, least / 1e4)) return 0;
-  const double kappa = std::max(condition_of(s).position, phase_condition(s));
+  const Sizes at(s);
+  if (!may_be_large(s, at, end, least / 1e4)) return 0;
+  const double kappa = std::max(condition_of(s).position, at.phase_condition());
   return kappa < least ? 0 : kappa;
 }
 
@@ -159,7 +170,8 @@ KeplerTransition kepler_transition(const State& start, double time, double mu) {
   KeplerTransition k = detail::kepler_partials(s.start, s.time, s.mu);
   if (Status status = finish(s, time, k.state); !status.ok()) return failed(std::move(status));
   if (s.units.length != 0 || s.units.time != 0) convert(s.units, k);
-  if (!k.transition.allFinite() || !k.by_mu.allFinite() || !k.by_time.allFinite())
+  if (0 * (k.transition.sum() + k.by_mu.sum() + k.by_time.sum()) != 0 &&  // seldom, also by its own overflow
+      !(k.transition.allFinite() && k.by_mu.allFinite() && k.by_time.allFinite()))
     return failed(failed_with(Outcome::outside_validity,
                               "kepler: the derivatives of the state after {:.6g} are beyond the range of "
                               "doubles; ask for another time, or give the data in other units",

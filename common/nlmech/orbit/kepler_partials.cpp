@@ -3,7 +3,6 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <utility>
 
 #include "nlmech/program/dual.hpp"
 
@@ -107,24 +106,6 @@ void by_dual_numbers(const State& start, double time, double mu, KeplerTransitio
   }
 }
 
-/// c_4 and c_5 (see Stumpff) for the c_2 and c_3 @p c: by power series for |psi| <= 4, whose last term is
-/// below eps.
-std::pair<double, double> next_stumpff(double psi, double c2, double c3) {
-  if (std::abs(psi) > 4) return {(0.5 - c2) / psi, (1.0 / 6 - c3) / psi};
-  static constexpr auto inverse_factorial = [] {
-    std::array<double, 26> f = {1};
-    double product = 1;
-    for (std::size_t i = 1; i < f.size(); ++i) f[i] = 1 / (product *= static_cast<double>(i));
-    return f;
-  }();
-  double c4 = inverse_factorial[24], c5 = inverse_factorial[25];
-  for (std::size_t k = 10; k-- > 0;) {
-    c4 = inverse_factorial[2 * k + 4] - psi * c4;
-    c5 = inverse_factorial[2 * k + 5] - psi * c5;
-  }
-  return {c4, c5};
-}
-
 /// Universal functions at the end of a motion and their derivatives by alpha, in the units |r_0| = 1 and mu =
 /// 1 of Universal; the time of whole revolutions is subtracted.
 struct Ended {
@@ -162,8 +143,10 @@ struct Ended {
       a0 = 0, a1 = -at.u1 / (2 * alpha), a2 = -at.u2 / alpha, a3 = -1.5 * at.u3 / alpha;
       return;
     }
+    const double psi = alpha * square;
     const auto [c4, c5] =
-        next_stumpff(alpha * square, s == 0 ? 0.5 : at.u2 / square, s == 0 ? 1.0 / 6 : at.u3 / (s * square));
+        psi > 4 ? std::array{(0.5 - at.u2 / square) / psi, (1.0 / 6 - at.u3 / (s * square)) / psi}
+                : stumpff_pair<4>(psi);
     a0 = -s * at.u1 / 2;
     a1 = (at.u3 - s * at.u2) / 2;
     a2 = (2 * (square * square * c4) - s * at.u3) / 2;

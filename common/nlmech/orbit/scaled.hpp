@@ -41,6 +41,7 @@ struct PowerUnits {
   }
   /// State in the units of the user.
   [[nodiscard]] State users(const State& s) const {
+    if (length == 0 && time == 0) return s;
     return {times_power_of_two(s.position, length), times_power_of_two(s.velocity, length - time)};
   }
   /// Field in these units.

@@ -43,20 +43,32 @@ template <class T>
   return {1 - psi * c2, 1 - psi * c3, c2, c3};
 }
 
-/// c_2 and c_3 for double: reciprocals of factorials in place of divisions, both sums in one loop.
-[[nodiscard]] inline Stumpff<double> stumpff_series(double psi) {
-  constexpr int terms = 12;
+/// c_n and c_{n+1} for double and |psi| <= 4, by power series whose last term is below eps: reciprocals of
+/// factorials in place of divisions, even and odd terms in four sums that do not wait for each other.
+template <std::size_t n>
+[[nodiscard]] std::array<double, 2> stumpff_pair(double psi) {
+  constexpr std::size_t terms = 14 - n;
+  static_assert(terms % 2 == 0);
   static constexpr auto inverse_factorial = [] {
-    std::array<double, 2 * terms + 4> f = {1};
+    std::array<double, 28> f = {1};
     double product = 1;  // exact up to 22!; the total rounding error is below one ulp
     for (std::size_t i = 1; i < f.size(); ++i) f[i] = 1 / (product *= static_cast<double>(i));
     return f;
   }();
-  double c2 = inverse_factorial[2 * terms + 2], c3 = inverse_factorial[2 * terms + 3];
-  for (std::size_t k = terms; k-- > 0;) {
-    c2 = inverse_factorial[2 * k + 2] - psi * c2;
-    c3 = inverse_factorial[2 * k + 3] - psi * c3;
+  const double square = psi * psi;
+  double even = inverse_factorial[2 * terms + n], next_even = inverse_factorial[2 * terms + n + 1], odd = 0,
+         next_odd = 0;
+  for (std::size_t k = terms; k > 0; k -= 2) {
+    odd = inverse_factorial[2 * k + n - 2] + square * odd;
+    next_odd = inverse_factorial[2 * k + n - 1] + square * next_odd;
+    even = inverse_factorial[2 * k + n - 4] + square * even;
+    next_even = inverse_factorial[2 * k + n - 3] + square * next_even;
   }
+  return {even - psi * odd, next_even - psi * next_odd};
+}
+
+[[nodiscard]] inline Stumpff<double> stumpff_series(double psi) {
+  const auto [c2, c3] = stumpff_pair<2>(psi);
   return {1 - psi * c2, 1 - psi * c3, c2, c3};
 }
 
