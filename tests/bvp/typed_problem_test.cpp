@@ -162,6 +162,20 @@ TEST(SolveTyped, SingularEnds) {
     EXPECT_NEAR(sphere.components_at(solution, t)[0], std::sin(t) / t, 1e-9) << t;
 }
 
+// Bessel's function of order 2 begins with t^2, where rounding in x counts as x/t^2.
+TEST(SolveTyped, SingularEndOfAFunctionThatBeginsWithASquare) {
+  for (const char* equation : {"t^2 x'' + t x' + (t^2 - 4) x = 0", "x'' = -x'/t + (4/t^2 - 1) x"}) {
+    TypedProblem bessel =
+        read_problem({.name = "--equation", .equations = equation, .conditions = "x(0) = 0; x(3) = 1"});
+    const Solution solution = solve_typed(bessel, bessel.guess(), 1e-9);
+    ASSERT_TRUE(solution.status.ok()) << solution.status.text();
+    for (const double t : {0.1, 0.7, 2.9})
+      EXPECT_NEAR(bessel.components_at(solution, t)[0], std::cyl_bessel_j(2, t) / std::cyl_bessel_j(2, 3),
+                  1e-9)
+          << t;
+  }
+}
+
 // Legendre's equation: regular at both ends for k = l (l + 1).
 TEST(SolveTyped, SingularAtBothEnds) {
   const ProblemText legendre{

@@ -221,6 +221,8 @@ Mistakes
   rbf_inverse: --equation:1:12: defined here, and given by --unknown; remove one of both
     x'' = a x; a = 1
                ^
+  $ ends --unknown k
+  rbf_inverse: --unknown k: stands in no equation and in no condition, so nothing determines it
   $ ends --unknown k=6
   rbf_inverse: --unknown k=6: is no name, such as k
   $ ends --unknown sin

@@ -578,22 +578,31 @@ Status refine(const Problem& problem, const Options& options, Solution& solution
 /// At a singular end the solution is not verified by integration. Beside it |f| (t - t_0) tends to 0 if the
 /// solution is regular, and not if f has a term x/(t - t_0) with another limit of x than 0.
 Status check_regular_ends(const Problem& problem, const Options& options, const Solution& solution) {
-  const VectorXd sizes = largest_values(solution.unknowns);
+  const VectorXd sizes = largest_values(solution.unknowns), allowed = options.verification_tolerance * sizes,
+                 p = solution.parameters();
   const double length = solution.end() - solution.begin();
   const auto change = [&](double t, double beside) {
     VectorXd f(problem.states());
-    problem.rhs(t, solution.at(t), solution.parameters(), f);
+    problem.rhs(t, solution.at(t), p, f);
     return VectorXd(beside * f.cwiseAbs());
+  };
+  // The effect of an error of x, which grows towards the end where f has a term x/(t - t_0)^2.
+  const auto error = [&](double t, double beside) {
+    MatrixXd by_state(problem.states(), problem.states()), by_parameter(problem.states(), p.size());
+    problem.jacobian(t, solution.at(t), p, by_state, by_parameter);
+    return VectorXd(options.tolerance * beside * by_state.cwiseAbs() * sizes.head(problem.states()));
   };
   for (const double sign : {1., -1.}) {
     const double end = sign > 0 ? solution.begin() : solution.end();
     double beside = std::max(1e-15 * length, 128 * unit_roundoff * std::abs(end));
     // The map of the time may round to the end.
-    while (beside < 1e-3 * length && !change(end + sign * beside, beside).allFinite()) beside *= 100;
+    while (beside < 1e-3 * length && !(change(end + sign * beside, beside).allFinite() &&
+                                       (error(end + sign * beside, beside) - allowed).maxCoeff() <= 0))
+      beside *= 100;
     const VectorXd near = change(end + sign * beside, beside),
                    far = change(end + 4 * sign * beside, 4 * beside);
     for (Index i = 0; i < near.size(); ++i) {
-      if (near[i] <= options.verification_tolerance * sizes[i] || near[i] <= 0.75 * far[i]) continue;
+      if (near[i] <= allowed[i] || near[i] <= 0.75 * far[i]) continue;
       return failed_with(Outcome::spurious_root,
                          "bvp: at the singular end t = {:.6g} the conditions leave {} without a finite "
                          "derivative; give the condition that makes the solution regular there",

@@ -399,7 +399,12 @@ ControlSolution solve_control(const ControlProblem& problem, const std::vector<C
     for (const ArcStructure& structure : arc_structures(*necessary, direct)) {
       ControlSolution found = solve_arcs(necessary, structure, direct, options);
       if (!found.status.ok()) {
-        failed.status = found.status;
+        failed.status = failed_with(
+            found.status.outcome(),
+            "no sequence of arcs that a control of the cost {:.6g}, found by descent, suggests has an "
+            "extremal "
+            "(the last: {}); a control that switches without end, or with singular arcs alone, has none",
+            direct.cost, found.status.sentence());
         continue;
       }
       const auto is_same = [&](double cost) {

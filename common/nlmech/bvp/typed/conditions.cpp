@@ -175,6 +175,17 @@ std::vector<ConditionText> conditions_of(const std::string& name, const std::str
   return all;
 }
 
+bool mentions(const std::string& text, const std::string& name) {
+  const SourceText source(name, text);
+  for (const Statement& statement : statements_of(source)) {
+    const auto is_name = [&](const Token& t) {
+      return t.kind == TokenKind::name && source.at(t.name) == name;
+    };
+    if (std::ranges::any_of(statement, is_name)) return true;
+  }
+  return false;
+}
+
 DividedText divide(const std::string& name, const std::string& text,
                    const std::vector<std::string>& constants, const std::string& parameter) {
   const SourceText source(name, text);

@@ -37,6 +37,9 @@ struct DividedText {
   std::vector<ConditionText> conditions;  ///< the conditions in it
 };
 
+/// Does @p name stand in a text of equations or conditions?
+[[nodiscard]] bool mentions(const std::string& text, const std::string& name);
+
 /// Takes the conditions out of a text of equations. A condition is an equation with a value, x'(0), or an
 /// integral, integral(x^2), and without a derivative for all times, x'. `r = x(1 + a)` is a definition, with
 /// a product, unless r is an unknown.

@@ -485,6 +485,11 @@ void TypedProblem::condition_jacobian(const MatrixXd& ends, const VectorXd& p, M
 
 TypedProblem read_problem(const ProblemText& text, const std::string& guess) {
   std::vector<std::string> unknowns = names_in("--unknown", text.unknowns);
+  for (const std::string& name : unknowns) {
+    if (name != text.until && !mentions(text.equations, name) && !mentions(text.conditions, name))
+      throw input_error("--unknown {}: stands in no equation and in no condition, so nothing determines it",
+                        name);
+  }
   const std::string end = free_end_name(text.equations, text.settings, text.until);
   if (!end.empty() && std::ranges::find(unknowns, end) == unknowns.end()) unknowns.push_back(end);
   if (!text.parameter.empty()) unknowns.push_back(text.parameter);
