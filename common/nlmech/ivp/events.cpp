@@ -22,8 +22,19 @@ constexpr double many_tolerances = 10;  // allowance for the accumulated errors 
 
 int sign_of(double value) { return (value > 0) - (value < 0); }
 
-/// The values at Chebyshev's extreme points cos(pi j/7), j = 0, 1, ..., as columns, times this matrix are the
-/// coefficients of the polynomial through them.
+/// Chebyshev's extreme points cos(pi j/7), j = 0, 1, ...
+const std::array<double, nodes>& extreme_points() {
+  static const std::array<double, nodes> points = [] {
+    std::array<double, nodes> p{};
+    for (int j = 0; j < nodes; ++j)
+      p[static_cast<std::size_t>(j)] = std::cos(std::numbers::pi * j / (nodes - 1));
+    return p;
+  }();
+  return points;
+}
+
+/// The values at the extreme points, as columns, times this matrix are the coefficients of the polynomial
+/// through them.
 const Eigen::MatrixXd& coefficients_of_values() {
   static const Eigen::MatrixXd matrix = [] {
     constexpr int last = nodes - 1;
@@ -57,7 +68,7 @@ class EventFinder::Scan {
     event_ = i;
     left_ = work;
     in_open_ = false;
-    if (is_excluded()) return;
+    if (is_excluded() || is_far()) return;
     between(step_.t0, step_.t1, 0);
     if (f_.status_.ok()) close_open();
     if (f_.status_.ok() && f_.signs_[i] == 0) f_.signs_[i] = sign_at(step_.t1);
@@ -98,6 +109,19 @@ class EventFinder::Scan {
     safe.pause = found ? 1 : std::min(2 * safe.pause, longest_pause);
     safe.wait = safe.pause;
     return found;
+  }
+  // Does a box around all states of the step exclude a zero? It takes less than the polynomial of a part.
+  bool is_far() {
+    if (!event().bounds || !step_.dense.bound_distance(step_.t1, x_)) return false;
+    for (Eigen::Index i = 0; i < x_.size(); ++i) {
+      const double x0 = step_.x0[i];
+      f_.box_[static_cast<std::size_t>(i)] = Interval(x0).inflated(x_[i] + error_of(std::abs(x0) + x_[i]));
+    }
+    const Interval t(std::min(step_.t0, step_.t1), std::max(step_.t0, step_.t1));
+    const Interval values = event().bounds(t, f_.box_).value;
+    if (values.has(0)) return false;
+    without(step_.t0, values);
+    return true;
   }
   [[nodiscard]] bool stays_in(const SafeBox& safe) const {
     if (safe.x.empty() || !(safe.t.has(step_.t0) && safe.t.has(step_.t1))) return false;
@@ -167,7 +191,7 @@ class EventFinder::Scan {
     for (int j = 0; j < nodes; ++j) {
       const double t = j == 0           ? b
                        : j == nodes - 1 ? a
-                                        : middle + half * std::cos(std::numbers::pi * j / (nodes - 1));
+                                        : middle + half * extreme_points()[static_cast<std::size_t>(j)];
       x.col(j) = state(t);
     }
     c.noalias() = x * coefficients_of_values();

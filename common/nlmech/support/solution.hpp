@@ -33,6 +33,9 @@ class BasicDenseOutput {
   virtual ~BasicDenseOutput() = default;
   /// State at @p t within the latest step; the header of the method states the accuracy.
   virtual void at(double t, State& x) const = 0;
+  /// Sets @p most to bounds on |x - x_0| from the start of the latest step to @p t, with x_0 the state there.
+  /// @return false if the method knows none
+  virtual bool bound_distance([[maybe_unused]] double t, [[maybe_unused]] State& most) const { return false; }
 };
 
 /// One accepted step, as passed to an observer. The references are valid only during the call.

@@ -67,6 +67,14 @@ class Expansion : public DenseOutput {
       x[i] = c[0] + increment(c, order_, s);
     }
   }
+  /// By the sums of |c_k s^k|.
+  bool bound_distance(double t, State& most) const override {
+    most.resize(size_);
+    const double s = std::abs(t - t0_) / scale_;
+    for (int i = 0; i < size_; ++i)
+      most[i] = increment(taylor_.coefficients(i), order_, s, [](double c) { return std::abs(c); });
+    return true;
+  }
 
  private:
   TapedTaylor<System> taylor_;

@@ -7,6 +7,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <string_view>
 
@@ -39,17 +40,19 @@ namespace taylor_series {
   return rough_exp2(std::floor(rough_log2(length) + 0.5));
 }
 
-/// The sum of c_k s^k for k = 1, ..., order; even and odd powers are summed in parallel.
-[[nodiscard]] inline double increment(const double* c, int order, double s) {
+/// The sum of c_k s^k for k = 1, ..., order, or of @p of (c_k) s^k; even and odd powers are summed in
+/// parallel.
+template <class Function = std::identity>
+[[nodiscard]] double increment(const double* c, int order, double s, const Function& of = {}) {
   const double square = s * s;
   int k = order;
-  double high = c[k], low = c[k - 1];
+  double high = of(c[k]), low = of(c[k - 1]);
   for (k -= 2; k >= 2; k -= 2) {
-    high = high * square + c[k];
-    low = low * square + c[k - 1];
+    high = high * square + of(c[k]);
+    low = low * square + of(c[k - 1]);
   }
   // high has the power k + 2, that is 3 or 2; low has the power below it.
-  if (k == 1) return (high * square + c[1]) * s + low * square;
+  if (k == 1) return (high * square + of(c[1])) * s + low * square;
   return high * square + low * s;
 }
 
