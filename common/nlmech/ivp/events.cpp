@@ -60,7 +60,7 @@ class EventFinder::Scan {
         system_(system),
         step_(step),
         limits_(limits),
-        x_(step.x1),
+        x_(finder.x_),
         direction_(step.t1 > step.t0 ? 1 : -1) {}
 
   /// Finds all zeros of event @p i; sets its sign at the end of the step.
@@ -104,7 +104,7 @@ class EventFinder::Scan {
     SafeBox& safe = f_.safe_[event_];
     if (stays_in(safe)) return true;
     if (--safe.wait > 0) return false;
-    constexpr int longest_pause = 64;
+    constexpr int longest_pause = 512;
     const bool found = look_for(safe) && stays_in(safe);
     safe.pause = found ? 1 : std::min(2 * safe.pause, longest_pause);
     safe.wait = safe.pause;
@@ -473,7 +473,7 @@ class EventFinder::Scan {
   const System& system_;
   const Step& step_;
   const Limits& limits_;
-  State x_;
+  State& x_;
   int direction_;
   std::size_t event_ = 0;
   int left_ = 0;  // parts of the step that may still be checked
@@ -495,6 +495,7 @@ EventFinder::EventFinder(std::vector<Event> events, StateAccuracy accuracy, Smoo
 void EventFinder::begin(double t, const State& x) {
   const auto size = static_cast<std::size_t>(x.size());
   box_.resize(size);
+  x_ = x;
   samples_.resize(x.size(), nodes);
   coefficients_.resize(x.size(), nodes);
   safe_.resize(events_.size());

@@ -133,6 +133,7 @@ class EventFinder {
   std::vector<int> signs_;              // sign of each function; 0: not known yet
   std::vector<int> counts_;             // number of hits of each event
   std::vector<program::Interval> box_;  // bounds on the states in a part of a step
+  State x_;                             // at one time, or its largest changes
   Nodes samples_, coefficients_;        // Chebyshev polynomial of a part of a step
   std::vector<SafeBox> safe_;           // one per event
   std::vector<Hit> hits_;
