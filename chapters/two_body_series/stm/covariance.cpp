@@ -28,8 +28,10 @@ constexpr double place = 1e3, speed = 1;  // m, m/s
 struct Cloud {
   int orbits;
   std::vector<Plane> points;
-  Matrix<double, 2> linear;  ///< covariance by the transition matrix
-  Plane mean = Plane::Zero();
+  Matrix<double, 2> linear;    ///< covariance by the transition matrix
+  Matrix<double, 2> second;    ///< to second order
+  Plane axis = {}, bend = {};  ///< a sigma of the longest axis goes to axis + bend/2 to second order
+  Plane second_mean = Plane::Zero(), mean = Plane::Zero();
   Matrix<double, 2> sampled = Matrix<double, 2>::Zero();
 
   /// Points within @p sigmas of the linear ellipse, as a share.
@@ -41,6 +43,32 @@ struct Cloud {
     return count / static_cast<double>(points.size());
   }
 };
+
+/// Adds the terms of second order, by the derivatives D_j of the transition matrix along the columns l_j of
+/// the root of the covariance: a normal distribution's mean moves by the sum of D_j l_j/2 and its covariance
+/// grows by that of (D_j l_k)(D_j l_k)^T/2. Central differences of the closed form, of 1 % of a standard
+/// deviation.
+void add_second_order(const State& start, double time, const Matrix<double, 6>& root,
+                      const Matrix<double, 2, 3>& axes, const Matrix<double, 2, 6>& seen, Cloud& cloud) {
+  constexpr double part = 0.01;
+  const Vector<double, 6> longest = seen.row(0).normalized();
+  cloud.second = cloud.linear;
+  cloud.axis = seen * longest;
+  cloud.bend.setZero();
+  for (Eigen::Index j = 0; j < 6; ++j) {
+    const auto matrix_at = [&](double change) {
+      const Vector<double, 6> l = change * root.col(j);
+      return orbit::kepler_transition({start.position + l.head<3>(), start.velocity + l.tail<3>()}, time,
+                                      earth_mu)
+          .transition;
+    };
+    const Matrix<double, 6> derivative = (matrix_at(part) - matrix_at(-part)) / (2 * part);
+    const Matrix<double, 2, 6> d = axes * derivative.topRows<3>() * root;
+    cloud.second_mean += d.col(j) / 2;
+    cloud.second += d * d.transpose() / 2;
+    cloud.bend += longest[j] * (d * longest);
+  }
+}
 
 std::vector<Cloud> measure(bool quick) {
   const State start = low_orbit().start;
@@ -68,7 +96,8 @@ std::vector<Cloud> measure(bool quick) {
     axes << forwards.transpose() / 1e3, outwards.transpose() / 1e3;
     const Matrix<double, 6> moved = k.transition * root;
     const Matrix<double, 2, 6> seen = axes * moved.topRows<3>();
-    Cloud cloud{orbits, {}, seen * seen.transpose()};
+    Cloud cloud{orbits, {}, seen * seen.transpose(), {}};
+    add_second_order(start, time, root, axes, seen, cloud);
     for (auto& s : starts) s.until = time;
     for (const auto& end : orbit::propagate_all(starts)) {
       if (!end.status.ok()) throw Failure(end.status);
@@ -92,7 +121,7 @@ void draw(const std::vector<Cloud>& all, scene::Show& show) {
     panel.caption(fmt::format("after {} orbit{}", c.orbits, c.orbits == 1 ? "" : "s"));
     panel.key(c.orbits == 10 ? "bottom center font 'sans-serif,11'" : "off");
     panel.set(fmt::format("xtics {}", c.orbits == 1 ? 50 : c.orbits == 3 ? 200 : 1000));
-    std::vector<double> x, y, ellipse_x, ellipse_y;
+    std::vector<double> x, y, ellipse_x, ellipse_y, axis_x, axis_y;
     for (std::size_t i = 0; i < c.points.size(); i += c.points.size() / 500) {
       x.push_back(c.points[i][0]);
       y.push_back(c.points[i][1]);
@@ -104,8 +133,14 @@ void draw(const std::vector<Cloud>& all, scene::Show& show) {
       ellipse_x.push_back(3 * a * std::cos(angle));
       ellipse_y.push_back(3 * (b * std::cos(angle) + d * std::sin(angle)));
     }
+    for (int i = -30; i <= 30; ++i) {
+      const Plane at = i / 10. * c.axis + i * i / 200. * c.bend;
+      axis_x.push_back(at[0]);
+      axis_y.push_back(at[1]);
+    }
     panel.curve("Monte Carlo", x, y, {"points pointtype 7 pointsize 0.3", 2});
     panel.curve("3 sigma, linear", ellipse_x, ellipse_y, scene::lines(1));
+    panel.curve("its axis, second order", axis_x, axis_y, scene::lines(3));
   }
 }
 
@@ -116,7 +151,9 @@ void put(const std::vector<Cloud>& all, scene::Show& show) {
                    {"sigma along, linear (km)", [=](const Cloud& c) { return sigma(c.linear, 0); }},
                    {"sigma along, sampled (km)", [=](const Cloud& c) { return sigma(c.sampled, 0); }},
                    {"sigma outwards, linear (km)", [=](const Cloud& c) { return sigma(c.linear, 1); }},
+                   {"sigma outwards, second order (km)", [=](const Cloud& c) { return sigma(c.second, 1); }},
                    {"sigma outwards, sampled (km)", [=](const Cloud& c) { return sigma(c.sampled, 1); }},
+                   {"mean outwards, second order (km)", [](const Cloud& c) { return c.second_mean[1]; }},
                    {"mean outwards, sampled (km)", [](const Cloud& c) { return c.mean[1]; }},
                    {"share within 3 sigma", [](const Cloud& c) { return c.share_within(3); }}});
   const double count = static_cast<double>(all.front().points.size()), scatter = 4 / std::sqrt(2 * count);
@@ -124,11 +161,15 @@ void put(const std::vector<Cloud>& all, scene::Show& show) {
     show.near(fmt::format("sigma along after {} orbits, sampled over linear", c.orbits),
               sigma(c.sampled, 0) / sigma(c.linear, 0), 1, scatter,
               "four standard deviations of a sampled one, 1/sqrt(2 n)");
-  const double bend = all.back().linear(0, 0) / 2 * 1e3 / low_orbit().start.position.norm();
+  const Cloud& last = all.back();
+  // The place outwards is that of a square: a chi-squared distribution of one degree of freedom, whose
+  // variance scatters by (14/n)^(1/2).
   show.near(
-      "mean outwards after 10 orbits", {-all.back().mean[1], "km"}, bend, 0.25,
-      "a point at the distance s along a circle of the periapsis' radius r lies s^2/(2 r) inside of its "
-      "tangent; the ellipse is flatter by its eccentricity of 0.1, and the sample scatters");
+      "sigma outwards after 10 orbits, sampled over second order",
+      sigma(last.sampled, 1) / sigma(last.second, 1), 1, 2 * std::sqrt(14 / count),
+      "four standard deviations of a sampled one of squares of normal numbers, and terms of fourth order");
+  show.near("mean outwards after 10 orbits", {-last.mean[1], "km"}, -last.second_mean[1],
+            4 * std::sqrt(2 / count), "to second order; four standard deviations of a mean of such squares");
   show.between(
       "share within 3 sigma after 1 orbit", all.front().share_within(3), 0.96, 0.997,
       "1 - exp(-9/2) = 0.989 of a normal distribution in the plane; already slightly bent, and scatter");
