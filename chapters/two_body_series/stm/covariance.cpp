@@ -119,8 +119,8 @@ void draw(const std::vector<Cloud>& all, scene::Show& show) {
   for (const Cloud& c : all) {
     scene::Panel& panel = plot.panel("along the velocity (km)", c.orbits == 1 ? "outwards (km)" : "");
     panel.caption(fmt::format("after {} orbit{}", c.orbits, c.orbits == 1 ? "" : "s"));
-    panel.key(c.orbits == 10 ? "bottom center font 'sans-serif,11'" : "off");
-    panel.set(fmt::format("xtics {}", c.orbits == 1 ? 50 : c.orbits == 3 ? 200 : 1000));
+    panel.key(c.orbits == 3 ? "bottom left Left reverse font 'sans-serif,11'" : "off");
+    panel.set(fmt::format("xtics {}", c.orbits == 1 ? 100 : c.orbits == 3 ? 200 : 1000));
     std::vector<double> x, y, ellipse_x, ellipse_y, axis_x, axis_y;
     for (std::size_t i = 0; i < c.points.size(); i += c.points.size() / 500) {
       x.push_back(c.points[i][0]);
@@ -140,7 +140,7 @@ void draw(const std::vector<Cloud>& all, scene::Show& show) {
     }
     panel.curve("Monte Carlo", x, y, {"points pointtype 7 pointsize 0.3", 2});
     panel.curve("3 sigma, linear", ellipse_x, ellipse_y, scene::lines(1));
-    panel.curve("its axis, second order", axis_x, axis_y, scene::lines(3));
+    panel.curve("its axis to second order", axis_x, axis_y, scene::lines(3));
   }
 }
 
