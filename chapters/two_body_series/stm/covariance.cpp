@@ -119,7 +119,8 @@ void draw(const std::vector<Cloud>& all, scene::Show& show) {
   for (const Cloud& c : all) {
     scene::Panel& panel = plot.panel("along the velocity (km)", c.orbits == 1 ? "outwards (km)" : "");
     panel.caption(fmt::format("after {} orbit{}", c.orbits, c.orbits == 1 ? "" : "s"));
-    panel.key(c.orbits == 3 ? "bottom left Left reverse font 'sans-serif,11'" : "off");
+    panel.key(c.orbits == 10 ? "bottom center font 'sans-serif,11'" : "off");
+    if (c.orbits == 10) panel.y_range(-150, 20);
     panel.set(fmt::format("xtics {}", c.orbits == 1 ? 100 : c.orbits == 3 ? 200 : 1000));
     std::vector<double> x, y, ellipse_x, ellipse_y, axis_x, axis_y;
     for (std::size_t i = 0; i < c.points.size(); i += c.points.size() / 500) {
