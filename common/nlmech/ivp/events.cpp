@@ -102,13 +102,14 @@ class EventFinder::Scan {
   bool is_excluded() {
     if (!event().slopes || !event().bounds || f_.signs_[event_] == 0) return false;
     SafeBox& safe = f_.safe_[event_];
-    if (stays_in(safe)) return true;
-    if (--safe.wait > 0) return false;
-    constexpr int longest_pause = 512;
-    const bool found = look_for(safe) && stays_in(safe);
-    safe.pause = found ? 1 : std::min(2 * safe.pause, longest_pause);
+    const bool stays = stays_in(safe);
+    if (stays) ++safe.uses;
+    if (stays || --safe.wait > 0) return stays;
+    constexpr int longest_pause = 512, worthwhile = 64;  // a search takes as long as some tens of steps
+    safe.pause = safe.uses >= worthwhile ? 1 : std::min(2 * safe.pause, longest_pause);
     safe.wait = safe.pause;
-    return found;
+    safe.uses = 0;
+    return look_for(safe) && stays_in(safe);
   }
   // Does a box around all states of the step exclude a zero? It takes less than the polynomial of a part.
   bool is_far() {

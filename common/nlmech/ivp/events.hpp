@@ -117,6 +117,7 @@ class EventFinder {
     program::Interval t{0};
     std::vector<program::Interval> x, slopes;
     std::vector<program::Interval> seen;  // the states so far
+    int uses = 0;                         // steps that the box held
     int wait = 0, pause = 1;              // steps until the next search for a box, and after that
   };
   void begin(double t, const State& x);
