@@ -89,6 +89,11 @@ TEST(Kepler, APhaseThatIsLostAtTheTurnIsRefused) {
   const State rest{{-3.9799569484664789e-06, 2.8011942580608421e-06, -3.2953923753575582e-06}, {0, 0, 0}};
   EXPECT_EQ(propagate_kepler(rest, -29.695038421702066, 2708836974137.4282).status.outcome(),
             Outcome::outside_validity);
+  // Two turns of an ellipse that rounding does not tell from a parabola, to its apoapsis.
+  const State near{{0, 0.00025172845880218895, 0},
+                   {2641.7335618639713, -3222.4009890008992, -740.57627752238}};
+  EXPECT_EQ(propagate_kepler(near, -1.3810215372885171e+17, 2254.3639759177595).status.outcome(),
+            Outcome::outside_validity);
 }
 
 // Speeds so large that squares of the eccentricity overflow: a straight line, r + v t to (1/v)^2.

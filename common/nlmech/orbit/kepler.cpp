@@ -1,5 +1,6 @@
 #include "nlmech/orbit/kepler.hpp"
 
+#include <limits>
 #include <utility>
 
 #include "nlmech/orbit/gravity.hpp"
@@ -68,10 +69,10 @@ struct Sizes {
         time(std::abs(s.time)),
         circular(s.mu / r),
         share(v * v / circular) {}
-  /// Condition number of the mean anomaly of an ellipse. At an apoapsis the position does not depend on it to
-  /// first order.
+  /// Condition number of the mean anomaly of an ellipse, also of one within rounding. At an apoapsis the
+  /// position does not depend on it to first order.
   [[nodiscard]] double phase_condition() const {
-    const double alpha = 2 - share;
+    const double alpha = 2 - share + 8 * std::numeric_limits<double>::epsilon();
     if (!(alpha > 0)) return 0;
     return time * std::sqrt(circular * alpha) / r * (2 * alpha + 1.5 * (2 + share));
   }
