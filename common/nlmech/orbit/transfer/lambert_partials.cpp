@@ -26,8 +26,8 @@ Inverse inverse_of(const Matrix<double, 3>& m) {
 
 }  // namespace
 
-LambertPartials lambert_partials(const TransitionMatrix& transition, const State& arrival,
-                                 const Gravity& gravity) {
+LambertPartials lambert_partials(const TransitionMatrix& transition, const Vector3<double>& v1,
+                                 const Vector3<double>& v2) {
   LambertPartials p;
   const auto [inverse, condition] = inverse_of(transition.topRightCorner<3, 3>());
   p.condition = condition;
@@ -43,8 +43,8 @@ LambertPartials lambert_partials(const TransitionMatrix& transition, const State
   p.v2_by_r1 = -inverse.transpose();
   p.v1_by_r1 = -inverse * transition.topLeftCorner<3, 3>();
   p.v2_by_r2 = transition.bottomRightCorner<3, 3>() * inverse;
-  p.v1_by_time = -inverse * arrival.velocity;
-  p.v2_by_time = acceleration(arrival.position, gravity) - p.v2_by_r2 * arrival.velocity;
+  p.v1_by_time = -inverse * v2;
+  p.v2_by_time = -inverse.transpose() * v1;
   return p;
 }
 
@@ -53,11 +53,11 @@ LambertPartials lambert_partials(const TransferProblem& problem, const Vector3<d
   LambertPartials failed;
   if (problem.gravity.degree() == 0) {
     KeplerTransition k = kepler_transition(start, problem.time, problem.gravity.mu);
-    if (k.status.ok()) return lambert_partials(k.transition, k.state, problem.gravity);
+    if (k.status.ok()) return lambert_partials(k.transition, v1, k.state.velocity);
     failed.status = std::move(k.status);
   } else {
     TransitionSolution c = propagate_transition(start, 0, problem.time, problem.gravity);
-    if (c.end.status.ok()) return lambert_partials(c.transition, c.end.x, problem.gravity);
+    if (c.end.status.ok()) return lambert_partials(c.transition, v1, c.end.x.velocity);
     failed.status = std::move(c.end.status);
   }
   return failed;

@@ -26,11 +26,13 @@ struct LambertPartials {
 };
 
 /// Derivatives along any arc in a field of gravity, by its state-transition matrix: d(v_1)/d(r_2) is the
-/// inverse of the block d(r_2)/d(v_1). Relative errors are those of the matrix times `condition`.
+/// inverse of the block d(r_2)/d(v_1). Relative errors are those of the matrix times `condition`. The action
+/// S of the arc has v_1 = -dS/dr_1, v_2 = dS/dr_2 and the energy -dS/dt, so the derivatives by the time are
+/// those of the energy, v_1^2/2 - V(r_1) = v_2^2/2 - V(r_2), by r_2 and r_1.
 /// @param transition d(r_2, v_2)/d(r_1, v_1)
-/// @param arrival r_2 and v_2  @param gravity of the arc
-[[nodiscard]] LambertPartials lambert_partials(const TransitionMatrix& transition, const State& arrival,
-                                               const Gravity& gravity);
+/// @param v1 velocity at the departure  @param v2 at the arrival
+[[nodiscard]] LambertPartials lambert_partials(const TransitionMatrix& transition, const Vector3<double>& v1,
+                                               const Vector3<double>& v2);
 
 /// The same for a transfer: by Kepler's motion, or with zonal terms by series. Every arc of Lambert's
 /// problem. Tests compare with differences in 50 digits.
