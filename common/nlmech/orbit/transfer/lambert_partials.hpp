@@ -25,11 +25,9 @@ struct LambertPartials {
   Status status = {};
 };
 
-/// Derivatives along any arc in a field of gravity, by its state-transition matrix: d(v_1)/d(r_2) is the
-/// inverse of the block d(r_2)/d(v_1). Relative errors are those of the matrix times `condition`. The action
-/// S of the arc has v_1 = -dS/dr_1, v_2 = dS/dr_2 and the energy -dS/dt, so the derivatives by the time are
-/// those of the energy, v_1^2/2 - V(r_1) = v_2^2/2 - V(r_2), by r_2 and r_1.
-/// @param transition d(r_2, v_2)/d(r_1, v_1)
+/// Derivatives along any arc by its state-transition matrix: d(v_1)/d(r_2) is the inverse of the block
+/// d(r_2)/d(v_1). Relative errors are those of the matrix times `condition`. As the action S of the arc has
+/// v_1 = -dS/dr_1, v_2 = dS/dr_2 and the energy -dS/dt, derivatives by the time are gradients of the energy.
 /// @param v1 velocity at the departure  @param v2 at the arrival
 [[nodiscard]] LambertPartials lambert_partials(const TransitionMatrix& transition, const Vector3<double>& v1,
                                                const Vector3<double>& v2);
