@@ -171,6 +171,11 @@ void put(const std::vector<Cloud>& all, scene::Show& show) {
       "four standard deviations of a sampled one of squares of normal numbers, and terms of fourth order");
   show.near("mean outwards after 10 orbits", {-last.mean[1], "km"}, -last.second_mean[1],
             4 * std::sqrt(2 / count), "to second order; four standard deviations of a mean of such squares");
+  const double circle = last.linear(0, 0) / 2 * 1e3 / low_orbit().start.position.norm();
+  show.near(
+      "mean outwards after 10 orbits, to second order", {-last.second_mean[1], "km"}, circle, 0.25,
+      "a point at the distance s along a circle of the periapsis' radius r lies s^2/(2 r) inside of its "
+      "tangent; the ellipse is flatter, by its eccentricity of 0.1");
   show.between(
       "share within 3 sigma after 1 orbit", all.front().share_within(3), 0.96, 0.997,
       "1 - exp(-9/2) = 0.989 of a normal distribution in the plane; already slightly bent, and scatter");

@@ -402,8 +402,8 @@ ControlSolution solve_control(const ControlProblem& problem, const std::vector<C
         failed.status = failed_with(
             found.status.outcome(),
             "no sequence of arcs that a control of the cost {:.6g}, found by descent, suggests has an "
-            "extremal "
-            "(the last: {}); a control that switches without end, or with singular arcs alone, has none",
+            "extremal (the last: {}); a control that switches without end, or with singular arcs alone, has "
+            "none",
             direct.cost, found.status.sentence());
         continue;
       }
