@@ -120,8 +120,9 @@ TEST(Events, WithBoundsNoZeroIsPassedOver) {
     return integrate_with_events(falling(), State{0, 0}, 0, 10, one_step, {event}).hits;
   };
   EXPECT_LT(count().size(), 10U);
-  event.bounds = [](const program::Interval& t, std::span<const program::Interval>) {
-    return Enclosure{sin(20 * t), 20 * cos(20 * t)};
+  event.bounds = [](const program::Interval& t, std::span<const program::Interval>) { return sin(20 * t); };
+  event.rate_bounds = [](const program::Interval& t, std::span<const program::Interval>) {
+    return 20 * cos(20 * t);
   };
   const std::vector<Hit> hits = count();
   ASSERT_EQ(hits.size(), 63U);
@@ -135,7 +136,10 @@ TEST(Events, WithBoundsNoZeroIsPassedOver) {
 TEST(Events, DoubleZerosAreHitsWithoutDirection) {
   Event square{[](double, const State& x) { return x[0] * x[0]; }};
   square.bounds = [](const program::Interval&, std::span<const program::Interval> x) {
-    return Enclosure{program::square(x[0]), 2 * (x[0] * x[1])};
+    return program::square(x[0]);
+  };
+  square.rate_bounds = [](const program::Interval&, std::span<const program::Interval> x) {
+    return 2 * (x[0] * x[1]);
   };
   const auto found = [&] { return integrate_with_events(falling(), State{1, 0}, 0, 3, Series{}, {square}); };
   const EventSolution either = found();
@@ -152,7 +156,10 @@ RC_GTEST_PROP(Events, DoubleZerosOfTimeAreHits, ()) {
   const double at = *rc::gen::inRange(100, 900) / 1000.;
   Event square{[=](double t, const State&) { return (t - at) * (t - at); }};
   square.bounds = [=](const program::Interval& t, std::span<const program::Interval>) {
-    return Enclosure{program::square(t - program::Interval(at)), 2 * (t - program::Interval(at))};
+    return program::square(t - program::Interval(at));
+  };
+  square.rate_bounds = [=](const program::Interval& t, std::span<const program::Interval>) {
+    return 2 * (t - program::Interval(at));
   };
   const std::vector<Hit> hits = integrate_with_events(falling(), State{1, 0}, 0, 1, Series{}, {square}).hits;
   RC_ASSERT(hits.size() == 1U);
@@ -163,9 +170,8 @@ RC_GTEST_PROP(Events, DoubleZerosOfTimeAreHits, ()) {
 // accumulate at t = 3.
 TEST(Events, ChangeTheState) {
   Event ground = passes(0, Crossing::falling);
-  ground.bounds = [](const program::Interval&, std::span<const program::Interval> x) {
-    return Enclosure{x[0], x[1]};
-  };
+  ground.bounds = [](const program::Interval&, std::span<const program::Interval> x) { return x[0]; };
+  ground.rate_bounds = [](const program::Interval&, std::span<const program::Interval> x) { return x[1]; };
   ground.change = [](double, State& x) { x[1] = -x[1] / 2; };
   const auto to = [&](double t1) {
     return integrate_with_events(falling(), State{0.5, 0}, 0, t1, accurate, {ground});
@@ -188,6 +194,10 @@ TEST(Events, ChangeTheState) {
 TEST(Events, MistakesAndFunctionsWithoutValue) {
   const System system(testing::Oscillator{});
   EXPECT_THROW((void)integrate_with_events(system, State{1, 0}, 0, 3, Series{}, {Event{}}),
+               std::invalid_argument);
+  Event no_rate = passes(0);
+  no_rate.bounds = [](const program::Interval&, std::span<const program::Interval> x) { return x[0]; };
+  EXPECT_THROW((void)integrate_with_events(system, State{1, 0}, 0, 3, Series{}, {no_rate}),
                std::invalid_argument);
   const auto [end, hits, open] = integrate_with_events(
       system, State{1, 0}, 0, 3, Series{},

@@ -183,6 +183,26 @@ TEST_P(EveryIntegrator, ShowsEveryStep) {
   EXPECT_EQ(solution.statistics.steps, count);
 }
 
+// The bounds on the change of the state hold throughout a step. They are not wide, so that events far away
+// cost little.
+TEST_P(EveryIntegrator, BoundsItsDenseOutput) {
+  State x(2), least(2), most(2);
+  const auto look = [&](const Step& step) {
+    if (!step.dense.bound_change(step.t1, least, most)) return true;
+    State lowest = State::Zero(2), highest = lowest;
+    for (int k = 1; k <= 32; ++k) {
+      step.dense.at(step.t0 + k / 32. * (step.t1 - step.t0), x);
+      lowest = lowest.cwiseMin(x - step.x0);
+      highest = highest.cwiseMax(x - step.x0);
+    }
+    EXPECT_TRUE((lowest.array() >= least.array() - 4 * eps).all()) << lowest << "\n" << least;
+    EXPECT_TRUE((highest.array() <= most.array() + 4 * eps).all()) << highest << "\n" << most;
+    EXPECT_LE((most - least).maxCoeff(), 4 * (highest - lowest).maxCoeff());
+    return true;
+  };
+  EXPECT_TRUE(run(System(problems::TextProblem("duffing")), {1, 0}, 0, 5, look).status.ok());
+}
+
 // An observer and dense output change neither the solution nor its cost, except for the stages that dop853
 // adds.
 TEST_P(EveryIntegrator, DoesNotNoticeItsObserver) {

@@ -34,6 +34,7 @@ class AdaptiveStepLoop {
     ends.push_back(problem_.t1);
     for (const double end : ends) {
       now_.status = self().begin(end);
+      if (problem_.limits.first_step > 0) control_.start(problem_.limits.first_step);
       while (now_.t != end && now_.status.ok()) now_.status = step(end);
       if (!now_.status.ok()) break;
     }

@@ -13,9 +13,10 @@ using program::Interval;
 
 Event event_of(program::Graph graph, program::NodeId node, const std::vector<program::NodeId>& slopes) {
   const std::vector<program::NodeId> jumps = program::jumps_of(graph, node);
-  std::vector<program::NodeId> outputs = {node, program::rates(graph, {node}, slopes).front()};
-  outputs.insert(outputs.end(), jumps.begin(), jumps.end());
-  const auto program = std::make_shared<const program::Program>(graph, outputs);
+  std::vector<program::NodeId> of_rate = {program::rates(graph, {node}, slopes).front()};
+  of_rate.insert(of_rate.end(), jumps.begin(), jumps.end());
+  const auto program = std::make_shared<const program::Program>(graph, std::vector{node});
+  const auto rate = std::make_shared<const program::Program>(graph, of_rate);
   Event event;
   event.value = [program](double t, const State& x) {
     double value = 0;
@@ -23,14 +24,19 @@ Event event_of(program::Graph graph, program::NodeId node, const std::vector<pro
     return value;
   };
   event.bounds = [program](const Interval& t, std::span<const Interval> x) {
-    Enclosure g;
-    program->run(t, x, 0, program->outputs(), [&g](int i, const Interval& v) {
-      if (i < 2)
-        (i == 0 ? g.value : g.rate) = v;
+    Interval value;
+    program->run(t, x, 0, 1, [&value](int, const Interval& v) { value = v; });
+    return value;
+  };
+  event.rate_bounds = [rate](const Interval& t, std::span<const Interval> x) {
+    Interval bounds;
+    rate->run(t, x, 0, rate->outputs(), [&bounds](int i, const Interval& v) {
+      if (i == 0)
+        bounds = v;
       else if (v.has(0))
-        g.rate = {};  // a jump has no bound on its rate
+        bounds = {};  // a jump has no bound on its rate
     });
-    return g;
+    return bounds;
   };
   event.slopes = [all = std::make_shared<const program::Program>(graph, slopes)](
                      const Interval& t, std::span<const Interval> x, std::span<Interval> bounds) {
@@ -54,7 +60,7 @@ Domain::Domain(const program::Equations& equations) {
   for (const program::NodeId id : domain.denominators) {
     ends.push_back(event_of(domain.graph, id, slopes));
     constexpr double rounding = 1e-300;  // of bounds that are zero
-    if (ends.back().bounds({}, anywhere).value.low < -rounding)
+    if (ends.back().bounds({}, anywhere).low < -rounding)
       crossings.push_back(ends.back());
     else
       sums.push_back(ends.size() - 1);

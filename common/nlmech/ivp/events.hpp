@@ -21,11 +21,9 @@ enum class Crossing {
   falling,  ///< from positive to negative values
 };
 
-/// Bounds on a function g and on its derivative along solutions.
-struct Enclosure {
-  program::Interval value;  ///< bounds on g
-  program::Interval rate;   ///< bounds on dg/dt
-};
+/// Bounds on a function over a time and a box of states.
+using BoundsOver =
+    std::function<program::Interval(const program::Interval& t, std::span<const program::Interval> x)>;
 
 /// An event function and its options.
 struct Event {
@@ -35,9 +33,10 @@ struct Event {
   /// Does an end or a change take place only where g leaves zero by more than the errors of the states? A
   /// function that tends to zero does not.
   bool must_leave = false;
-  /// Bounds on g over a time and a box of states. With them no zero is missed: a part of a step counts as
-  /// free of zeros only if the bounds exclude them. Without them the signs of g at 8 points of a step decide.
-  std::function<Enclosure(const program::Interval& t, std::span<const program::Interval> x)> bounds = {};
+  /// Bounds on g. With them no zero is missed: a part of a step counts as free of zeros only if the bounds
+  /// exclude them. Without them the signs of g at 8 points of a step decide.
+  BoundsOver bounds = {};
+  BoundsOver rate_bounds = {};  ///< bounds on dg/dt along solutions, if there are bounds on g
   /// Changes the state, from which the integration continues; empty: no change.
   std::function<void(double t, State& x)> change = {};
   /// Bounds on dx/dt of the same equations, one per component. They make steps cheaper that stay far from a
@@ -83,8 +82,8 @@ struct StateAccuracy {
 /// zero, are not events. Events at one time follow each other in the order of the list.
 class EventFinder {
  public:
-  /// @param run the method, which refines the time of an event to the accuracy of the steps; empty: the dense
-  /// output is accurate enough
+  /// @param run the method, which refines the time of an event to the accuracy of the steps where the dense
+  /// output has less; empty: the dense output is accurate enough
   /// @throws std::invalid_argument for an event without a function
   explicit EventFinder(std::vector<Event> events, StateAccuracy accuracy = {}, SmoothRun run = {});
 
@@ -134,7 +133,8 @@ class EventFinder {
   std::vector<int> signs_;              // sign of each function; 0: not known yet
   std::vector<int> counts_;             // number of hits of each event
   std::vector<program::Interval> box_;  // bounds on the states in a part of a step
-  State x_;                             // at one time, or its largest changes
+  State x_;                             // at one time
+  State least_, most_;                  // changes within a step
   Nodes samples_, coefficients_;        // Chebyshev polynomial of a part of a step
   std::vector<SafeBox> safe_;           // one per event
   std::vector<Hit> hits_;

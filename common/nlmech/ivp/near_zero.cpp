@@ -26,14 +26,14 @@ State gradient(const Event& g, double t, const State& x) {
 
 }  // namespace
 
-Enclosure at_point(const Event& g, double t, const State& x, StateAccuracy error) {
+Interval at_point(const BoundsOver& bounds, double t, const State& x, StateAccuracy error) {
   std::vector<Interval> box;
   for (const double xi : x)
     box.push_back(Interval(xi).inflated(error.absolute + error.relative * std::abs(xi)));
-  return g.bounds(Interval(t), box);
+  return bounds(Interval(t), box);
 }
 double rate_at(const Event& g, double t, const State& x) {
-  const Interval rate = at_point(g, t, x, {}).rate;
+  const Interval rate = at_point(g.rate_bounds, t, x, {});
   return rate.has(0) ? 0 : middle_of(rate);
 }
 

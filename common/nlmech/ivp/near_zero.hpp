@@ -6,8 +6,9 @@
 
 namespace nlmech::ivp {
 
-/// Bounds at a point for states with errors up to error.absolute + error.relative |x_i|.
-[[nodiscard]] Enclosure at_point(const Event& g, double t, const State& x, StateAccuracy error);
+/// @p bounds at a point for states with errors up to error.absolute + error.relative |x_i|.
+[[nodiscard]] program::Interval at_point(const BoundsOver& bounds, double t, const State& x,
+                                         StateAccuracy error);
 
 /// dg/dt; zero where its bounds include zero.
 [[nodiscard]] double rate_at(const Event& g, double t, const State& x);

@@ -36,7 +36,7 @@ bool is_near(double t, double of) {
 
 /// Is a function of the time zero at @p t?
 bool is_zero_at(const Event& g, double t, const State& x) {
-  return std::abs(g.value(t, x)) <= 8 * eps * std::abs(t) * at_point(g, t, x, {}).rate.magnitude();
+  return std::abs(g.value(t, x)) <= 8 * eps * std::abs(t) * at_point(g.rate_bounds, t, x, {}).magnitude();
 }
 
 /// One integration that checks the domain of its equations.
@@ -174,20 +174,15 @@ class Guarded {
   static Event never() {
     Event event;
     event.value = [](double, const State&) { return 1.; };
-    event.bounds = [](const Interval&, std::span<const Interval>) {
-      return Enclosure{Interval(1), Interval(0)};
-    };
+    event.bounds = event.rate_bounds = [](const Interval&, std::span<const Interval>) { return Interval(1); };
     return event;
   }
   [[nodiscard]] Event shifted(std::size_t i, double by, Crossing crossing) const {
     const Event& g = domain_.beyond_arguments[i];
     Event event;
     event.value = [&g, by](double t, const State& x) { return g.value(t, x) + by; };
-    event.bounds = [&g, by](const Interval& t, std::span<const Interval> x) {
-      Enclosure e = g.bounds(t, x);
-      e.value = e.value + by;
-      return e;
-    };
+    event.bounds = [&g, by](const Interval& t, std::span<const Interval> x) { return g.bounds(t, x) + by; };
+    event.rate_bounds = g.rate_bounds;
     event.slopes = g.slopes;
     event.crossing = crossing;
     event.ends = 1;
@@ -195,14 +190,13 @@ class Guarded {
   }
   // Bounds of g at (t, x) for accumulated errors of all steps.
   [[nodiscard]] Interval bounds_of(const Event& g, double t, const State& x) const {
-    return at_point(g, t, x,
-                    {tolerances_of_a_run * accuracy_.relative, tolerances_of_a_run * accuracy_.absolute})
-        .value;
+    return at_point(g.bounds, t, x,
+                    {tolerances_of_a_run * accuracy_.relative, tolerances_of_a_run * accuracy_.absolute});
   }
   // Error of an argument due to the errors of the states.
   [[nodiscard]] double margin_of(std::size_t i) const {
     const Interval there = bounds_of(domain_.arguments[i], all_.t, all_.x);
-    const double size = at_point(domain_.arguments[i], t0_, all_.x, {1, 0}).value.magnitude();
+    const double size = at_point(domain_.arguments[i].bounds, t0_, all_.x, {1, 0}).magnitude();
     const double wide = std::isfinite(there.width()) ? there.width() : 0;
     return std::max(5 * wide, 1e-12 * (std::isfinite(size) ? size : 1)) + std::numeric_limits<double>::min();
   }
@@ -475,6 +469,7 @@ class Guarded {
   void name_end() {
     const Outcome outcome = all_.status.outcome();
     if (outcome != Outcome::step_underflow && outcome != Outcome::non_finite) return;
+    if (outcome == Outcome::non_finite && all_.t == t0_) return name_start();
     for (std::size_t i = 0; i < domain_.corners; ++i) {
       const Event& g = domain_.arguments[i];
       if (const std::optional<double> t = zero_beside(g); t && !boundaries_[i].rests)
@@ -504,6 +499,28 @@ class Guarded {
         "a denominator of the equations, or the argument of a logarithm, becomes zero at t = {}, where the "
         "solution ends; end the run before",
         time);
+  }
+
+  // A run whose equations are not defined at the start.
+  void name_start() {
+    State f = State::Zero(x0_.size());
+    system_.rhs(t0_, x0_, f);
+    if (f.allFinite()) return;
+    const auto name = [this](const Event& g, bool also_at_zero) {
+      const double value = g.value(t0_, x0_);
+      if (value < 0 || (also_at_zero && value == 0))
+        all_.status =
+            failed_with(Outcome::outside_validity,
+                        "the argument of a root, power, arc or logarithm, or a denominator, is {:.9g} at "
+                        "the start t = {:.17g}, where the equations are not defined; start elsewhere",
+                        value, t0_);
+    };
+    for (const Event& g : domain_.timed_arguments) name(g, true);
+    for (std::size_t i = 0; i < domain_.corners; ++i) name(domain_.arguments[i], false);
+    const std::size_t denominators = domain_.crossings.size() + domain_.sums.size();
+    for (std::size_t i = 0; i < domain_.ends.size(); ++i) {
+      if (const Event& g = domain_.ends[i]; i >= denominators || g.value(t0_, x0_) == 0) name(g, true);
+    }
   }
 
   // What has become of the zero of an argument.

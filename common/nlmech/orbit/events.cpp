@@ -27,8 +27,9 @@ class EventFinder::Functions : public BasicDenseOutput<ivp::State> {
     std::vector<ivp::Event> all(events_.size());
     for (std::size_t i = 0; i < all.size(); ++i) {
       all[i].value = [i](double, const ivp::State& f) { return f[static_cast<Eigen::Index>(i)]; };
-      all[i].bounds = [this, i](const program::Interval&, std::span<const program::Interval> f) {
-        return ivp::Enclosure{f[i], speed_ / length_ * f[events_.size() + i]};
+      all[i].bounds = [i](const program::Interval&, std::span<const program::Interval> f) { return f[i]; };
+      all[i].rate_bounds = [this, i](const program::Interval&, std::span<const program::Interval> f) {
+        return speed_ / length_ * f[events_.size() + i];
       };
     }
     return all;

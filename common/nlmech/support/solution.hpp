@@ -33,9 +33,14 @@ class BasicDenseOutput {
   virtual ~BasicDenseOutput() = default;
   /// State at @p t within the latest step; the header of the method states the accuracy.
   virtual void at(double t, State& x) const = 0;
-  /// Sets @p most to bounds on |x - x_0| from the start of the latest step to @p t, with x_0 the state there.
+  /// Are the states within the step as accurate as that at its end?
+  [[nodiscard]] virtual bool is_as_accurate_as_step() const { return false; }
+  /// Sets bounds on x - x_0 within the latest step, which ends at @p t1, with x_0 the state at its start.
   /// @return false if the method knows none
-  virtual bool bound_distance([[maybe_unused]] double t, [[maybe_unused]] State& most) const { return false; }
+  virtual bool bound_change([[maybe_unused]] double t1, [[maybe_unused]] State& least,
+                            [[maybe_unused]] State& most) const {
+    return false;
+  }
 };
 
 /// One accepted step, as passed to an observer. The references are valid only during the call.
@@ -69,6 +74,8 @@ struct Limits {
   /// Largest step size of adaptive methods, positive; to rounding of the time. Methods with fixed step size
   /// ignore it.
   double largest_step = std::numeric_limits<double>::infinity();
+  /// First step size that adaptive methods of nlmech try on each smooth segment; 0: they choose one.
+  double first_step = 0;
 };
 
 }  // namespace nlmech

@@ -9,6 +9,7 @@
 
 #include "nlmech/ivp/ensemble/integrate_all.hpp"
 #include "nlmech/ivp/limits.hpp"
+#include "nlmech/ivp/smooth_segment.hpp"
 #include "nlmech/program/tape_lanes.hpp"
 
 namespace nlmech::ivp {
@@ -113,6 +114,16 @@ class SeriesLanes {
         const auto c = lanes_.series(lane_, i);
         x[i] = c[0] + taylor_series::increment(c.data(), lanes_.rule_.order, s);
       }
+    }
+    // As a single run has them, so that events have the same bits.
+    [[nodiscard]] bool is_as_accurate_as_step() const override { return true; }
+    bool bound_change(double t1, State& least, State& most) const override {
+      most.resize(lane_.next.size());
+      const double s = (t1 - lane_.now.t) / lane_.scale;
+      for (int i = 0; i < static_cast<int>(most.size()); ++i)
+        most[i] = taylor_series::largest_increment(lanes_.series(lane_, i).data(), lanes_.rule_.order, s);
+      least = -most;
+      return true;
     }
 
    private:

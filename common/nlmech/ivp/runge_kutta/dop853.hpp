@@ -101,6 +101,13 @@ struct Pair : EmbeddedPair<Pair> {
       step.r[6][d] = h * weighted<dense_row<3>, all_stages>(k, d);
     }
   }
+  /// Bounds on x - x0 of the dense output: at() for all s and 1 - s from 0 to 1.
+  template <class S>
+  [[nodiscard]] static Range change(const TrialStep<S, Pair>& step, Eigen::Index i) {
+    Range range{0, 0};
+    for (std::size_t k = coefficients; k-- > 0;) range = range.of_part_plus(step.r[k].data()[i]);
+    return range.of_part_plus(0);
+  }
   /// The polynomial of degree 7; order 7.
   template <class S>
   static void at(const TrialStep<S, Pair>& step, double t, typename S::State& x) {

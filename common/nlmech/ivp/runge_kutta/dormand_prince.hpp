@@ -75,6 +75,11 @@ inline constexpr std::array<std::array<double, 4>, stages> dense = {
      {0, -11. / 7, 11. / 3, -55. / 28},
      {0, 3. / 2, -4, 5. / 2}}};
 
+/// Weights of the stages in the coefficient of s^(j + 1), as an object for weighted().
+template <std::size_t j>
+inline constexpr std::array<double, stages> of_power = {dense[0][j], dense[1][j], dense[2][j], dense[3][j],
+                                                        dense[4][j], dense[5][j], dense[6][j]};
+
 /// Coefficients, and the step-size control of MATLAB.
 struct Pair : EmbeddedPair<Pair> {
   static constexpr const auto& c = dormand_prince::c;       ///< abscissae
@@ -118,6 +123,17 @@ struct Pair : EmbeddedPair<Pair> {
               std::abs(step.h * e) / std::max({std::abs(step.x0[i]), std::abs(step.x1[i]), threshold}));
     }
     return largest / method.relative_tolerance;
+  }
+  /// Bounds on x - x0 of the quartic: Horner's rule for all s from 0 to 1.
+  template <class S>
+  [[nodiscard]] static Range change(const TrialStep<S, Pair>& step, Eigen::Index i) {
+    const double h = step.h;
+    return Range{0, 0}
+        .of_part_plus(h * weighted<of_power<3>, stages>(step.k, i))
+        .of_part_plus(h * weighted<of_power<2>, stages>(step.k, i))
+        .of_part_plus(h * weighted<of_power<1>, stages>(step.k, i))
+        .of_part_plus(h * weighted<of_power<0>, stages>(step.k, i))
+        .of_part_plus(0);
   }
   /// The quartic; order 4.
   template <class S>

@@ -50,6 +50,14 @@ struct TrialStep {
   double h = 1;   ///< step size, signed
 };
 
+/// All numbers from low to high.
+struct Range {
+  double low;   ///< lower end
+  double high;  ///< upper end
+  /// The products with all numbers from 0 to 1, plus @p c.
+  [[nodiscard]] Range of_part_plus(double c) const { return {c + std::min(0., low), c + std::max(0., high)}; }
+};
+
 /// Sets @p largest to the larger of both; NaN if one is NaN.
 [[gnu::always_inline]] inline void enlarge(double& largest, double value) {
   if (value > largest || std::isnan(value)) largest = value;
@@ -149,6 +157,13 @@ struct EmbeddedPair {
     }
     return largest;
   }
+  /// Bounds on x - x0 of the dense output within the step, component @p i.
+  template <class S>
+  [[nodiscard]] static Range change(const TrialStep<S, P>& step, Eigen::Index i) {
+    const double change = step.x1[i] - step.x0[i], quarter = step.h / 4;
+    const double a = quarter * step.k[0][i], b = -quarter * step.k[step.end][i];
+    return {std::min(0., change) + std::min({0., a, b}), std::max(0., change) + std::max({0., a, b})};
+  }
   /// Dense output: cubic Hermite interpolation, of order 3.
   template <class S>
   static void at(const TrialStep<S, P>& step, double t, typename S::State& x) {
@@ -198,15 +213,26 @@ class EmbeddedRungeKutta : public AdaptiveStepLoop<S, EmbeddedRungeKutta<S, M>>,
       evaluate<1>(t, std::make_index_sequence<stages - 1>());
       Pair::state(trial_, x);
     } else {
-      if constexpr (Pair::dense_stages > 0) {
-        if (!has_dense_) {
-          evaluate<end + 1>(trial_.t0 + trial_.h, std::make_index_sequence<Pair::dense_stages>());
-          Pair::expand(trial_);
-          has_dense_ = true;
-        }
-      }
+      expand();
       Pair::at(trial_, t, x);
     }
+  }
+  /// A Nystrom pair's is a shorter step.
+  [[nodiscard]] bool is_as_accurate_as_step() const override { return Pair::is_nystrom; }
+  /// See at().
+  bool bound_change(double /*t1*/, [[maybe_unused]] State& least,
+                    [[maybe_unused]] State& most) const override {
+    if constexpr (!Pair::is_nystrom) {
+      expand();
+      least.resize(trial_.x0.size());
+      most.resize(trial_.x0.size());
+      for (Eigen::Index i = 0; i < most.size(); ++i) {
+        const Range change = Pair::change(trial_, i);
+        least[i] = change.low;
+        most[i] = change.high;
+      }
+    }
+    return !Pair::is_nystrom;
   }
 
  private:
@@ -231,6 +257,13 @@ class EmbeddedRungeKutta : public AdaptiveStepLoop<S, EmbeddedRungeKutta<S, M>>,
     (Pair::template stage<from + i>(
          system_, segment_(Pair::c[from + i] == 1 ? t1 : trial_.t0 + Pair::c[from + i] * trial_.h), trial_),
      ...);
+  }
+  void expand() const {
+    if constexpr (Pair::dense_stages > 0) {
+      if (std::exchange(has_dense_, true)) return;
+      evaluate<end + 1>(trial_.t0 + trial_.h, std::make_index_sequence<Pair::dense_stages>());
+      Pair::expand(trial_);
+    }
   }
   void start(double t) {
     Pair::start(system_, segment_(t), trial_);

@@ -67,12 +67,14 @@ class Expansion : public DenseOutput {
       x[i] = c[0] + increment(c, order_, s);
     }
   }
+  /// The same series, shorter.
+  [[nodiscard]] bool is_as_accurate_as_step() const override { return true; }
   /// By the sums of |c_k s^k|.
-  bool bound_distance(double t, State& most) const override {
+  bool bound_change(double t1, State& least, State& most) const override {
     most.resize(size_);
-    const double s = std::abs(t - t0_) / scale_;
-    for (int i = 0; i < size_; ++i)
-      most[i] = increment(taylor_.coefficients(i), order_, s, [](double c) { return std::abs(c); });
+    const double s = (t1 - t0_) / scale_;
+    for (int i = 0; i < size_; ++i) most[i] = largest_increment(taylor_.coefficients(i), order_, s);
+    least = -most;
     return true;
   }
 

@@ -55,6 +55,10 @@ template <class Function = std::identity>
   if (k == 1) return (high * square + of(c[1])) * s + low * square;
   return high * square + low * s;
 }
+/// The sum of |c_k s^k| for k = 1, ..., order.
+[[nodiscard]] inline double largest_increment(const double* c, int order, double s) {
+  return increment(c, order, std::abs(s), [](double term) { return std::abs(term); });
+}
 
 /// The derivative of the series with respect to s.
 [[nodiscard]] inline double slope(const double* c, int order, double s) {
