@@ -72,7 +72,7 @@ Equilibria, where the slopes are rounding:
 Where there is no solution it says so: half a period from 0 to another value, and a load that is too large:
 
   $ bvp "x'' + pi^2 x = 0; x(0) = 0; x(1) = 0.5"
-  rbf_inverse: singular_matrix: bvp: Newton's matrix is singular (pivots 1 to *, iteration *): with these equations the conditions do not determine the solution or admit none; change the conditions, or start elsewhere; no solution from 20 random cubics either; give a --guess (glob)
+  rbf_inverse: singular_matrix: bvp: Newton's matrix is singular (pivots 1 to *, iteration *): with these equations the conditions do not determine the solution or admit none, or a layer of it is too thin for the mesh; change the conditions, start elsewhere, or follow the solution from a parameter with a wider layer; no solution from 20 random cubics either; give a --guess (glob)
   [1]
   $ bvp "x'' + 4 exp(x) = 0; x(0) = 0; x(1) = 0.5"
   rbf_inverse: newton_diverged: bvp: * no solution from 20 random cubics either; give a --guess (glob)

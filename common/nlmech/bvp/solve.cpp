@@ -158,7 +158,8 @@ Status singular(const NewtonSystem& system, Index conditions, int iteration) {
   return failed_with(
       Outcome::singular_matrix,
       "bvp: Newton's matrix is singular (pivots 1 to {:.2g}, iteration {}): with these equations the "
-      "conditions do not determine the solution or admit none; change the conditions, or start elsewhere",
+      "conditions do not determine the solution or admit none, or a layer of it is too thin for the mesh; "
+      "change the conditions, start elsewhere, or follow the solution from a parameter with a wider layer",
       system.pivot_ratio(), iteration);
 }
 
@@ -171,6 +172,8 @@ Status not_finite(int iteration) {
 
 /// Names the unknown that nothing determines at the result, if there is one.
 Status check_determined(const Problem& problem, NewtonSystem& system, Unknowns& y, const History& history) {
+  // Without unknown constants the last matrix of the iteration decides, unless it is nearly singular.
+  if (y.parameters.size() == 0 && system.pivot_ratio() > 1e-10) return {};
   if (!system.residual(y) || !system.factorise(y)) return not_finite(0);
   const int n = problem.states();
   const Eigen::MatrixXd& influence = system.influence();
