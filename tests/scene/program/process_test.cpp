@@ -197,8 +197,8 @@ class ErrorsOnATerminal {
 TEST(TimeLimit, ShowsProgressOnATerminalAndWipesItAway) {
   ErrorsOnATerminal terminal;
   {
-    const TimeLimit limit({"gss_control", "poles", 50., 0, 0.01});
     const ProgressScope doing("looking for poles");
+    const TimeLimit limit({"gss_control", "poles", 50., 0, 0.01});
     std::this_thread::sleep_for(std::chrono::milliseconds(200));
   }
   EXPECT_EQ(terminal.shown(), "\r\x1b[Kgss_control poles: looking for poles, 0 s (--limit 50)\r\x1b[K");

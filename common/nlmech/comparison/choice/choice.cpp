@@ -66,7 +66,7 @@ Status coarse_steps(const ChoiceRequest& q, const ivp::Settings& settings, doubl
     return true;
   };
   const ivp::Limits limits{
-      .steps = std::clamp<std::int64_t>(2000 / n, 60, 400), .seconds = 0.5, .largest_step = q.largest_step};
+      .steps = std::clamp<std::int64_t>(2000 / n, 60, 400), .seconds = 2, .largest_step = q.largest_step};
   const auto run = any_method("adaptive-collocation").with(settings);
   Status status = run(q.system, q.x0, q.t0, q.t1, sample, limits).status;
   // If the step limit ends the run, skip its first half: these steps still grow from a small initial one.

@@ -36,7 +36,7 @@ struct ChoiceRequest {
 [[nodiscard]] bool depends_on_time(const ivp::System& system, double t, const ivp::State& x);
 
 /// Features of a problem: counts and ratios, so that they are reproducible unless the time limit of the probe
-/// (0.5 s) ends it early.
+/// (2 s) ends it early.
 struct Features {
   bool velocity_free = false;  ///< the equations are q'' = a(t, q)
   bool switches = false;       ///< abs, sign, min or max of the state decide which equations hold
