@@ -5,6 +5,8 @@ shooting, which two with a closed form check: segments of a mesh that follows ar
 and the states at their starts solved for in doubles, from larger values of the parameter. Then residuals in 24 digits improve them with
 the Jacobian in doubles: neither collocation nor the residual of an interpolant is used."""
 import math
+import subprocess
+import sys
 
 from mpmath import mp
 
@@ -403,7 +405,28 @@ def by_shooting():
                     rows(number, value, t, states[t])
 
 
+def decades(program):
+    """Runs `rbf_inverse bvp` for ever smaller parameters and prints its largest error against the closed forms at some hundred nodes,
+    relative to the largest value, or its status."""
+    print("problem,value,nodes,error or status")
+    for number in sorted(CLOSED):
+        name, easy = NAMED.get(number, "eps"), {20: "0.1", 21: "0.1"}.get(number)
+        for value in {16: ["0.11", "0.008"], 34: ["1", "3", "3.5", "3.51", "3.513"], 35: ["0.1", "0.05", "0.03", "0.02", "0.01"]}.get(
+                number, [f"1e-{k}" for k in range(1, 13)]):
+            setting = ["--from-parameter", f"{name} = {easy} : {value}"] if easy else ["--set", f"{name}={value}"]
+            run = subprocess.run([program, "bvp", "--file", f"common/nlmech/problems/bvp/bvpT{number}.ode", *setting],
+                                 capture_output=True, text=True, check=False)
+            nodes = [list(map(float, line.split(",")[:2])) for line in run.stdout.splitlines()[1:]]
+            with mp.workdps(60):
+                y = closed_form(number, mp.mpf(value))[0]
+                errors = [abs(y(mp.mpf(t)) - x) for t, x in nodes[::max(1, len(nodes) // 100)]]
+            result = f"{float(max(errors)) / max(abs(x) for _, x in nodes):.1e}" if nodes else run.stderr.split(":")[1]
+            print(f"bvpT{number},{value},{len(nodes)},{result.strip()}", flush=True)
+
+
 def main():
+    if len(sys.argv) > 1:
+        return decades(sys.argv[1])
     print("problem,parameter,value,t,component,number")
     by_closed_forms()
     by_shooting()
