@@ -114,6 +114,13 @@ An argument that touches zero, 1 - sin(t)^2, and one that would become negative:
   integrators: outside_validity: the argument of a square root, a power with a fraction, an arc or a logarithm leaves its domain at t = 1.00000000 +- 4e-08, and the equations do not define the solution beyond; end the run before
   [1]
 
+One that is outside of it at the start is named, unless the equations are defined there all the same, as 1/log(0) = 0 is:
+
+  $ for f in "log(t)" "sqrt(x - 1)" "x^-0.5"; do integrate "x' = $f" --initial x=0 --until 1; done 2>&1 | grep -o 'logarithm, or a denominator, is [-0-9]* at the start t = 0,'
+  logarithm, or a denominator, is 0 at the start t = 0,
+  logarithm, or a denominator, is -1 at the start t = 0,
+  logarithm, or a denominator, is 0 at the start t = 0,
+
 One that leaves its domain in time, or at the end of a run: asin(t), sqrt(sin(t)), asin(x) + 1 from 0, which is 1 at the integral of 1/(1 + asin(x)):
 
   $ for f in "asin(t)" "log(1 - t)" "x*(1 - t)^1.5" "sqrt(sin(t))" "1/log(t)"; do integrate "x' = $f" --initial x=0 --until 4; done 2>&1 | grep -o 'leaves its domain at t = [^,]*\|becomes zero at t = [^,]*'

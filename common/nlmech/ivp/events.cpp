@@ -305,7 +305,7 @@ class EventFinder::Scan {
     }
   }
   // The first double without the sign @p before, which b does not have: by the method of Alefeld, Potra and
-  // Shi (1995), which takes a fifth of the evaluations of bisection.
+  // Shi (1995), which takes fewer evaluations than bisection.
   double change_of_sign(double a, double b, double at_a, double at_b, int before) {
     if (sign_of(at_a) == before && sign_of(at_b) == -before) {
       // Divided differences of values up to 1e150 do not overflow.

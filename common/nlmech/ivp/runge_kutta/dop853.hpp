@@ -103,10 +103,10 @@ struct Pair : EmbeddedPair<Pair> {
   }
   /// Bounds on x - x0 of the dense output: at() for all s and 1 - s from 0 to 1.
   template <class S>
-  [[nodiscard]] static Range change(const TrialStep<S, Pair>& step, Eigen::Index i) {
-    Range range{0, 0};
-    for (std::size_t k = coefficients; k-- > 0;) range = range.of_part_plus(step.r[k].data()[i]);
-    return range.of_part_plus(0);
+  [[nodiscard]] static program::Interval change(const TrialStep<S, Pair>& step, Eigen::Index i) {
+    program::Interval x(0);
+    for (std::size_t k = coefficients; k-- > 0;) x = plus_part(step.r[k].data()[i], x);
+    return plus_part(0, x);
   }
   /// The polynomial of degree 7; order 7.
   template <class S>

@@ -126,14 +126,12 @@ struct Pair : EmbeddedPair<Pair> {
   }
   /// Bounds on x - x0 of the quartic: Horner's rule for all s from 0 to 1.
   template <class S>
-  [[nodiscard]] static Range change(const TrialStep<S, Pair>& step, Eigen::Index i) {
-    const double h = step.h;
-    return Range{0, 0}
-        .of_part_plus(h * weighted<of_power<3>, stages>(step.k, i))
-        .of_part_plus(h * weighted<of_power<2>, stages>(step.k, i))
-        .of_part_plus(h * weighted<of_power<1>, stages>(step.k, i))
-        .of_part_plus(h * weighted<of_power<0>, stages>(step.k, i))
-        .of_part_plus(0);
+  [[nodiscard]] static program::Interval change(const TrialStep<S, Pair>& step, Eigen::Index i) {
+    program::Interval x(step.h * weighted<of_power<3>, stages>(step.k, i));
+    x = plus_part(step.h * weighted<of_power<2>, stages>(step.k, i), x);
+    x = plus_part(step.h * weighted<of_power<1>, stages>(step.k, i), x);
+    x = plus_part(step.h * weighted<of_power<0>, stages>(step.k, i), x);
+    return plus_part(0, x);
   }
   /// The quartic; order 4.
   template <class S>

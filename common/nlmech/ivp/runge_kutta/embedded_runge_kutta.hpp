@@ -17,6 +17,7 @@
 #include "nlmech/ivp/runge_kutta/weighted.hpp"
 #include "nlmech/ivp/second_order.hpp"
 #include "nlmech/ivp/smooth_segment.hpp"
+#include "nlmech/program/interval.hpp"
 #include "nlmech/support/doubles.hpp"
 
 namespace nlmech::ivp {
@@ -50,13 +51,11 @@ struct TrialStep {
   double h = 1;   ///< step size, signed
 };
 
-/// All numbers from low to high.
-struct Range {
-  double low;   ///< lower end
-  double high;  ///< upper end
-  /// The products with all numbers from 0 to 1, plus @p c.
-  [[nodiscard]] Range of_part_plus(double c) const { return {c + std::min(0., low), c + std::max(0., high)}; }
-};
+/// Bounds on c + s x for all s from 0 to 1 and all x of @p x: a step of Horner's rule for all times of a
+/// step.
+[[nodiscard]] inline program::Interval plus_part(double c, const program::Interval& x) {
+  return {c + std::min(0., x.low), c + std::max(0., x.high)};
+}
 
 /// Sets @p largest to the larger of both; NaN if one is NaN.
 [[gnu::always_inline]] inline void enlarge(double& largest, double value) {
@@ -159,7 +158,7 @@ struct EmbeddedPair {
   }
   /// Bounds on x - x0 of the dense output within the step, component @p i.
   template <class S>
-  [[nodiscard]] static Range change(const TrialStep<S, P>& step, Eigen::Index i) {
+  [[nodiscard]] static program::Interval change(const TrialStep<S, P>& step, Eigen::Index i) {
     const double change = step.x1[i] - step.x0[i], quarter = step.h / 4;
     const double a = quarter * step.k[0][i], b = -quarter * step.k[step.end][i];
     return {std::min(0., change) + std::min({0., a, b}), std::max(0., change) + std::max({0., a, b})};
@@ -227,7 +226,7 @@ class EmbeddedRungeKutta : public AdaptiveStepLoop<S, EmbeddedRungeKutta<S, M>>,
       least.resize(trial_.x0.size());
       most.resize(trial_.x0.size());
       for (Eigen::Index i = 0; i < most.size(); ++i) {
-        const Range change = Pair::change(trial_, i);
+        const program::Interval change = Pair::change(trial_, i);
         least[i] = change.low;
         most[i] = change.high;
       }
