@@ -142,6 +142,7 @@ class Run {
   struct StoredState {
     double t;
     ivp::State x;
+    double speed = 0;
   };
 
   static std::vector<ivp::Event> events_of(const RunOptions& options) {
@@ -176,9 +177,19 @@ class Run {
   }
   void keep(double t, const ivp::State& x) {
     largest_ = largest_.cwiseMax(x.cwiseAbs());
-    if (added_ > 1 && (added_ - 1) % stride_ != 0) stored_.pop_back();
-    stored_.push_back({t, x});
+    if (added_ > 2 && (added_ - 2) % stride_ != 0) {  // the last two rows are of one part
+      StoredState& before = stored_[stored_.size() - 2];
+      if (stored_.back().speed > before.speed) before = std::move(stored_.back());
+      stored_.pop_back();
+    }
+    stored_.push_back({t, x, stride_ > 1 ? speed(t, x) : 0});
     ++added_;
+  }
+  /// Greatest rate of a component in tolerances per unit of time.
+  [[nodiscard]] double speed(double t, const ivp::State& x) const {
+    ivp::State f(x.size());
+    problem_.system.rhs(t, x, f);
+    return (f.array().abs() / (accuracy_.absolute + accuracy_.relative * x.array().abs())).maxCoeff();
   }
   /// Observes a step; false if an event ends the run in it.
   [[nodiscard]] bool see(const ivp::Step& step);
@@ -194,8 +205,9 @@ class Run {
   void show(const ivp::Hit& hit, const ivp::Step& step);
   /// Remark on events whose function touches zero or cannot be distinguished from zero.
   [[nodiscard]] std::string remark_on_events() const;
-  /// Rows for the verification: about most_verified equally spaced ones and the last one, and times without
-  /// rows if these are few.
+  /// Rows for the verification: the last one and, of each of about most_verified equal parts, the one at
+  /// which the solution moves fastest, where an error in time is greatest; times without rows if these are
+  /// few.
   [[nodiscard]] Verified verified() const;
   [[nodiscard]] Status with_turns(const Status& status) const;
   [[nodiscard]] double left_after(const ivp::Solution& end) const;
@@ -322,15 +334,20 @@ std::string Run::remark_on_events() const {
                     options_.events[i].name, count, first.t));
   }
   for (const ivp::OpenEvent& open : finder_.open()) {
-    if (open.rests) {
-      remarks.push_back(fmt::format("{} stays at zero from t = {:.9g} to {:.9g}",
-                                    options_.events[open.event].name, open.t0, open.t1));
-      continue;
-    }
+    if (open.rests) continue;
     remarks.push_back(fmt::format(
         "{} cannot be distinguished from zero between t = {:.9g} and {:.9g}: rows may be missing, "
         "and those there may be none",
         options_.events[open.event].name, open.t0, open.t1));
+  }
+  for (std::size_t i = 0; i < options_.events.size(); ++i) {
+    const auto rests = [i](const ivp::OpenEvent& open) { return open.event == i && open.rests; };
+    const auto count = std::ranges::count_if(finder_.open(), rests);
+    if (count == 0) continue;
+    const ivp::OpenEvent& first = *std::ranges::find_if(finder_.open(), rests);
+    remarks.push_back(fmt::format("{} stays at zero {}from t = {:.9g} to {:.9g}", options_.events[i].name,
+                                  count == 1 ? "" : fmt::format("{} times, first ", count), first.t0,
+                                  first.t1));
   }
   return fmt::format("{}", fmt::join(remarks, "; "));
 }
