@@ -120,6 +120,28 @@ Also where it jumps there, or reaches it at a corner:
   1
   1
 
+One that is zero again and again has a row each time it comes there; one that begins at zero has none, and is named too:
+
+  $ steady "max(sin(x), 0)=0" | holds --where 'event=max(sin(x), 0)=0' 't = [pi, 3*pi] +- 1e-12'
+  integrators: max(sin(x), 0)=0 stays at zero 2 times, first from t = 3.14159265 to 6.28318531
+  $ for rest in "max(x - 2, 0)" "max(t - 2, 0)" "step(t - 2)"; do steady "rest: $rest" | cut -d, -f3 | paste -s -d'|'; done
+  integrators: rest stays at zero from t = 0 to 2
+  event||
+  integrators: rest stays at zero from t = 0 to 2
+  event||
+  integrators: rest stays at zero from t = 0 to 2
+  event||
+
+One that is zero by rounding alone, as 1 - erf(t) from 5.92 on, is undecided from there:
+
+  $ for tail in 'erf(t) = 1' 'erf(x) = 1' '1 - erf(t)'; do steady "tail: $tail" | cut -d, -f3 | paste -s -d'|'; done
+  integrators: tail cannot be distinguished from zero between t = 5.9* and 10: rows may be missing, and those there may be none (glob)
+  event||tail|
+  integrators: tail cannot be distinguished from zero between t = 5.9* and 10: rows may be missing, and those there may be none (glob)
+  event||tail|
+  integrators: tail cannot be distinguished from zero between t = 5.9* and 10: rows may be missing, and those there may be none (glob)
+  event||tail|
+
 A fall with drag passes 19 m/s at 2 log(19.62/0.62):
 
   $ integrate "v' = 9.81 - 0.5 v" --initial v=0 --until 400 --event "rest: floor(v) = 19 end" 2> words | holds 't = 2*log(19.62/0.62) +- 1e-6'

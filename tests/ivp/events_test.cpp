@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <span>
@@ -174,6 +175,39 @@ RC_GTEST_PROP(Events, DoubleZerosOfTimeAreHits, ()) {
   const std::vector<Hit> hits = integrate_with_events(falling(), State{1, 0}, 0, 1, Series{}, {square}).hits;
   RC_ASSERT(hits.size() == 1U);
   RC_ASSERT(std::abs(hits[0].t - at) <= 4 * eps);
+}
+
+// max(sin(w t + p), 0) within one step: a hit where it comes to zero, and a rest from there until it leaves.
+RC_GTEST_PROP(Events, WhatIsZeroInPartsIsHitWhereItComesToZero, ()) {
+  const double w = *rc::gen::inRange(5, 40) / 10., p = *rc::gen::inRange(1, 62) / 10., pi = std::numbers::pi;
+  Event positive{[=](double t, const State&) { return std::max(std::sin(w * t + p), 0.); }};
+  const auto sine = [=](const program::Interval& t) { return sin(w * t + program::Interval(p)); };
+  positive.bounds = [=](const program::Interval& t, std::span<const program::Interval>) {
+    return program::Interval(std::max(sine(t).low, 0.), std::max(sine(t).high, 0.));
+  };
+  positive.rate_bounds = [=](const program::Interval& t, std::span<const program::Interval>) {
+    const program::Interval rate = w * cos(w * t + program::Interval(p)), none(0);
+    return sine(t).high < 0 ? none : sine(t).low > 0 ? rate : hull(none, rate);
+  };
+  const Series one_step{.order = 4, .step = 10};
+  const auto [end, hits, open] = integrate_with_events(falling(), State{0, 0}, 0, 10, one_step, {positive});
+  RC_ASSERT(end.status.ok());
+  std::vector<double> from, to;  // of the rests
+  for (double k = 1; (k * pi - p) / w < 10; k += 2) {
+    if (((k + 1) * pi - p) / w < 0) continue;
+    from.push_back(std::max((k * pi - p) / w, 0.));
+    to.push_back(std::min(((k + 1) * pi - p) / w, 10.));
+  }
+  const std::size_t before = !from.empty() && from[0] == 0 ? 1 : 0;  // rests that began before the start
+  RC_ASSERT(open.size() == from.size());
+  RC_ASSERT(hits.size() == from.size() - before);
+  const double few = 100 * eps / w;  // rounding of the angle, of up to 46
+  for (std::size_t k = 0; k < open.size(); ++k) {
+    RC_ASSERT(open[k].rests);
+    RC_ASSERT(std::abs(open[k].t0 - from[k]) <= few);
+    RC_ASSERT(std::abs(open[k].t1 - to[k]) <= few);
+    if (k >= before) RC_ASSERT(hits[k - before].t == open[k].t0);
+  }
 }
 
 // The bouncing ball in one integration: each arc takes half the time of the arc before. The rebounds

@@ -239,6 +239,7 @@ class EventFinder::Scan {
       const Interval values = event().bounds(Interval(std::min(a, b), std::max(a, b)), f_.box_);
       if (!values.has(0)) return without(a, values);
       if (search_if_monotone(a, b, values)) return;
+      if (rate_.magnitude() == 0 && value_at(b) == 0) return rest(a, b);
       const Interval there = at_point(event().bounds, middle, 1);
       const double half = std::abs(b - a) / 2;
       const Interval tight = there + rate_ * Interval(-half, half);
@@ -268,6 +269,7 @@ class EventFinder::Scan {
     close_open();
     int& sign = f_.signs_[event_];
     double from = a;
+    if (sign == 0 && slope != 0 && stays_zero(a, b)) return f_.add_open(event_, a, b);
     if (sign == 0) sign = slope;
     if (sign == 0) {
       // The sign of a function that leaves zero is evaluated shortly after: the change there exceeds
@@ -291,9 +293,15 @@ class EventFinder::Scan {
       // It jumps to zero and stays there for some time.
       come_to_rest(-before, false, t, first_of(t, b, [&](double at) { return sign_at(at) == after; }));
       sign = after;
-    } else if (counts(-before)) {
-      add(t, -before);
+    } else {
+      if (counts(-before)) add(t, -before);
+      if (stays_zero(t, b)) f_.add_open(event_, t, b);
     }
+  }
+  // Is a function that tends to zero, as 1 - erf(t) does, zero by rounding from a to b?
+  bool stays_zero(double a, double b) {
+    const bool is_part = std::abs(b - a) > 0x1p-20 * std::abs(step_.t1 - step_.t0);
+    return is_part && value_at(b) == 0 && value_at(a + (b - a) / 2) == 0 && value_at(a) == 0;
   }
   // The first double at which a condition holds that holds at b.
   template <class Condition>
@@ -348,7 +356,10 @@ class EventFinder::Scan {
     in_open_ = false;
     int& sign = f_.signs_[event_];
     const bool starts_at_zero = sign == 0;
-    if (starts_at_zero) sign = slope_at(open_from_) * direction_;
+    if (starts_at_zero) {
+      leave_rest();
+      sign = slope_at(open_from_) * direction_;
+    }
     const int before = sign;
     if (before == 0 || sign_at(open_to_) == -before) {
       if (is_hidden()) return f_.add_open(event_, open_from_, open_to_);
@@ -420,16 +431,33 @@ class EventFinder::Scan {
     const double t = first_of(open_from_, open_to_, [&](double at) { return value_at(at) == 0; });
     return stays(t + (open_to_ - t) / 2) ? t : open_to_;
   }
-  // A function that is zero in this part. If it was not before, the part before in which it could not be
-  // distinguished from zero belongs to its way there.
+  // A function that is zero in this part.
   void come_to_rest(int direction, bool is_there, double t, double to) {
+    if (!is_there) arrive(direction, t);
     f_.signs_[event_] = 0;
-    if (!is_there) {
-      std::erase_if(f_.open_,
-                    [this](const OpenEvent& open) { return open.event == event_ && open.t1 == open_from_; });
-      if (counts(direction)) add(t, direction);
-    }
     f_.add_open(event_, t, to, true);
+  }
+  // A function that was not zero comes to rest. The part before in which it could not be distinguished from
+  // zero belongs to its way there.
+  void arrive(int direction, double t) {
+    std::erase_if(f_.open_, [this](const OpenEvent& open) {
+      return open.event == event_ && !open.rests && open.t1 == open_from_;
+    });
+    if (counts(direction)) add(t, direction);
+    left_ = work;
+  }
+  // A part in which the function is zero and, by the bounds on its rate, constant.
+  void rest(double a, double b) {
+    if (!in_open_) open_from_ = a;
+    in_open_ = false;
+    const double from = first_of(open_from_, a, [this](double at) { return value_at(at) == 0; });
+    if (const int before = std::exchange(f_.signs_[event_], 0); before != 0) arrive(-before, from);
+    f_.add_rest(event_, from, b);
+  }
+  // Moves the end of a rest that ended with the undecided part to the time at which the function leaves zero.
+  void leave_rest() {
+    if (OpenEvent* const last = f_.last_rest(event_); last && last->t1 == open_from_)
+      last->t1 = first_of(open_from_, open_to_, [this](double at) { return value_at(at) != 0; });
   }
   // The function comes close to zero in the open part and leaves it again: it jumps onto zero, as mod(x, 1)
   // does, or past it, or touches it. False if this is undecided.
@@ -629,13 +657,26 @@ bool EventFinder::stops_at(Hit& hit) {
 }
 
 void EventFinder::add_open(std::size_t event, double t0, double t1, bool is_zero) {
-  const bool rests = is_zero && std::ranges::find(hits_, event, &Hit::event) != hits_.end();
-  const auto is_known = [&](const OpenEvent& open) { return open.event == event && open.rests == rests; };
+  if (is_zero && std::ranges::find(hits_, event, &Hit::event) != hits_.end()) return add_rest(event, t0, t1);
+  const auto is_known = [&](const OpenEvent& open) { return open.event == event && !open.rests; };
   const auto known = std::ranges::find_if(open_, is_known);
   if (known == open_.end())
-    open_.push_back({event, t0, t1, rests});
+    open_.push_back({event, t0, t1});
   else
     known->t1 = t1;
+}
+
+void EventFinder::add_rest(std::size_t event, double t0, double t1) {
+  if (OpenEvent* const last = last_rest(event); last && last->t1 == t0)
+    last->t1 = t1;
+  else
+    open_.push_back({event, t0, t1, true});
+}
+
+OpenEvent* EventFinder::last_rest(std::size_t event) {
+  const auto is_it = [&](const OpenEvent& open) { return open.event == event && open.rests; };
+  const auto last = std::find_if(open_.rbegin(), open_.rend(), is_it);
+  return last == open_.rend() ? nullptr : &*last;
 }
 
 Solution integrate_past_changes(const SmoothRun& run, const System& system, const State& x0, double t0,

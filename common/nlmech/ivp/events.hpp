@@ -55,12 +55,12 @@ struct Hit {
   State after = {};   ///< state after the change by the event; empty without a change
 };
 
-/// A part of an integration in which an event function is zero to within the errors of the state.
+/// A part of an integration in which an event function is zero, or cannot be distinguished from zero.
 struct OpenEvent {
   std::size_t event;   ///< its place in the list
   double t0;           ///< start of the part
   double t1;           ///< end of the part
-  bool rests = false;  ///< does the function stay at zero after an event there? Otherwise zeros are undecided
+  bool rests = false;  ///< is the function zero throughout? Otherwise zeros are undecided
 };
 
 /// Error bounds of the states of a run: relative |x_i| + absolute.
@@ -77,6 +77,7 @@ struct StateAccuracy {
 /// stay undecided within the accuracy of the states, such as double zeros, are hits of direction 0 if g has a
 /// minimum or maximum there and the event counts both directions; otherwise they are in open(). Where a
 /// function comes to rest at zero, as the level of a tank does, there is one hit, and the rest is in open().
+/// So is the part in which a function that tends to zero, as 1 - erf(t), is zero by rounding.
 ///
 /// A zero at the start of the integration is not an event. Poles and jumps, which change the sign without a
 /// zero, are not events. Events at one time follow each other in the order of the list.
@@ -94,7 +95,8 @@ class EventFinder {
   [[nodiscard]] std::size_t events() const { return events_.size(); }
   /// Events found so far, in the direction of integration.
   [[nodiscard]] const std::vector<Hit>& hits() const { return hits_; }
-  /// Undecided parts: for each event, from the start of the first one to the end of the last one.
+  /// Parts in which a function rests at zero, and for each event the undecided ones, from the start of the
+  /// first to the end of the last.
   [[nodiscard]] const std::vector<OpenEvent>& open() const { return open_; }
   /// Did the last hit end the integration?
   [[nodiscard]] bool ended() const { return ended_; }
@@ -126,6 +128,9 @@ class EventFinder {
   std::vector<Hit>::iterator with_others_at_its_time(std::vector<Hit>::iterator hit);
   // @param is_zero is the function zero throughout?
   void add_open(std::size_t event, double t0, double t1, bool is_zero = false);
+  void add_rest(std::size_t event, double t0, double t1);
+  // The last rest of @p event, or null.
+  OpenEvent* last_rest(std::size_t event);
 
   std::vector<Event> events_;
   StateAccuracy accuracy_;
