@@ -59,7 +59,7 @@ struct Options {
 [[nodiscard]] Solution solve(const Problem& problem, const Start& start, const Options& options = {});
 
 /// Integrates from the initial values of a solution; sets integration_error, and status on failure. Called by
-/// solve().
+/// solve(). By adaptive collocation; with Verification::pieces by `dop853` where an interval is not stiff.
 void verify_by_integration(const Problem& problem, const Options& options, Solution& solution);
 
 /// States of an integration at given times.

@@ -6,6 +6,7 @@
 
 #include "nlmech/bvp/solve.hpp"
 #include "nlmech/ivp/collocation/adaptive_collocation.hpp"
+#include "nlmech/ivp/runge_kutta/dop853.hpp"
 #include "nlmech/support/sentences.hpp"
 
 namespace nlmech::bvp {
@@ -16,6 +17,12 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double integration_tolerance = 1e-13;  // of integrations that verify a solution
+
+/// How a piece of a solution is integrated: by an implicit method where it is stiff.
+struct Way {
+  bool is_stiff = true;
+  double tolerance = integration_tolerance;
+};
 
 Status spurious(double t, double error, const Options& options) {
   return failed_with(Outcome::spurious_root,
@@ -30,29 +37,34 @@ struct WithParameters {
   static constexpr int dimension = Eigen::Dynamic;
   const Problem* problem;
   Eigen::VectorXd parameters, scale;
+  mutable Eigen::VectorXd state = {};  // of one evaluation
 
   [[nodiscard]] int size() const { return problem->states(); }
   void operator()(const double& t, const Eigen::VectorXd& x, Eigen::VectorXd& dxdt) const {
-    problem->rhs(t, scale.cwiseProduct(x), parameters, dxdt);
+    state = scale.cwiseProduct(x);
+    problem->rhs(t, state, parameters, dxdt);
     dxdt = dxdt.cwiseQuotient(scale);
   }
   void jacobian(double t, const Eigen::VectorXd& x, Eigen::MatrixXd& j) const {
     Eigen::MatrixXd by_parameter(size(), problem->parameters());
-    problem->jacobian(t, scale.cwiseProduct(x), parameters, j, by_parameter);
+    state = scale.cwiseProduct(x);
+    problem->jacobian(t, state, parameters, j, by_parameter);
     j = scale.cwiseInverse().asDiagonal() * j * scale.asDiagonal();
   }
 };
 
 /// integrate_at() with states in units of @p scale.
 Integration integrate_scaled(const Problem& problem, const Eigen::VectorXd& x0, const Eigen::VectorXd& p,
-                             std::span<const double> times, const Eigen::VectorXd& scale) {
+                             std::span<const double> times, const Eigen::VectorXd& scale,
+                             const Way& way = {}) {
   if (x0.size() != problem.states() || p.size() != problem.parameters()) {
     throw invalid_argument("integrate_at: {} states and {} parameters for a problem of {} and {}", x0.size(),
                            p.size(), problem.states(), problem.parameters());
   }
   const ivp::System system(WithParameters{&problem, p, scale});
-  const ivp::AdaptiveCollocation method{.relative_tolerance = integration_tolerance,
-                                        .absolute_tolerance = integration_tolerance};
+  const ivp::AdaptiveCollocation implicit{.relative_tolerance = way.tolerance,
+                                          .absolute_tolerance = way.tolerance};
+  const ivp::Dop853 explicit_pair{.relative_tolerance = way.tolerance, .absolute_tolerance = way.tolerance};
   // A trajectory that needs more steps between two times cannot have been resolved by the mesh.
   const ivp::Limits limits{.steps = 20'000};
   Integration result;
@@ -60,7 +72,9 @@ Integration integrate_scaled(const Problem& problem, const Eigen::VectorXd& x0, 
   Eigen::VectorXd x = x0.cwiseQuotient(scale);
   for (std::size_t k = 0; k < times.size(); ++k) {
     if (k > 0) {
-      const auto arc = ivp::integrate(system, x, times[k - 1], times[k], method, {}, limits);
+      const ivp::Solution arc =
+          way.is_stiff ? ivp::integrate(system, x, times[k - 1], times[k], implicit, {}, limits)
+                       : ivp::integrate(system, x, times[k - 1], times[k], explicit_pair, {}, limits);
       result.statistics += arc.statistics;
       if (!arc.status.ok()) {
         result.status = arc.status;
@@ -92,11 +106,21 @@ struct Piece {
 };
 
 Piece integrate_piece(const Problem& problem, const VectorXd& p, const std::vector<double>& times,
-                      const VectorXd& from, const VectorXd& to, const VectorXd& scale) {
-  const Integration arc = integrate_scaled(problem, from, p, times, scale);
+                      const VectorXd& from, const VectorXd& to, const VectorXd& scale, const Way& way = {}) {
+  const Integration arc = integrate_scaled(problem, from, p, times, scale, way);
   if (!arc.status.ok()) return {arc.status, std::numeric_limits<double>::infinity(), times.back()};
   const VectorXd end = arc.states.col(1);
   return {arc.status, (end - to).cwiseQuotient(scale).lpNorm<Eigen::Infinity>(), times.back(), end};
+}
+
+/// Scale of deviations: sizes of the states, and what errors of integration in the others make of each over
+/// the time @p length.
+VectorXd scale_of(const VectorXd& sizes, const Solution& solution, const Options& options, const Way& way,
+                  double length) {
+  VectorXd scale = sizes;
+  if (solution.terms.size() > 0)
+    scale = scale.cwiseMax(10 * way.tolerance / options.verification_tolerance * length * solution.terms);
+  return scale.unaryExpr([](double s) { return s > 0 ? s : 1; });
 }
 
 /// Nodes between which an interval is verified, and their times.
@@ -126,13 +150,21 @@ std::pair<double, double> growth_over(const Problem& problem, const Solution& so
 /// both, as in a layer between growing and decaying solutions, each part of it that is short enough is
 /// integrated from the solution.
 Piece verify_interval(const Problem& problem, const Options& options, const Solution& solution,
-                      const Interval& interval, const Span& span, const VectorXd& scale) {
+                      const Interval& interval, const Span& span, const VectorXd& sizes) {
   const auto [forward, backward] = growth_over(problem, solution, interval, span);
-  constexpr double growth = 4;  // exponent of a part
+  constexpr double growth = 4;          // exponent of a part
+  constexpr double most_explicit = 30;  // exponent of a part that an explicit method integrates in few steps
   int parts = static_cast<int>(std::clamp(std::ceil(std::min(forward, backward) / growth), 1., 1000.));
   Piece worst;
   for (int attempt = 0; attempt < 2; ++attempt, parts *= 8) {
     worst = {};
+    // Over a part that is not stiff errors of integration stay far below the tolerance of the verification.
+    const bool is_stiff = std::max(forward, backward) > most_explicit * parts;
+    const Way way =
+        is_stiff ? Way{}
+                 : Way{false, std::clamp(1e-5 * options.verification_tolerance, integration_tolerance, 1e-9)};
+    const VectorXd scale =
+        scale_of(sizes, solution, options, way, is_stiff ? interval.h : interval.h / parts);
     const auto time = [&](int k) {
       return k == parts ? span.end : span.begin + (span.end - span.begin) * k / parts;
     };
@@ -144,7 +176,7 @@ Piece verify_interval(const Problem& problem, const Options& options, const Solu
     for (int i = 0; i < parts && worst.error <= options.verification_tolerance; ++i) {
       const int a = backward < forward ? i + 1 : i, b = backward < forward ? i : i + 1;
       Piece piece =
-          integrate_piece(problem, solution.parameters(), {time(a), time(b)}, state(a), state(b), scale);
+          integrate_piece(problem, solution.parameters(), {time(a), time(b)}, state(a), state(b), scale, way);
       if (!(piece.error <= worst.error)) worst = std::move(piece);
     }
     if (worst.error <= options.verification_tolerance) break;
@@ -179,15 +211,11 @@ void verify_by_integration(const Problem& problem, const Options& options, Solut
     if (k + 1 < all.size() && all[k + 1].phase != all[k].phase)
       span.end = std::nextafter(span.end, span.begin);
     const bool is_piece = options.verification == Verification::pieces;
-    // Errors of integration in one state have an effect on the others.
-    VectorXd scale = sizes;
-    if (solution.terms.size() > 0)
-      scale = scale.cwiseMax(10 * integration_tolerance / options.verification_tolerance *
-                             (is_piece ? all[k].h : span.end - solution.begin()) * solution.terms);
-    scale = scale.unaryExpr([](double s) { return s > 0 ? s : 1; });
-    const Piece piece = is_piece ? verify_interval(problem, options, solution, all[k], span, scale)
-                                 : integrate_piece(problem, solution.parameters(), {span.begin, span.end}, x,
-                                                   all[k].values.col(last_node), scale);
+    const Piece piece =
+        is_piece ? verify_interval(problem, options, solution, all[k], span, sizes)
+                 : integrate_piece(problem, solution.parameters(), {span.begin, span.end}, x,
+                                   all[k].values.col(last_node),
+                                   scale_of(sizes, solution, options, {}, span.end - solution.begin()));
     if (!piece.status.ok()) {
       solution.integration_error = std::numeric_limits<double>::infinity();
       solution.status = failed_with(Outcome::spurious_root,

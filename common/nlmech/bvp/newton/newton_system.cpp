@@ -50,9 +50,10 @@ bool NewtonSystem::residual(Unknowns& y) {
       interval.slopes.col(j) = f;
     }
     evaluations_ += nodes - 2 * scheme_.skipped;
-    const MatrixXd change = interval.values.rightCols(nodes - 1).colwise() - interval.values.col(0);
-    const MatrixXd r = change - interval.h * (interval.slopes * scheme_.slope.transpose());
-    parts_[k].r = r.reshaped();
+    change_.noalias() = interval.slopes * scheme_.slope.transpose();
+    change_ =
+        (interval.values.rightCols(nodes - 1).colwise() - interval.values.col(0)) - interval.h * change_;
+    parts_[k].r = change_.reshaped();
     finite = parts_[k].r.allFinite();
   }
   if (!finite) return false;
@@ -76,10 +77,13 @@ void NewtonSystem::set_units(const Unknowns& y) {
 
 void NewtonSystem::condense(const Interval& interval, Condensed& c) {
   const Index nodes = scheme_.nodes.size(), rows = (nodes - 1) * n_, inner = (nodes - 2) * n_;
-  MatrixXd edges = MatrixXd::Zero(rows, 2 * n_ + m_), between = MatrixXd::Zero(rows, inner);
-  MatrixXd by_state(n_, n_), by_parameter(n_, m_);
-  VectorXd x(n_);
-  c.terms = VectorXd::Zero(n_);
+  MatrixXd &edges = edges_, &between = between_, &by_state = by_state_, &by_parameter = by_parameter_;
+  edges.setZero(rows, 2 * n_ + m_);
+  between.setZero(rows, inner);
+  by_state.resize(n_, n_);
+  by_parameter.resize(n_, m_);
+  VectorXd& x = x_;
+  c.terms.setZero(n_);
   for (Index j = 0; j < nodes; ++j) {
     x = interval.values.col(j);
     if (j < scheme_.skipped || j >= nodes - scheme_.skipped) {
@@ -92,8 +96,10 @@ void NewtonSystem::condense(const Interval& interval, Condensed& c) {
                                by_parameter.cwiseAbs() * parameters_.cwiseAbs());
     state_influence_ = state_influence_.cwiseMax(by_state.cwiseAbs());
     influence_.topRows(n_) = influence_.topRows(n_).cwiseMax(by_parameter.cwiseAbs());
-    by_state = (units_.cwiseInverse().asDiagonal() * by_state * units_.asDiagonal()).eval();
-    by_parameter = (units_.cwiseInverse().asDiagonal() * by_parameter).eval();
+    for (Index i = 0; i < n_; ++i) {  // units are powers of two
+      by_state.row(i) = by_state.row(i).cwiseProduct(units_.transpose()) / units_[i];
+      by_parameter.row(i) /= units_[i];
+    }
     auto block = j == 0           ? edges.leftCols(n_)
                  : j == nodes - 1 ? edges.middleCols(n_, n_)
                                   : between.middleCols((j - 1) * n_, n_);
@@ -111,7 +117,7 @@ void NewtonSystem::condense(const Interval& interval, Condensed& c) {
   c.has_inner = inner > 0;
   if (c.has_inner) {
     c.inner.compute(between);
-    edges.applyOnTheLeft(c.inner.householderQ().transpose());
+    c.inner.householderQ().transpose().applyThisOnTheLeft(edges, workspace_);
   }
   c.top = edges.topRows(inner);
   c.bottom = edges.bottomRows(n_);
@@ -237,13 +243,13 @@ void NewtonSystem::right_hand_sides() {
   VectorXd so_far(n_), both(2 * n_);
   for (std::size_t k = 0; k < parts_.size(); ++k) {
     Condensed& c = parts_[k];
-    VectorXd r = -(c.r.reshaped(n_, c.r.size() / n_).array().colwise() / units_.array()).reshaped();
-    if (c.has_inner) r.applyOnTheLeft(c.inner.householderQ().transpose());
-    c.r_top = r.head(r.size() - n_);
-    c.r_bottom = r.tail(n_);
+    r_ = -(c.r.reshaped(n_, c.r.size() / n_).array().colwise() / units_.array()).reshaped();
+    if (c.has_inner) c.inner.householderQ().transpose().applyThisOnTheLeft(r_, workspace_);
+    c.r_top = r_.head(r_.size() - n_);
+    c.r_bottom = r_.tail(n_);
     if (c.has_left) {
       both << so_far, c.r_bottom;
-      both.applyOnTheLeft(c.left.householderQ().transpose());
+      c.left.householderQ().transpose().applyThisOnTheLeft(both, workspace_);
       c.r_left = both.head(n_);
       so_far = both.tail(n_);
     } else {

@@ -111,6 +111,11 @@ class NewtonSystem {
   std::int64_t evaluations_ = 0;
   Eigen::VectorXd parameters_, terms_, condition_terms_, units_;  // units_: of the states
   Eigen::MatrixXd influence_, state_influence_;
+  // Of one interval: columns of its start, end and the parameters; of its interior nodes; residual; one
+  // state.
+  Eigen::MatrixXd edges_, between_, change_, by_state_, by_parameter_;
+  Eigen::VectorXd r_, x_;
+  Eigen::RowVectorXd workspace_;
 };
 
 }  // namespace nlmech::bvp

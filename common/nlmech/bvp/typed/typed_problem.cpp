@@ -368,10 +368,7 @@ double TypedProblem::place(double t, const VectorXd& p) const {
 
 VectorXd TypedProblem::components(const VectorXd& x, const VectorXd& p) const {
   VectorXd all(equations_.size());
-  for (Index i = 0; i < all.size(); ++i) {
-    const Component& c = components_[static_cast<std::size_t>(i)];
-    all[i] = c.is_parameter ? p[c.index] : x[c.index];
-  }
+  for (int i = 0; i < equations_.size(); ++i) all[i] = Components{components_, x, p}[i];
   return all;
 }
 
@@ -388,7 +385,7 @@ std::string TypedProblem::unknown_name(int i) const {
 }
 
 void TypedProblem::rhs(double s, const VectorXd& x, const VectorXd& p, VectorXd& dxds) const {
-  slopes_.run(time(s, p), components(x, p), 0, slopes_.outputs(),
+  slopes_.run(time(s, p), Components{components_, x, p}, 0, slopes_.outputs(),
               [&](int i, double value) { dxds[i] = value; });
   dxds *= rate(s, p);
 }

@@ -133,6 +133,16 @@ class TypedProblem final : public Problem {
     bool is_parameter;
     int index;
   };
+  /// The components of the equations, read from states and parameters.
+  struct Components {
+    const std::vector<Component>& places;
+    const Eigen::VectorXd &x, &p;
+
+    [[nodiscard]] double operator[](int i) const {
+      const Component& c = places[static_cast<std::size_t>(i)];
+      return c.is_parameter ? p[c.index] : x[c.index];
+    }
+  };
   /// A value in the conditions: its point, and the column of its state among the ends of the phases.
   struct Value {
     program::Program what;
