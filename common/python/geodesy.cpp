@@ -57,12 +57,13 @@ Transformed in_blocks(const Points& points, int threads, const Work& work) {
   return {std::move(result), lost.load()};
 }
 
-/// Turns radians into degrees, with the same bits for each instruction set.
+/// Turns radians into degrees, with the same bits for each instruction set. By index: of a function with
+/// clones clang 16 does not emit the iterators.
 #if defined(__x86_64__)
 __attribute__((target_clones("avx512f", "avx2", "default")))
 #endif
 void to_degrees(std::span<double> angles) {
-  for (double& angle : angles) angle /= degree;
+  for (std::size_t i = 0; i < angles.size(); ++i) angles[i] /= degree;
 }
 
 /// Degrees of latitude and longitude, and height, for rows x, y, z.
