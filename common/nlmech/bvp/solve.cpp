@@ -492,14 +492,27 @@ std::vector<double> next_mesh(const Solution& solution, const std::vector<double
   const auto& all = solution.unknowns.intervals;
   const auto order = static_cast<double>(solution.scheme->order);
   const auto ratio = [&](std::size_t k) { return std::pow(residual[k] / tolerance, 1 / order); };
+  // The last of the intervals from k on that become one. Its residual grows as the power `order` of its
+  // length.
+  const auto last_joined = [&](std::size_t k) {
+    constexpr std::size_t most = 4;
+    std::size_t last = k;
+    double steepest = ratio(k) / all[k].h;
+    for (std::size_t next = k + 1; next < std::min(k + most, all.size()); ++next) {
+      steepest = std::max(steepest, ratio(next) / all[next].h);
+      const double length = all[next].t0 + all[next].h - all[k].t0;
+      const bool is_known = std::isfinite(residual[next]) && all[next].phase == all[k].phase;
+      if (!(is_known && steepest * length < 0.8)) break;
+      last = next;
+    }
+    return last;
+  };
   std::vector<double> mesh;
   for (std::size_t k = 0; k < all.size(); ++k) {
     mesh.push_back(all[k].t0);
     const double r = std::isfinite(residual[k]) ? ratio(k) : 2;
-    const bool joins =
-        k + 1 < all.size() && all[k].phase == all[k + 1].phase && r < 0.4 && ratio(k + 1) < 0.4;
-    if (joins) {
-      ++k;
+    if (const std::size_t last = last_joined(k); last > k) {
+      k = last;
     } else if (r > 1) {
       const int parts = std::clamp(static_cast<int>(std::ceil(1.1 * r)), 2, 4);
       for (int i = 1; i < parts; ++i) mesh.push_back(all[k].t0 + all[k].h * i / parts);
