@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 
@@ -197,6 +198,22 @@ TEST(Transfer, ZonalTermsByCorrectionAndByCollocation) {
     const Transfer t = corrected_transfer(many, {false, 15, branch});
     ASSERT_TRUE(t.status.ok()) << t.status.text();
     EXPECT_LE(integrated(many, t.v1), 1e-9 * many.to.norm());
+  }
+}
+
+// Opposite positions have the parameter p = 2 r1 r2/(r1 + r2), so that the velocity across r1 is sqrt(mu
+// p)/r1 whatever the time. It is in the plane of the normal, however near that is to the departure.
+TEST(Transfer, TheNormalMayBeNearTheDeparture) {
+  const Vector3<double> from(0, 0, -1);
+  const TransferProblem opposite{from, {0, 0, 12}, 2, {.mu = 1}};
+  for (const double across : {1e-7, 1e-3, 0.2, 1.}) {
+    const TransferProblem p = in_plane(opposite, Vector3<double>(across, across / 3, -1));
+    EXPECT_LE(std::abs(p.normal->dot(from)), std::numeric_limits<double>::epsilon());
+    const Transfer t = corrected_transfer(p);
+    ASSERT_TRUE(t.status.ok()) << t.status.text();
+    const Vector3<double> ahead = cross(*p.normal, from);
+    EXPECT_NEAR(std::abs(t.v1.dot(ahead)), std::sqrt(24. / 13), 1e-14);
+    EXPECT_NEAR(t.v1.dot(*p.normal), 0, 1e-14);
   }
 }
 

@@ -139,7 +139,9 @@ TransferProblem in_plane(const TransferProblem& problem, const Vector3<double>& 
   const Vector3<double> across = n - n.dot(out) * out;
   if (!(across.norm() > 1e-8)) throw fail("is along the departure; it must be across it");
   TransferProblem p = problem;
-  p.normal = across / across.norm();
+  const Vector3<double> unit = across / across.norm();
+  // Once more, since the first difference cancels where the given normal is nearly along the departure.
+  p.normal = (unit - unit.dot(out) * out).normalized();
   p.to -= p.to.dot(*p.normal) * *p.normal;
   if (!(p.to.stableNorm() > 1e-8 * problem.to.stableNorm())) throw fail("is along the arrival");
   return p;
