@@ -295,5 +295,23 @@ TEST(FollowParameter, EndsWhereTheParameterHasToBeKnown) {
   EXPECT_NEAR(found.reached, std::sqrt(3.513830719125161), 0.001);  // x'' + b^2 exp(x) = 0 on [0, 1]
 }
 
+// A state that is off by ten times the tolerance of the verification, at the end of any interval, is found:
+// where nothing is stiff, where it is to one side, and in the layers of a saddle.
+TEST(VerifyByIntegration, FindsAWrongState) {
+  for (const char* equations : {"x'' = -x; x(0) = 0; x(1) = 1", "x' = -1e4 (x - cos(t)); x(0) = 1",
+                                "x'' = 1e4 x; x(0) = 1; x(1) = 1"}) {
+    TypedProblem problem = read_problem({.name = "--equation", .equations = equations, .until = "1"});
+    const Options options{.verification = Verification::pieces, .verification_tolerance = 1e-5};
+    const Solution right = solve_typed(problem, problem.guess(), 1e-7);
+    ASSERT_TRUE(right.status.ok()) << equations << right.status.text();
+    for (std::size_t k = 0; k + 1 < right.unknowns.intervals.size(); ++k) {
+      Solution wrong = right;
+      wrong.unknowns.intervals[k].values.rightCols(1)(0, 0) += 10 * options.verification_tolerance;
+      verify_by_integration(problem, options, wrong);
+      EXPECT_EQ(wrong.status.outcome(), Outcome::spurious_root) << equations << ", interval " << k;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace nlmech::bvp::typed_problem_test

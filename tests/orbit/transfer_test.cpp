@@ -201,8 +201,8 @@ TEST(Transfer, ZonalTermsByCorrectionAndByCollocation) {
   }
 }
 
-// Opposite positions have the parameter p = 2 r1 r2/(r1 + r2), so that the velocity across r1 is sqrt(mu
-// p)/r1 whatever the time. It is in the plane of the normal, however near that is to the departure.
+// Opposite positions have the parameter p = 2 r1 r2/(r1 + r2), so that the velocity across r1 is
+// sqrt(mu p)/r1 whatever the time. It is in the plane of the normal, however near that is to the departure.
 TEST(Transfer, TheNormalMayBeNearTheDeparture) {
   const Vector3<double> from(0, 0, -1);
   const TransferProblem opposite{from, {0, 0, 12}, 2, {.mu = 1}};
@@ -214,6 +214,23 @@ TEST(Transfer, TheNormalMayBeNearTheDeparture) {
     const Vector3<double> ahead = cross(*p.normal, from);
     EXPECT_NEAR(std::abs(t.v1.dot(ahead)), std::sqrt(24. / 13), 1e-14);
     EXPECT_NEAR(t.v1.dot(*p.normal), 0, 1e-14);
+  }
+}
+
+// Rounding of the arrival, some eps |r_F|, turns the plane by eps over the angle from 180 degrees.
+TEST(Transfer, BesideOppositePositionsThePlaneIsThatOfTheNormal) {
+  const Vector3<double> normal = Vector3<double>(0.3, -0.5, 0.7).normalized();
+  const Vector3<double> u = normal.unitOrthogonal(), w = cross(normal, u);
+  for (const double beside : {0., 1e-15, 3e-15, 1e-14, 1e-13, 1e-12, 1e-10, 1e-6}) {
+    const Vector3<double> to = -3e7 * (std::cos(beside) * u + std::sin(beside) * w);
+    const TransferProblem p = in_plane({7e6 * u, to, 9000, earth(0)}, normal);
+    Transfer t = corrected_transfer(p);
+    ASSERT_TRUE(t.status.ok()) << t.status.text();
+    turn_into_plane(p, t);
+    EXPECT_TRUE(t.status.ok());
+    EXPECT_LE(t.miss, 1e-13 * to.norm());
+    EXPECT_LE(integrated(p, t.v1), 1e-13 * to.norm());
+    EXPECT_LE(std::abs(t.v1.dot(normal)), 4e-16 * t.v1.norm());
   }
 }
 

@@ -230,10 +230,7 @@ orbit::Transfer transfer(const Arc& a, const orbit::TransferProblem& p, const or
   } catch (const std::invalid_argument& error) {
     throw InputError(error.what());
   }
-  // Beside 180 degrees rounding of the arrival turns the plane, and the velocity across it hardly matters.
-  if (p.normal && p.gravity.degree() == 0) {
-    for (orbit::Vector3<double>* v : {&t.v1, &t.v2}) *v -= v->dot(*p.normal) * *p.normal;
-  }
+  if (t.status.ok() && p.normal && p.gravity.degree() == 0) orbit::turn_into_plane(p, t);
   return t;
 }
 

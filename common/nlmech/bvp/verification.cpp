@@ -19,8 +19,8 @@ using Eigen::VectorXd;
 constexpr double integration_tolerance = 1e-13;  // of integrations that verify a solution
 
 /// How a piece of a solution is integrated: by an implicit method where it is stiff.
-struct Way {
-  bool is_stiff = true;
+struct Integrator {
+  bool is_implicit = true;
   double tolerance = integration_tolerance;
 };
 
@@ -56,15 +56,15 @@ struct WithParameters {
 /// integrate_at() with states in units of @p scale.
 Integration integrate_scaled(const Problem& problem, const Eigen::VectorXd& x0, const Eigen::VectorXd& p,
                              std::span<const double> times, const Eigen::VectorXd& scale,
-                             const Way& way = {}) {
+                             const Integrator& by = {}) {
   if (x0.size() != problem.states() || p.size() != problem.parameters()) {
     throw invalid_argument("integrate_at: {} states and {} parameters for a problem of {} and {}", x0.size(),
                            p.size(), problem.states(), problem.parameters());
   }
   const ivp::System system(WithParameters{&problem, p, scale});
-  const ivp::AdaptiveCollocation implicit{.relative_tolerance = way.tolerance,
-                                          .absolute_tolerance = way.tolerance};
-  const ivp::Dop853 explicit_pair{.relative_tolerance = way.tolerance, .absolute_tolerance = way.tolerance};
+  const ivp::AdaptiveCollocation implicit{.relative_tolerance = by.tolerance,
+                                          .absolute_tolerance = by.tolerance};
+  const ivp::Dop853 explicit_pair{.relative_tolerance = by.tolerance, .absolute_tolerance = by.tolerance};
   // A trajectory that needs more steps between two times cannot have been resolved by the mesh.
   const ivp::Limits limits{.steps = 20'000};
   Integration result;
@@ -73,8 +73,8 @@ Integration integrate_scaled(const Problem& problem, const Eigen::VectorXd& x0, 
   for (std::size_t k = 0; k < times.size(); ++k) {
     if (k > 0) {
       const ivp::Solution arc =
-          way.is_stiff ? ivp::integrate(system, x, times[k - 1], times[k], implicit, {}, limits)
-                       : ivp::integrate(system, x, times[k - 1], times[k], explicit_pair, {}, limits);
+          by.is_implicit ? ivp::integrate(system, x, times[k - 1], times[k], implicit, {}, limits)
+                         : ivp::integrate(system, x, times[k - 1], times[k], explicit_pair, {}, limits);
       result.statistics += arc.statistics;
       if (!arc.status.ok()) {
         result.status = arc.status;
@@ -106,8 +106,9 @@ struct Piece {
 };
 
 Piece integrate_piece(const Problem& problem, const VectorXd& p, const std::vector<double>& times,
-                      const VectorXd& from, const VectorXd& to, const VectorXd& scale, const Way& way = {}) {
-  const Integration arc = integrate_scaled(problem, from, p, times, scale, way);
+                      const VectorXd& from, const VectorXd& to, const VectorXd& scale,
+                      const Integrator& by = {}) {
+  const Integration arc = integrate_scaled(problem, from, p, times, scale, by);
   if (!arc.status.ok()) return {arc.status, std::numeric_limits<double>::infinity(), times.back()};
   const VectorXd end = arc.states.col(1);
   return {arc.status, (end - to).cwiseQuotient(scale).lpNorm<Eigen::Infinity>(), times.back(), end};
@@ -115,11 +116,11 @@ Piece integrate_piece(const Problem& problem, const VectorXd& p, const std::vect
 
 /// Scale of deviations: sizes of the states, and what errors of integration in the others make of each over
 /// the time @p length.
-VectorXd scale_of(const VectorXd& sizes, const Solution& solution, const Options& options, const Way& way,
-                  double length) {
+VectorXd scale_of(const VectorXd& sizes, const Solution& solution, const Options& options,
+                  const Integrator& by, double length) {
   VectorXd scale = sizes;
   if (solution.terms.size() > 0)
-    scale = scale.cwiseMax(10 * way.tolerance / options.verification_tolerance * length * solution.terms);
+    scale = scale.cwiseMax(10 * by.tolerance / options.verification_tolerance * length * solution.terms);
   return scale.unaryExpr([](double s) { return s > 0 ? s : 1; });
 }
 
@@ -160,11 +161,10 @@ Piece verify_interval(const Problem& problem, const Options& options, const Solu
     worst = {};
     // Over a part that is not stiff errors of integration stay far below the tolerance of the verification.
     const bool is_stiff = std::max(forward, backward) > most_explicit * parts;
-    const Way way =
-        is_stiff ? Way{}
-                 : Way{false, std::clamp(1e-5 * options.verification_tolerance, integration_tolerance, 1e-9)};
-    const VectorXd scale =
-        scale_of(sizes, solution, options, way, is_stiff ? interval.h : interval.h / parts);
+    const Integrator by = is_stiff ? Integrator{}
+                                   : Integrator{false, std::clamp(1e-5 * options.verification_tolerance,
+                                                                  integration_tolerance, 1e-9)};
+    const VectorXd scale = scale_of(sizes, solution, options, by, is_stiff ? interval.h : interval.h / parts);
     const auto time = [&](int k) {
       return k == parts ? span.end : span.begin + (span.end - span.begin) * k / parts;
     };
@@ -176,7 +176,7 @@ Piece verify_interval(const Problem& problem, const Options& options, const Solu
     for (int i = 0; i < parts && worst.error <= options.verification_tolerance; ++i) {
       const int a = backward < forward ? i + 1 : i, b = backward < forward ? i : i + 1;
       Piece piece =
-          integrate_piece(problem, solution.parameters(), {time(a), time(b)}, state(a), state(b), scale, way);
+          integrate_piece(problem, solution.parameters(), {time(a), time(b)}, state(a), state(b), scale, by);
       if (!(piece.error <= worst.error)) worst = std::move(piece);
     }
     if (worst.error <= options.verification_tolerance) break;

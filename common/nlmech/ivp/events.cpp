@@ -52,6 +52,14 @@ const Eigen::MatrixXd& coefficients_of_values() {
   return matrix;
 }
 
+/// The undecided part of an event, or the end. Undecided parts, at most one for each event, stand before the
+/// rests, of which there may be very many.
+std::vector<OpenEvent>::iterator undecided_part(std::vector<OpenEvent>& open, std::size_t event) {
+  const auto found =
+      std::ranges::find_if(open, [event](const OpenEvent& o) { return o.rests || o.event == event; });
+  return found == open.end() || found->rests ? open.end() : found;
+}
+
 }  // namespace
 
 /// The zeros of one function within one step.
@@ -295,7 +303,7 @@ class EventFinder::Scan {
       sign = after;
     } else {
       if (counts(-before)) add(t, -before);
-      if (stays_zero(t, b)) f_.add_open(event_, t, b);
+      if (at_b == 0 && stays_zero(t, b)) f_.add_open(event_, t, b);
     }
   }
   // Is a function that tends to zero, as 1 - erf(t) does, zero by rounding from a to b?
@@ -440,9 +448,9 @@ class EventFinder::Scan {
   // A function that was not zero comes to rest. The part before in which it could not be distinguished from
   // zero belongs to its way there.
   void arrive(int direction, double t) {
-    std::erase_if(f_.open_, [this](const OpenEvent& open) {
-      return open.event == event_ && !open.rests && open.t1 == open_from_;
-    });
+    if (const auto known = undecided_part(f_.open_, event_);
+        known != f_.open_.end() && known->t1 == open_from_)
+      f_.open_.erase(known);
     if (counts(direction)) add(t, direction);
     left_ = work;
   }
@@ -658,10 +666,8 @@ bool EventFinder::stops_at(Hit& hit) {
 
 void EventFinder::add_open(std::size_t event, double t0, double t1, bool is_zero) {
   if (is_zero && std::ranges::find(hits_, event, &Hit::event) != hits_.end()) return add_rest(event, t0, t1);
-  const auto is_known = [&](const OpenEvent& open) { return open.event == event && !open.rests; };
-  const auto known = std::ranges::find_if(open_, is_known);
-  if (known == open_.end())
-    open_.push_back({event, t0, t1});
+  if (const auto known = undecided_part(open_, event); known == open_.end())
+    open_.insert(std::ranges::find(open_, true, &OpenEvent::rests), {event, t0, t1});
   else
     known->t1 = t1;
 }

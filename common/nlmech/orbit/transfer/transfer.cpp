@@ -147,6 +147,33 @@ TransferProblem in_plane(const TransferProblem& problem, const Vector3<double>& 
   return p;
 }
 
+namespace {
+
+void measure_arc(const TransferProblem& problem, Transfer& transfer) {
+  transfer.miss = miss_of(problem, transfer.v1);
+  if (!(transfer.miss <= largest_miss * problem.to.stableNorm())) {
+    transfer.status =
+        failed_with(Outcome::outside_validity,
+                    "lambert: integrated, the arc found misses by {:.3g}, more than a millionth of the "
+                    "distance: doubles do not hold its velocity exactly enough (it passes near the centre, "
+                    "or makes very many revolutions); take another arc or time",
+                    transfer.miss);
+  }
+}
+
+}  // namespace
+
+void turn_into_plane(const TransferProblem& problem, Transfer& transfer) {
+  const auto turn = [&](const Vector3<double>& r, Vector3<double>& v) {
+    const Vector3<double> out = r / r.stableNorm(), ahead = cross(*problem.normal, out);
+    const Vector3<double> across = v - v.dot(out) * out;
+    v += std::copysign(across.stableNorm(), across.dot(ahead)) * ahead - across;
+  };
+  turn(problem.from, transfer.v1);
+  turn(problem.to, transfer.v2);
+  measure_arc(problem, transfer);
+}
+
 Transfer corrected_transfer(const TransferProblem& problem, const LambertArc& arc) {
   check(problem.gravity);
   const Stopwatch watch;
@@ -158,15 +185,7 @@ Transfer corrected_transfer(const TransferProblem& problem, const LambertArc& ar
   transfer.v1 = conic.v1;
   transfer.v2 = conic.v2;
   if (problem.gravity.degree() == 0) {
-    transfer.miss = miss_of(problem, conic.v1);
-    if (!(transfer.miss <= largest_miss * problem.to.stableNorm())) {
-      transfer.status =
-          failed_with(Outcome::outside_validity,
-                      "lambert: integrated, the arc found misses by {:.3g}, more than a millionth of the "
-                      "distance: doubles do not hold its velocity exactly enough (it passes near the centre, "
-                      "or makes very many revolutions); take another arc or time",
-                      transfer.miss);
-    }
+    measure_arc(problem, transfer);
   } else if (!follow_field(problem, transfer)) {
     transfer.status =
         failed_with(Outcome::not_converged,

@@ -112,6 +112,12 @@ struct CollocatedTransfer : Transfer {
 /// @throws std::invalid_argument for a normal that is not finite or along r_0, and an arrival along it
 [[nodiscard]] TransferProblem in_plane(const TransferProblem& problem, const Vector3<double>& normal);
 
+/// Turns the velocities of @p transfer about the positions into the plane of the normal of @p problem, as
+/// from in_plane(). Beside 180 degrees rounding of the arrival turns the plane of an arc; turned back it
+/// keeps its shape and, to rounding, its end. Renews the miss; status `outside_validity` if it exceeds
+/// `largest_miss` |r_F|. A test asserts misses of 1e-13 |r_F|.
+void turn_into_plane(const TransferProblem& problem, Transfer& transfer);
+
 /// |r(t) - r_F| for the orbit from r_0 with @p v1; infinite if the propagation fails. @param v2 receives the
 /// velocity at the arrival, if not null @throws std::invalid_argument as propagate()
 [[nodiscard]] double miss_of(const TransferProblem& problem, const Vector3<double>& v1,
